@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use common::hard::Disc;
-use device::{GpuError, Real, Work};
-use device_discs::hard::{Finder, HardKernels, WALL};
+use device::{GpuError, Work};
+use device_discs::hard::{HardKernels, Launches, Search, WALL};
 use solution7::{Candidate, Square, pair_hit, wall_hit};
 
 use crate::Lab9;
@@ -21,8 +21,8 @@ impl HardKernels for Lab9 {
     ///   many as discs and always have room: if it is one row, pass the error on.
     ///
     /// Book: chapter 9, *A list that grows*.
-    fn collect<R: Real>(
-        finder: &mut Finder<Self, R>,
+    fn collect(
+        finder: &mut dyn Search,
         rows: Range<u32>,
         found: &mut Vec<[u32; 2]>,
     ) -> Result<(), GpuError> {
@@ -48,7 +48,7 @@ impl HardKernels for Lab9 {
     /// starts at zero, and each of `finder.kernels()` is run on `finder.launch()`.
     ///
     /// Book: chapter 9, *A list that grows*.
-    fn record<R: Real>(finder: &Finder<Self, R>, work: &mut Work<'_>) {
+    fn record(finder: Launches<'_>, work: &mut Work<'_>) {
         // task 9.3c: count from zero
         work.clear(finder.count());
         for kernel in finder.kernels() {

@@ -1,10 +1,8 @@
 //! Reading the assignment's input: N, L, r, S, `print` or `perf`, and perhaps N discs.
 
-use std::io::{self, BufRead};
+use std::io::BufRead;
 
-use thiserror::Error;
-
-use super::words::Words;
+use super::words::{InputError, Words};
 use super::{Disc, RandomScene, Scene, SceneError};
 
 /// What an input asks for.
@@ -31,22 +29,6 @@ pub enum Mode {
     Print,
     /// The start and the end.
     Perf,
-}
-
-/// Why an input is refused.
-#[derive(Debug, Error)]
-pub enum InputError {
-    /// It cannot be read.
-    #[error(transparent)]
-    Io(#[from] io::Error),
-    /// A field has the wrong form, or the fields make no scene.
-    #[error("line {line}: {what}")]
-    Line {
-        /// Counted from 1; the last line if the input ends.
-        line: usize,
-        /// The field and its fault.
-        what: String,
-    },
 }
 
 impl Problem {

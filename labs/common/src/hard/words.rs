@@ -1,10 +1,26 @@
-//! An input taken apart into lines and words, with an eye on where one is.
+//! The lines and words of an input, and where in it an error is.
 
 use std::fmt::Display;
-use std::io::BufRead;
+use std::io::{self, BufRead};
 use std::str::FromStr;
 
-use super::InputError;
+use thiserror::Error;
+
+/// The reason why an input is refused.
+#[derive(Debug, Error)]
+pub enum InputError {
+    /// It cannot be read.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    /// A field has the wrong form, or the fields make no scene.
+    #[error("line {line}: {what}")]
+    Line {
+        /// Counted from 1; the last line if the input ends.
+        line: usize,
+        /// The field and its fault.
+        what: String,
+    },
+}
 
 /// An input by lines and, within a line, by words.
 pub(super) struct Words<R> {

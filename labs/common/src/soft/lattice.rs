@@ -1,6 +1,11 @@
 //! Where the particles of a generated scene stand.
 
-use super::official_size;
+use super::DENSITY;
+
+/// Side of the official box for `n` particles.
+pub fn official_size(n: usize) -> f64 {
+    (DENSITY * n as f64).sqrt()
+}
 
 /// `n` sites in a box of the official density, in rows of nearly √n, 2.2 cutoffs apart.
 ///

@@ -7,13 +7,8 @@
 use rand_mt::Mt;
 
 use super::lattice::Lattice;
-use super::{DENSITY, Particle, Scene, SceneError};
+use super::{Particle, Scene, SceneError};
 use crate::room::room_for;
-
-/// Side of the official box for `n` particles.
-pub fn official_size(n: usize) -> f64 {
-    (DENSITY * n as f64).sqrt()
-}
 
 impl Scene {
     /// The official scene of `n` particles.

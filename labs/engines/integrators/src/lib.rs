@@ -54,9 +54,9 @@ mod together;
 pub use located::Located;
 pub use mixed::Mixed;
 pub use neighbour_list::DIVIDE;
-pub use rules::{Method, Rules, Watched};
+pub use rules::{Rules, Watched};
 pub use state::State;
-pub use together::{Integrated, RungeKutta, System};
+pub use together::{Integrated, Method, RungeKutta, System};
 
 /// How many official steps one stands for.
 pub const STRETCH: common::Parameter = common::Parameter {

@@ -2,13 +2,7 @@
 
 use common::Vec2;
 
-use crate::{State, System};
-
-/// A way to take a step: all particles at the same time.
-pub trait Method: Send {
-    /// Takes one step of length `dt`, in units of time.
-    fn advance(&self, system: &mut System, dt: f64);
-}
+use crate::state::State;
 
 /// What a Runge-Kutta method asks for, and one that stops at events.
 pub trait Rules: Send + Sync + 'static {

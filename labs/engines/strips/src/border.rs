@@ -8,7 +8,7 @@ use mpi::Rank;
 use neighbour_list::kernels::{Pair, Positions};
 use neighbour_list::{Bodies, Contacts, External};
 
-use crate::distributed::Halo;
+use crate::sent_halo::Halo;
 
 /// What was chosen when the list was rebuilt, and the positions of the step.
 #[derive(Default)]

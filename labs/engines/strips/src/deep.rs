@@ -8,37 +8,8 @@ use common::soft::{NoStatistics, Particle, Scene, SceneError, Simulation};
 use mpi::topology::SimpleCommunicator;
 use neighbour_list::Bodies;
 
+use crate::deep_halo::{DeepHalo, Outlook};
 use crate::domain::Domain;
-use crate::epoch::Epoch;
-use crate::partition::Partition;
-
-/// How deep ghosts are chosen, for how many steps without a message, and whether these steps were right.
-pub trait DeepHalo: Partition {
-    /// How far from a strip its ghosts come that are moved for `steps` steps without a message, if no particle goes
-    /// further than `fastest` in one.
-    fn deep_width(fastest: f64, steps: u32) -> f64;
-
-    /// How many steps an epoch should have: from 1 to `outlook.most`.
-    fn best_depth(outlook: Outlook) -> u32;
-
-    /// How many of the `steps` steps that all ranks have taken with ghosts `width` deep are right, at least 1 and on
-    /// all ranks the same. `said` begins with how far the furthest own particle went in each of them; afterwards each
-    /// of its numbers is the greatest that any rank said.
-    fn confirm(world: &SimpleCommunicator, said: &mut [f64], steps: usize, width: f64) -> usize;
-}
-
-/// The facts on which the cheapest length of an epoch depends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outlook {
-    /// How far the fastest particle of all goes in a step.
-    pub fastest: f64,
-    /// Height of a strip.
-    pub height: f64,
-    /// Particles of a rank, at least 1.
-    pub particles: f64,
-    /// Steps that the lists of all ranks last, at least 1. No epoch is longer.
-    pub most: u32,
-}
 
 /// One rank of the job: the engine of a neighbour list on the particles of a strip and on its ghosts, which are
 /// particles like any other until the epoch is over.
@@ -61,6 +32,30 @@ pub struct Deep<T> {
     asks: PhantomData<T>,
 }
 // ANCHOR_END: deep
+
+/// The steps for which ghosts were chosen.
+#[derive(Default)]
+pub(crate) struct Epoch {
+    /// How many there are to be; 0 when the epoch is over.
+    pub(crate) planned: usize,
+    /// How deep the ghosts were chosen.
+    pub(crate) width: f64,
+    /// How far a particle of this rank went at most in each step that was taken.
+    pub(crate) moves: Vec<f64>,
+    /// The share of its list's life that a step takes on this rank, and its own particles.
+    pub(crate) own: [f64; 2],
+}
+
+impl Epoch {
+    fn is_over(&self) -> bool {
+        self.planned == 0
+    }
+
+    /// Steps that are not yet taken.
+    fn left(&self) -> u64 {
+        (self.planned - self.moves.len()) as u64
+    }
+}
 
 impl<T: DeepHalo> Deep<T> {
     /// An engine without particles.

@@ -9,7 +9,8 @@ use mpi::request;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use crate::deep::{Deep, DeepHalo};
+use crate::deep::Deep;
+use crate::deep_halo::DeepHalo;
 
 impl<T: DeepHalo> Deep<T> {
     /// Tells at which indices of the engine ghosts are. Deep inside the strip there is none.

@@ -2,36 +2,13 @@
 
 use common::soft::NoStatistics;
 
-use crate::deep::{Deep, DeepHalo, Outlook};
+use crate::deep::{Deep, Epoch};
+use crate::deep_halo::{DeepHalo, Outlook};
 use crate::domain::{Domain, lists_last};
 
 /// Ghosts are chosen for particles that become faster by this factor: a rollback costs an epoch, and
 /// ghosts a little deeper cost next to nothing.
 const FASTER: f64 = 1.5;
-
-/// The steps for which ghosts were chosen.
-#[derive(Default)]
-pub(crate) struct Epoch {
-    /// How many there are to be; 0 when the epoch is over.
-    planned: usize,
-    /// How deep the ghosts were chosen.
-    width: f64,
-    /// How far a particle of this rank went at most in each step that was taken.
-    moves: Vec<f64>,
-    /// The share of its list's life that a step takes on this rank, and its own particles.
-    own: [f64; 2],
-}
-
-impl Epoch {
-    pub(crate) fn is_over(&self) -> bool {
-        self.planned == 0
-    }
-
-    /// Steps that are not yet taken.
-    pub(crate) fn left(&self) -> u64 {
-        (self.planned - self.moves.len()) as u64
-    }
-}
 
 impl<T: DeepHalo> Deep<T> {
     /// Chooses ghosts for the next epoch. All ranks call it together.

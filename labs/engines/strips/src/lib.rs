@@ -51,6 +51,7 @@
 mod border;
 mod deep;
 mod deep_ghosts;
+mod deep_halo;
 mod distributed;
 mod domain;
 mod epoch;
@@ -58,8 +59,11 @@ mod partition;
 mod programs;
 mod recut;
 mod renew;
+mod sent_halo;
 
-pub use deep::{Deep, DeepHalo, Outlook};
-pub use distributed::{Distributed, Halo, Scenery};
+pub use deep::Deep;
+pub use deep_halo::{DeepHalo, Outlook};
+pub use distributed::Distributed;
 pub use partition::{Partition, Strips};
 pub use programs::Programs;
+pub use sent_halo::{Halo, Scenery};

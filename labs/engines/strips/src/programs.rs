@@ -4,8 +4,10 @@ use common::soft::Simulation;
 use common::{BuildError, Config, Parameter, Variant, deterministic, observed};
 use solution1::Tally;
 
-use crate::deep::{Deep, DeepHalo};
-use crate::distributed::{Distributed, Halo};
+use crate::deep::Deep;
+use crate::deep_halo::DeepHalo;
+use crate::distributed::Distributed;
+use crate::sent_halo::Halo;
 
 /// The programs for a type that answers all that the library asks.
 pub trait Programs: Halo + DeepHalo + Sized + 'static {

@@ -6,8 +6,9 @@ use mpi::Rank;
 use mpi::traits::*;
 use solution6::exchange_beside;
 
-use crate::distributed::{Distributed, Halo, Scenery};
+use crate::distributed::Distributed;
 use crate::domain::lists_last;
+use crate::sent_halo::{Halo, Scenery};
 
 /// Ghosts are chosen for particles that become faster by this factor.
 const FASTER: f64 = 1.1;

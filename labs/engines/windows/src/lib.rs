@@ -75,7 +75,8 @@
 //!
 //! | module | what |
 //! |--------|------|
-//! | `rules`, `path` | what is asked of the user, and what the rules are told |
+//! | `rules`, `span` | what is asked of the user, and what the rules are told |
+//! | `path` | where a particle goes if no force bends its path |
 //! | `search` | which particles could meet in a window |
 //! | `groups` | groups of particles, and running them through a window |
 //! | `window` | a window from its opening to its end, and what it missed |
@@ -87,9 +88,10 @@ mod planned;
 mod programs;
 mod rules;
 mod search;
+mod span;
 mod window;
 
-pub use path::Span;
 pub use planned::{Plan, Planned, Strategy, plan};
 pub use programs::Programs;
 pub use rules::Rules;
+pub use span::Span;

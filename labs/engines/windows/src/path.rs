@@ -2,18 +2,8 @@
 
 use common::soft::{CUTOFF, Particle};
 
-use crate::Rules;
-
-/// What all paths of a window share.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span {
-    /// Steps in the window.
-    pub steps: u32,
-    /// Length of a step.
-    pub dt: f64,
-    /// Side of the box.
-    pub size: f64,
-}
+use crate::rules::Rules;
+use crate::span::Span;
 
 /// The reference path of a particle during a window.
 ///
@@ -31,21 +21,6 @@ pub(crate) struct Path {
 }
 
 impl Span {
-    /// Time from the start of the window to its end.
-    pub fn whole(&self) -> f64 {
-        f64::from(self.steps) * self.dt
-    }
-
-    /// More than the sum of roundings of a position in the window.
-    pub fn rounding(&self) -> f64 {
-        1e-9 * CUTOFF + 2.0 * f64::from(self.steps + 4) * f64::EPSILON * self.size
-    }
-
-    /// Time from the first forces of the window to the last.
-    pub(crate) fn forces(&self) -> f64 {
-        f64::from(self.steps - 1) * self.dt
-    }
-
     /// The reference path of a particle.
     pub(crate) fn path<R: Rules>(&self, p: &Particle) -> Path {
         if R::meets_wall(self, p.x, p.y, p.vx, p.vy) {

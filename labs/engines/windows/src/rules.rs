@@ -1,6 +1,6 @@
 //! What the engine asks of its user.
 
-use crate::Span;
+use crate::span::Span;
 
 /// The decisions on which a window rests.
 ///

@@ -8,7 +8,7 @@ use device::{Bound, Gpu, GpuError, Kernel, Launch, Readback, Real, Stopwatch, Wo
 use solution7::Square;
 use wgpu::Buffer;
 
-use super::kernels::HardKernels;
+use super::kernels::{HardKernels, Launches, Search};
 use super::margins::Margins;
 
 /// The second number of a candidate that is a disc and a wall.
@@ -128,35 +128,40 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
         Ok(())
     }
 
-    /// Runs the kernels on some rows and returns how many candidates they found.
-    pub fn run(&mut self, rows: Range<u32>) -> u64 {
+    fn bind(&mut self) {
+        let buffers =
+            [(0, &self.parameters), (1, &self.discs), (2, &self.count), (3, &self.candidates)];
+        self.bound = self.kernels.iter().map(|kernel| kernel.bind(self.gpu, &buffers)).collect();
+    }
+
+    /// The clock, if there is one.
+    pub fn stopwatch(&self) -> Option<&Stopwatch> {
+        self.stopwatch.as_ref()
+    }
+}
+
+impl<K: HardKernels, R: Real> Search for Finder<K, R> {
+    fn run(&mut self, rows: Range<u32>) -> u64 {
         self.gpu.upload(&self.parameters, &self.margins.bytes::<R>(self.n, rows));
         let mut work = Work::new(self.gpu, self.stopwatch.as_ref());
-        K::record(self, &mut work);
+        let launches = Launches { kernels: &self.bound, launch: self.launch, count: &self.count };
+        K::record(launches, &mut work);
         let [count] = self.readback.read::<u32, 1>(self.gpu, work, [(&self.count, 0..1)]);
         u64::from(count[0])
     }
 
-    /// Adds the first `count` candidates of the list to `found`.
-    pub fn fetch(&mut self, count: u64, found: &mut Vec<[u32; 2]>) {
-        let work = Work::new(self.gpu, None);
-        let [mut list] = self.readback.read(self.gpu, work, [(&self.candidates, 0..count)]);
-        found.append(&mut list);
-    }
-
-    /// How many candidates the list has room for.
-    pub fn capacity(&self) -> u64 {
+    fn capacity(&self) -> u64 {
         self.capacity
     }
 
-    /// Makes room for at least `count` candidates. What the list held is lost.
-    ///
-    /// # Errors
-    /// The device has not the memory for them.
-    pub fn grow(&mut self, count: u64) -> Result<(), GpuError> {
+    fn grow(&mut self, count: u64) -> Result<(), GpuError> {
         if count > self.most {
-            let (bytes, most, name) = (count * 8, self.most * 8, self.gpu.name());
-            return Err(GpuError::Memory { what: "the candidates", bytes, most, name });
+            return Err(GpuError::Memory {
+                what: "the candidates",
+                bytes: count * 8,
+                most: self.most * 8,
+                name: self.gpu.name(),
+            });
         }
         let capacity = count.next_power_of_two().min(self.most);
         self.candidates = self.gpu.storage("the candidates", capacity * 8)?;
@@ -165,29 +170,9 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
         Ok(())
     }
 
-    fn bind(&mut self) {
-        let buffers =
-            [(0, &self.parameters), (1, &self.discs), (2, &self.count), (3, &self.candidates)];
-        self.bound = self.kernels.iter().map(|kernel| kernel.bind(self.gpu, &buffers)).collect();
-    }
-
-    /// The kernels, bound to their buffers, in the order in which they run.
-    pub fn kernels(&self) -> &[Bound] {
-        &self.bound
-    }
-
-    /// What each of them runs on.
-    pub fn launch(&self) -> Launch {
-        self.launch
-    }
-
-    /// Where the kernels count the candidates, one u32.
-    pub fn count(&self) -> &Buffer {
-        &self.count
-    }
-
-    /// The clock, if there is one.
-    pub fn stopwatch(&self) -> Option<&Stopwatch> {
-        self.stopwatch.as_ref()
+    fn fetch(&mut self, count: u64, found: &mut Vec<[u32; 2]>) {
+        let work = Work::new(self.gpu, None);
+        let [mut list] = self.readback.read(self.gpu, work, [(&self.candidates, 0..count)]);
+        found.append(&mut list);
     }
 }

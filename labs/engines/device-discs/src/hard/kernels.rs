@@ -1,12 +1,54 @@
-//! What the engine asks for.
+//! The kernels that the engine runs, and the host's part of the search.
 
 use std::ops::Range;
 
 use common::hard::Disc;
-use device::{GpuError, Launcher, Real, Work};
+use device::{Bound, GpuError, Launch, Launcher, Work};
 use solution7::{Candidate, Square};
+use wgpu::Buffer;
 
-use super::finder::Finder;
+/// A search on the device whose list of candidates grows.
+pub trait Search {
+    /// Runs the kernels on some rows and returns how many candidates they found.
+    fn run(&mut self, rows: Range<u32>) -> u64;
+
+    /// How many candidates the list has room for.
+    fn capacity(&self) -> u64;
+
+    /// Makes room for at least `count` candidates. What the list held is lost.
+    ///
+    /// # Errors
+    /// The device has not the memory for them.
+    fn grow(&mut self, count: u64) -> Result<(), GpuError>;
+
+    /// Adds the first `count` candidates of the list to `found`.
+    fn fetch(&mut self, count: u64, found: &mut Vec<[u32; 2]>);
+}
+
+/// The launches of a search.
+#[derive(Clone, Copy)]
+pub struct Launches<'a> {
+    pub(super) kernels: &'a [Bound],
+    pub(super) launch: Launch,
+    pub(super) count: &'a Buffer,
+}
+
+impl<'a> Launches<'a> {
+    /// The kernels, bound to their buffers, in the order in which they run.
+    pub fn kernels(&self) -> &'a [Bound] {
+        self.kernels
+    }
+
+    /// The number of invocations of each kernel.
+    pub fn launch(&self) -> Launch {
+        self.launch
+    }
+
+    /// The buffer in which the kernels count the candidates, one u32.
+    pub fn count(&self) -> &'a Buffer {
+        self.count
+    }
+}
 
 /// The kernels of the search and of the choice, in WGSL, and the host's part of the search.
 ///
@@ -36,14 +78,14 @@ pub trait HardKernels: Launcher + Sized + 'static {
     ///
     /// # Errors
     /// The device has too little memory for the candidates of a single row.
-    fn collect<R: Real>(
-        finder: &mut Finder<Self, R>,
+    fn collect(
+        finder: &mut dyn Search,
         rows: Range<u32>,
         found: &mut Vec<[u32; 2]>,
     ) -> Result<(), GpuError>;
 
     /// Writes down the launches that find the candidates, counted from zero.
-    fn record<R: Real>(finder: &Finder<Self, R>, work: &mut Work<'_>);
+    fn record(finder: Launches<'_>, work: &mut Work<'_>);
 
     /// Fills `candidates` with those of `found` that collide, and when: (a, b) with a < b, or
     /// (a, [`WALL`](super::WALL)).

@@ -11,5 +11,5 @@ pub use build::Programs;
 pub use choose::{Choice, ChoiceError, Chooser};
 pub use engine::HardDiscs;
 pub use finder::{Deal, Finder, WALL};
-pub use kernels::HardKernels;
+pub use kernels::{HardKernels, Launches, Search};
 pub use margins::Margins;

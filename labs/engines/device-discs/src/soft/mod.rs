@@ -3,6 +3,7 @@
 mod build;
 mod engine;
 mod kernels;
+mod levels;
 mod positions;
 mod scan;
 mod scene;

@@ -1,9 +1,7 @@
 //! Prefix sums of any length, from those of blocks, and a counting sort by them.
 
-use device::{Bound, Gpu, GpuError, Kernel, Launch};
+use device::{Bound, Launch};
 use wgpu::Buffer;
-
-use super::kernels::SoftKernels;
 
 /// Replaces the numbers in a buffer by their prefix sum, on the device.
 pub struct Scan {
@@ -20,43 +18,6 @@ pub struct Level {
     pub add_sums: Bound,
     /// An invocation for each number.
     pub launch: Launch,
-}
-
-impl Scan {
-    /// Prepares to sum the `len` numbers (u32) in `values`, by workgroups of `threads`, with the kernels `K`.
-    ///
-    /// # Errors
-    /// The device refuses a kernel, its launch or its memory.
-    pub fn new<K: SoftKernels>(
-        gpu: &Gpu,
-        values: &Buffer,
-        len: u32,
-        threads: u32,
-    ) -> Result<Self, GpuError> {
-        let sources = [K::scan()];
-        let limits = gpu.limits();
-        // Blocks of one number would never become fewer.
-        let threads = threads.max(2);
-        let kernel =
-            |name| K::checked(gpu, name, || Kernel::new(gpu, name, &sources, threads, &[]));
-        let (scan_blocks, add_sums) = (kernel("scan_blocks")?, kernel("add_sums")?);
-        let mut levels = Vec::new();
-        let (mut values, mut len) = (values.clone(), len);
-        loop {
-            let blocks = len.div_ceil(threads);
-            let sums = gpu.storage("sums of blocks", u64::from(blocks) * 4)?;
-            let buffers = [(0, &values), (1, &sums)];
-            levels.push(Level {
-                scan_blocks: scan_blocks.bind(gpu, &buffers),
-                add_sums: add_sums.bind(gpu, &buffers),
-                launch: K::launch_over(len, threads, &limits)?,
-            });
-            if blocks <= 1 {
-                return Ok(Self { levels });
-            }
-            (values, len) = (sums, blocks);
-        }
-    }
 }
 
 /// The kernels of a counting sort, bound to their buffers.

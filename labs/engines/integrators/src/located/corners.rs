@@ -3,7 +3,8 @@
 use common::Vec2;
 use common::soft::{CUTOFF, MASS, MIN_R};
 
-use crate::{Rules, State, Watched};
+use crate::rules::{Rules, Watched};
+use crate::state::State;
 
 /// Something that ends a step.
 #[derive(Clone, Copy)]

@@ -3,7 +3,8 @@
 use solution1::bounce;
 
 use super::corners::{Corners, Event};
-use crate::{Rules, State};
+use crate::rules::Rules;
+use crate::state::State;
 
 /// Larger groups are crowds: too many events to follow one by one, and they are not stopped.
 const MOST_MEMBERS: usize = 64;

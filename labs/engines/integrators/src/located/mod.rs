@@ -14,7 +14,8 @@ use std::marker::PhantomData;
 use common::soft::{DT, Particle, Scene, Simulation};
 use neighbour_list::Workers;
 
-use crate::{Rules, State};
+use crate::rules::Rules;
+use crate::state::State;
 use group::Group;
 use groups::Groups;
 

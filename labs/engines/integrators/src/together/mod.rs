@@ -5,8 +5,8 @@ mod system;
 
 use common::soft::{DT, Particle, Scene, Simulation};
 
-use crate::{Method, State};
-pub use system::{RungeKutta, System};
+use crate::state::State;
+pub use system::{Method, RungeKutta, System};
 
 /// The engine of particles that a method moves.
 pub struct Integrated<M> {

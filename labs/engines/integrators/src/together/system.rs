@@ -6,7 +6,14 @@ use common::Vec2;
 use solution1::bounce;
 
 use super::field::Field;
-use crate::{Method, Rules, State};
+use crate::rules::Rules;
+use crate::state::State;
+
+/// A way to take a step: all particles at the same time.
+pub trait Method: Send {
+    /// Takes one step of length `dt`, in units of time.
+    fn advance(&self, system: &mut System, dt: f64);
+}
 
 /// The particles, their box and the forces between them.
 pub struct System {

@@ -6,9 +6,10 @@ use std::marker::PhantomData;
 use common::soft::{DT, Particle, Scene, Simulation};
 use common::{BuildError, Config, Parameter, Variant, bitwise};
 
-use crate::kernels::{EIGHT, Kernel, Pair, Positions, ROOM, Signs, dispatch, make_room};
+use crate::kernels::{
+    EIGHT, Kernel, Pair, Positions, Primitives, ROOM, Signs, dispatch, make_room,
+};
 use crate::particles::Bodies;
-use crate::primitives::Primitives;
 
 /// Programs for a type that has the primitives: a step of each is one pass of a loop over all particles, which stay where
 /// they are.

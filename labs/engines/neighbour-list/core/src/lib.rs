@@ -16,7 +16,6 @@
 //! ([`common::soft::Scene`]), so nothing here fails.
 
 mod alone;
-mod primitives;
 mod programs;
 
 pub mod cells;
@@ -29,9 +28,8 @@ pub mod threads;
 pub use alone::Alone;
 pub use cells::{Cells, Extent, Grid, Kind, Sorter};
 pub use engine::{External, NeighbourList};
-pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Signs, make_room, pack};
+pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Primitives, Signs, make_room, pack};
 pub use list::{Block, Disc, LISTED, Pairs, REBUILD, TESTED, overlapping};
 pub use particles::{Bodies, Moving};
-pub use primitives::Primitives;
 pub use programs::{DIVIDE, Programs, SKIN};
 pub use threads::{SHARE, Workers, workers};

@@ -5,7 +5,7 @@ use common::{BuildError, Config, Parameter, Variant, deterministic, observed};
 use solution1::Tally;
 
 use crate::engine::NeighbourList;
-use crate::primitives::Primitives;
+use crate::kernels::Primitives;
 use crate::threads::{SHARE, workers};
 
 /// How many steps an official one is divided into.

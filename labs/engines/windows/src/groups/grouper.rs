@@ -6,7 +6,7 @@ use neighbour_list::Bodies;
 use neighbour_list::kernels::Pair;
 
 use super::slots::{Groups, SMALL};
-use crate::Rules;
+use crate::rules::Rules;
 
 /// No number yet, or no group.
 const NONE: u32 = u32::MAX;

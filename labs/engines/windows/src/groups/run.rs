@@ -12,7 +12,8 @@ use solution1::bounce;
 use super::slots::{Group, Groups, LANES, Record, Slice};
 use super::together::run_together;
 use crate::path::Path;
-use crate::{Rules, Span};
+use crate::rules::Rules;
+use crate::span::Span;
 
 /// What running a group needs for itself.
 #[derive(Default)]

@@ -5,7 +5,7 @@ use neighbour_list::Bodies;
 use neighbour_list::kernels::{coefficient, larger};
 
 use super::slots::{LANES, Slice};
-use crate::Span;
+use crate::span::Span;
 
 /// Runs up to sixteen groups of `M` through the steps of `span`, side by side and without a branch, and
 /// writes their members to `out`: the first of each group, the second of each, and so on. Returns

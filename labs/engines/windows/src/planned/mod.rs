@@ -11,9 +11,10 @@ use neighbour_list::{Bodies, NeighbourList, Workers};
 
 pub use plan::{Plan, Strategy, plan};
 
+use crate::rules::Rules;
 use crate::search::Layout;
+use crate::span::Span;
 use crate::window::{Window, WindowCounts};
-use crate::{Rules, Span};
 
 /// Windows of several steps after which there is a new plan.
 const WINDOWS: u64 = 16;

@@ -7,7 +7,7 @@ use common::soft::{CUTOFF, DT};
 use neighbour_list::particles::Sample;
 use neighbour_list::{Bodies, Extent, Grid};
 
-use crate::Rules;
+use crate::rules::Rules;
 
 /// How to go through the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

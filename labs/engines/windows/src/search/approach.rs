@@ -9,7 +9,7 @@ use pulp::NullaryFnOnce;
 
 use super::Found;
 use super::layout::Layout;
-use crate::Rules;
+use crate::rules::Rules;
 
 /// Sorts pairs into those whose free flights come near each other, those that are to be watched, and
 /// the rest.

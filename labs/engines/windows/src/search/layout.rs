@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use common::soft::CUTOFF;
 use neighbour_list::{LISTED, REBUILD, TESTED};
 
-use crate::Span;
+use crate::span::Span;
 
 /// How a window is laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -12,7 +12,7 @@ use neighbour_list::kernels::Pair;
 use neighbour_list::list::{Block, Pairs};
 use pulp::Arch;
 
-use crate::Rules;
+use crate::rules::Rules;
 use approach::Approach;
 pub(crate) use layout::Layout;
 pub(crate) use listed::Listed;

@@ -6,8 +6,8 @@ use neighbour_list::Bodies;
 use neighbour_list::kernels::Pair;
 use neighbour_list::list::Block;
 
-use crate::Rules;
 use crate::groups::{Batch, FREE, Grouper, Task};
+use crate::rules::Rules;
 use crate::search::{Found, Layout, Search};
 
 /// Cells that follow each other in memory, and what happens among their particles.

@@ -10,7 +10,8 @@ use pulp::{Arch, NullaryFnOnce};
 use super::band::Band;
 use super::opening::Window;
 use crate::groups::Batch;
-use crate::{Rules, Span};
+use crate::rules::Rules;
+use crate::span::Span;
 
 /// The free flight of a piece.
 struct Fly<'a, R> {

@@ -5,7 +5,8 @@ use neighbour_list::kernels::Pair;
 
 use super::opening::{LATE, Window};
 use crate::groups::{Batch, FREE};
-use crate::{Rules, Span};
+use crate::rules::Rules;
+use crate::span::Span;
 
 impl Window {
     /// The batch that computes a particle that is not free, and its slot there.

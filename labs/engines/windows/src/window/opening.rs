@@ -7,8 +7,8 @@ use neighbour_list::{Bodies, Workers};
 
 use super::WindowCounts;
 use super::band::Band;
-use crate::Rules;
 use crate::groups::{Batch, FREE, Grouper, Task};
+use crate::rules::Rules;
 use crate::search::{Layout, Listed, Search};
 
 /// In a slot: it is in a batch that was computed after the bands.

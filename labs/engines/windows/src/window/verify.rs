@@ -6,8 +6,8 @@ use neighbour_list::kernels::Pair;
 use super::WindowCounts;
 use super::band::Band;
 use super::opening::Window;
-use crate::Rules;
 use crate::groups::Batch;
+use crate::rules::Rules;
 use crate::search::{Layout, Search};
 
 impl Window {

@@ -4,9 +4,8 @@ use std::ops::Range;
 
 use common::soft::Observer;
 
-use crate::kernels::{Contacts, Pair, Positions};
+use crate::kernels::{Contacts, Pair, Positions, Primitives};
 use crate::list::Block;
-use crate::primitives::Primitives;
 
 /// The pairs within the cutoff whose particles are in two blocks, in ascending order of the first particle.
 #[derive(Default)]

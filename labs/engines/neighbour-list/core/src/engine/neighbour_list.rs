@@ -8,9 +8,9 @@ use pulp::Arch;
 use super::across::{Across, External};
 use super::counts::Counts;
 use super::sweep::{Pass, Sweep};
+use crate::kernels::Primitives;
 use crate::list::{Block, Limits, Neighbours};
 use crate::particles::{Bodies, Moving};
-use crate::primitives::Primitives;
 use crate::threads::{Workers, cut};
 
 /// The engine: the primitives `P` on several threads, seen by an observer `O`.

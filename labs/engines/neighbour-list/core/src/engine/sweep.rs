@@ -9,10 +9,9 @@ use pulp::NullaryFnOnce;
 
 use super::across::{Across, External};
 use super::sums::Sums;
-use crate::kernels::{Contacts, Positions};
+use crate::kernels::{Contacts, Positions, Primitives};
 use crate::list::{Block, Fast, Piece, SpeedLimit};
 use crate::particles::Moving;
-use crate::primitives::Primitives;
 
 /// What the pass over a block needs and leaves.
 #[derive(Default)]

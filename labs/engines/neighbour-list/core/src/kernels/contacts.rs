@@ -4,8 +4,7 @@ use std::marker::PhantomData;
 
 use common::soft::CUTOFF;
 
-use super::{EIGHT, Pair, Positions, ROOM, coefficient};
-use crate::primitives::Primitives;
+use super::{EIGHT, Pair, Positions, Primitives, ROOM, coefficient};
 
 /// Pairs within the cutoff, waiting for their forces. They stand close together, so that their
 /// square roots and divisions fill vector registers.

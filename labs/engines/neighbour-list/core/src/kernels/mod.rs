@@ -11,12 +11,14 @@
 //! and call that three times. Look for `zmm` in the program before you believe a kernel.
 
 mod contacts;
+mod primitives;
 mod select;
 mod signs;
 
 use common::soft::{CUTOFF, MASS, MIN_R};
 
 pub use contacts::Contacts;
+pub use primitives::Primitives;
 pub use select::{Pair, Positions, ROOM, make_room, pack};
 pub use signs::{AnyProcessor, EIGHT, Kernel, Signs, dispatch};
 

@@ -9,9 +9,8 @@ use std::ops::Range;
 use pulp::NullaryFnOnce;
 
 use crate::cells::Cells;
-use crate::kernels::{EIGHT, Kernel, Pair, Positions, ROOM, Signs, make_room};
+use crate::kernels::{EIGHT, Kernel, Pair, Positions, Primitives, ROOM, Signs, make_room};
 use crate::particles::Bodies;
-use crate::primitives::Primitives;
 
 /// Particles whose forces are computed together, before they move: few enough to stay in the cache meanwhile.
 const PIECE: usize = 1000;

@@ -3,7 +3,7 @@
 
 use common::soft::CUTOFF;
 
-use crate::primitives::Primitives;
+use crate::kernels::Primitives;
 
 /// How much further than the cutoff a list looked when it was built, and how far its particles may
 /// have gone since.

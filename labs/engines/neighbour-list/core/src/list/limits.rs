@@ -5,8 +5,8 @@ use std::ops::Range;
 use super::budget::{Budget, lasting};
 use super::neighbours::Neighbours;
 use super::outliers::{Outlier, Outliers};
+use crate::kernels::Primitives;
 use crate::particles::{Bodies, Sample};
-use crate::primitives::Primitives;
 use crate::threads::Workers;
 
 /// Particles for each one that may be faster than a list allows.

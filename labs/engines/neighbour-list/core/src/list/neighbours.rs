@@ -9,9 +9,8 @@ use pulp::Arch;
 use super::block::{Block, Collect, Filter};
 use super::budget::Budget;
 use crate::cells::{Cells, Extent, Grid, Sorter};
-use crate::kernels::{Pair, dispatch};
+use crate::kernels::{Pair, Primitives, dispatch};
 use crate::particles::Bodies;
-use crate::primitives::Primitives;
 use crate::threads::{LEAST, Workers, pieces};
 
 /// Most blocks.

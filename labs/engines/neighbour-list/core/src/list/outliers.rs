@@ -7,9 +7,8 @@
 use std::ops::Range;
 
 use super::neighbours::Neighbours;
-use crate::kernels::Pair;
+use crate::kernels::{Pair, Primitives};
 use crate::particles::Bodies;
-use crate::primitives::Primitives;
 use crate::threads::{Workers, pieces};
 
 /// Outliers whose pairs are looked for one after another.

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use solution1::bounce;
 
-use crate::primitives::Primitives;
+use crate::kernels::Primitives;
 
 /// Positions and velocities of consecutive particles.
 pub struct Moving<'a> {

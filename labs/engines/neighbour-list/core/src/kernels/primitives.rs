@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::kernels::{Pair, Positions, ROOM, Signs};
+use super::{Pair, Positions, ROOM, Signs};
 
 /// The primitives of a neighbour-list engine: its three innermost loops, and the two decisions about its
 /// list.

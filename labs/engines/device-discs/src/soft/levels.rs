@@ -1,0 +1,47 @@
+//! The levels of a prefix sum, from the numbers themselves up to a level of a single block.
+
+use device::{Gpu, GpuError, Kernel};
+use wgpu::Buffer;
+
+use super::kernels::SoftKernels;
+use super::scan::{Level, Scan};
+
+impl Scan {
+    /// Prepares to sum the `len` numbers (u32) in `values`, by workgroups of `threads`, with the kernels `K`.
+    ///
+    /// # Errors
+    /// The device refuses a kernel, its launch or its memory.
+    pub fn new<K: SoftKernels>(
+        gpu: &Gpu,
+        values: &Buffer,
+        len: u32,
+        threads: u32,
+    ) -> Result<Self, GpuError> {
+        let sources = [K::scan()];
+        let limits = gpu.limits();
+        // Blocks of one number would never become fewer.
+        let threads = threads.max(2);
+        let kernel =
+            |name| K::checked(gpu, name, || Kernel::new(gpu, name, &sources, threads, &[]));
+        let scan_blocks = kernel("scan_blocks")?;
+        let add_sums = kernel("add_sums")?;
+        let mut levels = Vec::new();
+        let mut values = values.clone();
+        let mut len = len;
+        loop {
+            let blocks = len.div_ceil(threads);
+            let sums = gpu.storage("sums of blocks", u64::from(blocks) * 4)?;
+            let buffers = [(0, &values), (1, &sums)];
+            levels.push(Level {
+                scan_blocks: scan_blocks.bind(gpu, &buffers),
+                add_sums: add_sums.bind(gpu, &buffers),
+                launch: K::launch_over(len, threads, &limits)?,
+            });
+            if blocks <= 1 {
+                return Ok(Self { levels });
+            }
+            values = sums;
+            len = blocks;
+        }
+    }
+}
