@@ -20,15 +20,35 @@ pub use width::{ACROSS, GHOST, RENEWAL, best_steps, ghost_width};
 
 use std::ops::Range;
 
-use common::Variant;
 use common::soft::Simulation;
+use common::{Variant, deterministic};
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use neighbour_list::kernels::{Pair, Positions};
-use strips::{DeepHalo, Halo, Outlook, Partition, Programs, Scenery, Strips};
+use strips::programs::{PARAMETERS, deep, distributed};
+use strips::{DeepHalo, Halo, Outlook, Partition, Scenery, Strips};
 
 /// The programs of this lab.
-pub static VARIANTS: &[Variant<dyn Simulation>] = Lab13::VARIANTS;
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[
+    deterministic(
+        "strips",
+        "lab 10's engine on each rank, ghosts chosen once for each list",
+        PARAMETERS,
+        |config| distributed::<Lab13>(config, 1),
+    ),
+    deterministic(
+        "strips-threads",
+        "the same with threads (-t) in each rank",
+        PARAMETERS,
+        |config| distributed::<Lab13>(config, config.threads),
+    ),
+    deterministic(
+        "strips-deep",
+        "ghosts several cutoffs deep, moved by the rank itself: no message for several steps",
+        PARAMETERS,
+        deep::<Lab13>,
+    ),
+];
 
 /// What the library asks for, answered by the functions of the tasks.
 pub struct Lab13;

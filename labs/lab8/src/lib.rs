@@ -12,11 +12,12 @@ mod news;
 mod spatial_cuts;
 mod strips;
 
-use common::Variant;
 use common::hard::{Disc, Simulation};
+use common::{Variant, bitwise};
+use hard_disc_ranks::programs::{self, KEEP, MASTER_WORKS, RECUT};
 use hard_disc_ranks::{
-    Deal, Dealing, Deciding, Decisions, DiscWire, Job, MasterWorkers, Messages, Programs, Reach,
-    SpatialCuts, Strips, Team,
+    Deal, Dealing, Deciding, Decisions, DiscWire, Job, MasterWorkers, Messages, Reach, SpatialCuts,
+    Strips, Team,
 };
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
@@ -34,7 +35,26 @@ pub use news::{hear, news_for};
 pub use strips::{looks_at, reached};
 
 /// The programs of this lab.
-pub static VARIANTS: &[Variant<dyn Simulation>] = Lab8::VARIANTS;
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[
+    bitwise(
+        "master-workers",
+        "a master deals block pairs along the diagonals, collects candidates and decides",
+        &[MASTER_WORKS, KEEP],
+        programs::master_workers::<Lab8>,
+    ),
+    bitwise(
+        "as-reported",
+        "the report's: blocks again in every step, and the workers move the discs",
+        &[],
+        programs::as_reported::<Lab8>,
+    ),
+    bitwise(
+        "spatial-cuts",
+        "strips on ranks; ghosts and news of decisions travel between neighbours",
+        &[RECUT],
+        programs::spatial_cuts::<Lab8>,
+    ),
+];
 
 /// What the library asks for, answered by the functions of the tasks.
 pub struct Lab8;

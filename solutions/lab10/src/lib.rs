@@ -19,14 +19,21 @@ use std::ops::Range;
 use common::soft::Simulation;
 use common::{BuildError, Config, Parameter, Variant, deterministic, observed};
 use neighbour_list_core::kernels::{Pair, Positions, ROOM, Signs};
-use neighbour_list_core::{Primitives, Programs, SKIN};
+use neighbour_list_core::{DIVIDE, NeighbourList, Primitives, SHARE, SKIN, workers};
 use solution1::Tally;
 
 const INNER: Parameter = Parameter::switch("inner", "1: with an inner list, 0: without", true);
 
 fn serial_list(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
-    let (skin, inner) = (config.parameter("skin"), config.parameter("inner") > 0.0);
+    let skin = config.parameter(SKIN.name);
+    let inner = config.parameter(INNER.name) > 0.0;
     Ok(observed!(config, Tally, |O| Engine::<O>::new(skin, inner)))
+}
+
+fn neighbour_list(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
+    let skin = config.parameter(SKIN.name);
+    let divide = config.parameter(DIVIDE.name) as u32;
+    Ok(observed!(config, Tally, |O| NeighbourList::<O, Tasks>::new(workers(config), skin, divide)))
 }
 
 /// The programs of this lab.
@@ -37,7 +44,12 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         &[SKIN, INNER],
         serial_list,
     ),
-    Tasks::NEIGHBOUR_LIST,
+    deterministic(
+        "neighbour-list",
+        "the library's engine: that loop with threads, and with particles too fast for a list",
+        &[SKIN, DIVIDE, SHARE],
+        neighbour_list,
+    ),
 ];
 
 /// The functions of tasks 10.1 to 10.4, as the library's engine takes them.

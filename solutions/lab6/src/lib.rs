@@ -15,17 +15,34 @@ pub use share::keep_share;
 
 use std::ops::Range;
 
-use common::Variant;
 use common::soft::{Particle, Simulation};
+use common::{Variant, bitwise};
 use common_mpi::Wire;
-use halo::{Blocks, Messages, Programs, Replay};
+use halo::programs::{PARAMETERS, build};
+use halo::{Blocks, Messages, Replay, Route};
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution2::Grid;
 
 /// The programs of this lab.
-pub static VARIANTS: &[Variant<dyn Simulation>] = Lab6::VARIANTS;
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[
+    bitwise(
+        "halo",
+        "ghosts to neighbours by non-blocking messages, inner rows computed meanwhile",
+        PARAMETERS,
+        |config| build::<Lab6>(config, 1, Route::Neighbours),
+    ),
+    bitwise("hybrid", "the same with threads (-t) in each rank", PARAMETERS, |config| {
+        build::<Lab6>(config, config.threads, Route::Neighbours)
+    }),
+    bitwise(
+        "alltoallv",
+        "ghosts and movers by one collective operation each, and nothing meanwhile",
+        PARAMETERS,
+        |config| build::<Lab6>(config, 1, Route::AllRanks),
+    ),
+];
 
 /// What the library asks for, answered by the functions of the tasks.
 pub struct Lab6;

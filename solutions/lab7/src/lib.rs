@@ -17,11 +17,12 @@ mod windows;
 use std::cmp::Ordering;
 use std::ops::Range;
 
-use common::Variant;
 use common::hard::{Disc, Simulation};
+use common::{Variant, bitwise};
+use hard_discs::programs::{self, CHUNK, DISC_CHUNK, WHOLE_BLOCKS, WINDOWS, dynamic};
 use hard_discs::{
-    BroadPhase, Collisions, Engine, Entry, Find, LockedCount, ParallelLoops, Programs, Schedule,
-    SharedCount, Slots, Span, Step, Survey, Team, Which,
+    BroadPhase, Choice, Collect, Collisions, Engine, Entry, Find, LockedCount, ParallelLoops,
+    Schedule, SharedCount, Slots, Span, Step, Survey, Team, Which,
 };
 
 pub use append::{append_atomic, append_locked};
@@ -40,7 +41,61 @@ pub use walls::wall_hit;
 pub use windows::choose_windows;
 
 /// The programs of this lab.
-pub static VARIANTS: &[Variant<dyn Simulation>] = Lab7::VARIANTS;
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[
+    bitwise("sequential", "all pairs, one thread", &[], programs::all_pairs::<Lab7>),
+    bitwise("outer-static", "outer loop in fixed parts (the report's p1)", &[], |config| {
+        programs::loops::<Lab7>(config, Which::Outer, Schedule::Static)
+    }),
+    bitwise("outer-dynamic", "outer loop from a queue (the report's p1d)", &[CHUNK], |config| {
+        programs::loops::<Lab7>(config, Which::Outer, dynamic(config))
+    }),
+    bitwise("inner-static", "inner loop in fixed parts (the report's p2)", &[], |config| {
+        programs::loops::<Lab7>(config, Which::Inner, Schedule::Static)
+    }),
+    bitwise("inner-dynamic", "inner loop from a queue (the report's p2d)", &[CHUNK], |config| {
+        programs::loops::<Lab7>(config, Which::Inner, dynamic(config))
+    }),
+    bitwise(
+        "nested-mixed",
+        "outer loop from a queue, inner ones in fixed parts by fresh teams (the report's p3)",
+        &[CHUNK],
+        |config| programs::loops::<Lab7>(config, Which::Nested, dynamic(config)),
+    ),
+    bitwise(
+        "shared-locked",
+        "as outer-dynamic; candidates in one array, counted under a lock (as the report has it)",
+        &[CHUNK],
+        |config| programs::collected::<Lab7>(config, Collect::Locked, Choice::Sort),
+    ),
+    bitwise("shared-atomic", "the same, counted by fetch_add", &[CHUNK], |config| {
+        programs::collected::<Lab7>(config, Collect::Atomic, Choice::Sort)
+    }),
+    bitwise(
+        "merge-sort",
+        "as outer-dynamic; lists are sorted in parallel and merged",
+        &[CHUNK],
+        |config| programs::collected::<Lab7>(config, Collect::Own, Choice::Merge),
+    ),
+    bitwise(
+        "grid",
+        "the report's grid of 4 x 4, 2 x 2 and 1 blocks, one thread",
+        &[],
+        programs::grid::<Lab7>,
+    ),
+    bitwise(
+        "grid-parallel",
+        "the same, discs or blocks from a queue",
+        &[DISC_CHUNK, WHOLE_BLOCKS],
+        programs::grid_parallel::<Lab7>,
+    ),
+    bitwise("cells", "sorted occupied cells, the step in one window", &[], programs::cells::<Lab7>),
+    bitwise(
+        "planned",
+        "the same, windows of time as the scene needs",
+        &[WINDOWS],
+        programs::planned::<Lab7>,
+    ),
+];
 
 /// Looks at the pairs of disc `a` with every disc in `partners`, all of higher numbers than `a`, and appends to `list` the
 /// candidates of those that collide in this step.

@@ -50,12 +50,11 @@ mod engine;
 mod forces;
 mod messages;
 mod migrate;
-mod programs;
+pub mod programs;
 mod share;
 mod threads;
 
 pub use blocks::{Blocks, Cuts, Leavers, Replay, border_rows};
 pub use engine::Halo;
 pub use messages::{Messages, Route};
-pub use programs::Programs;
 pub use share::make_share;

@@ -1,7 +1,7 @@
-//! The engine as programs that a driver lists and builds.
+//! The engine as a program: its parameters, and how it is built.
 
 use common::soft::Simulation;
-use common::{BuildError, Config, Parameter, Variant, bitwise, observed};
+use common::{BuildError, Config, Parameter, observed};
 use solution1::Tally;
 use solution2::bin_size;
 
@@ -9,31 +9,8 @@ use crate::blocks::Blocks;
 use crate::engine::Halo;
 use crate::messages::{Messages, Route};
 
-/// The programs for a type that answers all that the library asks.
-pub trait Programs: Blocks + Messages + Sized + 'static {
-    /// All of them.
-    const VARIANTS: &'static [Variant<dyn Simulation>] = &[
-        bitwise(
-            "halo",
-            "ghosts to neighbours by non-blocking messages, inner rows computed meanwhile",
-            PARAMETERS,
-            |config| build::<Self>(&config.clone().with_threads(1), Route::Neighbours),
-        ),
-        bitwise("hybrid", "the same with threads (-t) in each rank", PARAMETERS, |config| {
-            build::<Self>(config, Route::Neighbours)
-        }),
-        bitwise(
-            "alltoallv",
-            "ghosts and movers by one collective operation each, and nothing meanwhile",
-            PARAMETERS,
-            |config| build::<Self>(&config.clone().with_threads(1), Route::AllRanks),
-        ),
-    ];
-}
-
-impl<L: Blocks + Messages + 'static> Programs for L {}
-
-const PARAMETERS: &[Parameter] = &[bin_size(1.0), REBALANCE, REMAINDER_LAST];
+/// The parameters of an engine.
+pub const PARAMETERS: &[Parameter] = &[bin_size(1.0), REBALANCE, REMAINDER_LAST];
 
 const REBALANCE: Parameter = Parameter {
     name: "rebalance",
@@ -48,10 +25,16 @@ const REMAINDER_LAST: Parameter = Parameter::switch(
     false,
 );
 
-fn build<L: Blocks + Messages + 'static>(
+/// Builds the engine of this rank, with `threads` threads, whose messages take this `route`.
+///
+/// # Errors
+/// There is no MPI library.
+pub fn build<L: Blocks + Messages + 'static>(
     config: &Config,
+    threads: usize,
     route: Route,
 ) -> Result<Box<dyn Simulation>, BuildError> {
     let world = common_mpi::world()?;
-    Ok(observed!(config, Tally, |O| Halo::<O, L>::new(world, config, route)))
+    let config = config.clone().with_threads(threads);
+    Ok(observed!(config, Tally, |O| Halo::<O, L>::new(world, &config, route)))
 }

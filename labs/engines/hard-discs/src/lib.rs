@@ -87,7 +87,7 @@ mod grid;
 mod loops;
 mod pairs;
 mod parallel_loops;
-mod programs;
+pub mod programs;
 mod survey;
 mod threads;
 
@@ -103,6 +103,5 @@ pub use grid::{BLOCKS, Deal, Grid};
 pub use loops::{AllPairs, Collect, Loops};
 pub use pairs::{LANES, look_along, look_for, may_touch};
 pub use parallel_loops::{ParallelLoops, Which};
-pub use programs::Programs;
 pub use survey::Survey;
 pub use threads::{LockedCount, Schedule, SharedCount, Slots, Team, Workers};

@@ -1,7 +1,7 @@
-//! The engines as programs that a driver lists and builds.
+//! The engines as programs: their parameters, and how they are built.
 
 use common::hard::Simulation;
-use common::{BuildError, Config, Parameter, Variant, bitwise};
+use common::{BuildError, Config, Parameter};
 
 use crate::broad_phase::BroadPhase;
 use crate::cells::Planned;
@@ -13,89 +13,28 @@ use crate::loops::{AllPairs, Collect, Loops};
 use crate::parallel_loops::{ParallelLoops, Which};
 use crate::threads::{Schedule, Workers};
 
-/// The programs for a type that answers all that the library asks.
-pub trait Programs: Step + BroadPhase + ParallelLoops {
-    /// All of them. They give the same bits on any scene.
-    const VARIANTS: &'static [Variant<dyn Simulation>] = &[
-        bitwise("sequential", "all pairs, one thread", &[], all_pairs::<Self>),
-        bitwise("outer-static", "outer loop in fixed parts (the report's p1)", &[], |config| {
-            all_loops::<Self>(Which::Outer, Schedule::Static, config)
-        }),
-        bitwise("outer-dynamic", "outer loop from a queue (the report's p1d)", CHUNK, |config| {
-            all_loops::<Self>(Which::Outer, dynamic(config), config)
-        }),
-        bitwise("inner-static", "inner loop in fixed parts (the report's p2)", &[], |config| {
-            all_loops::<Self>(Which::Inner, Schedule::Static, config)
-        }),
-        bitwise("inner-dynamic", "inner loop from a queue (the report's p2d)", CHUNK, |config| {
-            all_loops::<Self>(Which::Inner, dynamic(config), config)
-        }),
-        bitwise(
-            "nested-mixed",
-            "outer loop from a queue, inner ones in fixed parts by fresh teams (the report's p3)",
-            CHUNK,
-            |config| all_loops::<Self>(Which::Nested, dynamic(config), config),
-        ),
-        bitwise(
-            "shared-locked",
-            "as outer-dynamic; candidates in one array, counted under a lock (as the report has it)",
-            CHUNK,
-            |config| collected::<Self>(Collect::Locked, Choice::Sort, config),
-        ),
-        bitwise("shared-atomic", "the same, counted by fetch_add", CHUNK, |config| {
-            collected::<Self>(Collect::Atomic, Choice::Sort, config)
-        }),
-        bitwise(
-            "merge-sort",
-            "as outer-dynamic; lists are sorted in parallel and merged",
-            CHUNK,
-            |config| collected::<Self>(Collect::Own, Choice::Merge, config),
-        ),
-        bitwise(
-            "grid",
-            "the report's grid of 4 x 4, 2 x 2 and 1 blocks, one thread",
-            &[],
-            grid::<Self>,
-        ),
-        bitwise(
-            "grid-parallel",
-            "the same, discs or blocks from a queue",
-            GRID,
-            grid_parallel::<Self>,
-        ),
-        bitwise("cells", "sorted occupied cells, the step in one window", &[], cells::<Self>),
-        bitwise(
-            "planned",
-            "the same, windows of time as the scene needs",
-            WINDOWS,
-            planned::<Self>,
-        ),
-    ];
-}
+/// The number of iterations that a worker takes from a queue together.
+pub const CHUNK: Parameter =
+    Parameter { name: "chunk", about: "iterations in a chunk", default: 1.0, range: (1.0, 1e9) };
 
-impl<C: Step + BroadPhase + ParallelLoops> Programs for C {}
+/// The same of a grid, where an iteration is a disc.
+pub const DISC_CHUNK: Parameter =
+    Parameter { name: "chunk", about: "discs in a chunk", default: 16.0, range: (1.0, 1e9) };
 
-/// The parameter of [`dynamic`].
-const CHUNK: &[Parameter] =
-    &[Parameter { name: "chunk", about: "iterations in a chunk", default: 1.0, range: (1.0, 1e9) }];
+/// Whether workers take whole blocks of a grid.
+pub const WHOLE_BLOCKS: Parameter = Parameter::switch(
+    "blocks",
+    "1: whole blocks from the queue (as the report has it); 0: discs",
+    false,
+);
 
-/// The parameters of [`grid_parallel`].
-const GRID: &[Parameter] = &[
-    Parameter { name: "chunk", about: "discs in a chunk", default: 16.0, range: (1.0, 1e9) },
-    Parameter::switch(
-        "blocks",
-        "1: whole blocks from the queue (as the report has it); 0: discs",
-        false,
-    ),
-];
-
-/// The parameter of [`planned`].
-const WINDOWS: &[Parameter] = &[Parameter {
+/// The number of windows in a step.
+pub const WINDOWS: Parameter = Parameter {
     name: "windows",
     about: "windows in a step; 0 chooses",
     default: 0.0,
     range: (0.0, 65536.0),
-}];
+};
 
 type Built = Result<Box<dyn Simulation>, BuildError>;
 
@@ -103,67 +42,94 @@ fn engine<C: Step>(finder: impl Find + 'static, choice: Choice, workers: Workers
     Ok(Box::new(Engine::<C, _>::new(finder, choice, workers)))
 }
 
-/// All pairs, by one thread.
-fn all_pairs<C: Step>(_: &Config) -> Built {
+/// Builds an engine that looks at all pairs, by one thread.
+///
+/// # Errors
+/// There are none.
+pub fn all_pairs<C: Step>(_: &Config) -> Built {
     engine::<C>(AllPairs::<C>::default(), Choice::Sort, Workers::One)
 }
 
-/// A queue of iterations, in chunks of the parameter `chunk`.
-fn dynamic(config: &Config) -> Schedule {
-    Schedule::Dynamic { chunk: config.parameter("chunk") as usize }
+/// A queue of iterations, in chunks of the parameter [`CHUNK`].
+pub fn dynamic(config: &Config) -> Schedule {
+    Schedule::Dynamic { chunk: config.parameter(CHUNK.name) as usize }
 }
 
-/// All pairs, with `which` loop shared out; of two loops the outer one by `schedule`.
-fn all_loops<C: Step + ParallelLoops>(which: Which, schedule: Schedule, config: &Config) -> Built {
-    loops::<C>(which, schedule, Collect::Own, Choice::Sort, config)
+/// Builds an engine that looks at all pairs, with `which` loop shared out; of two loops the outer one by `schedule`.
+///
+/// # Errors
+/// The system refuses the threads.
+pub fn loops<C: Step + ParallelLoops>(config: &Config, which: Which, schedule: Schedule) -> Built {
+    built::<C>(config, which, schedule, Collect::Own, Choice::Sort)
 }
 
-/// All pairs, with discs from a queue, whose candidates are collected and sorted in these ways.
-fn collected<C: Step + ParallelLoops>(collect: Collect, choice: Choice, config: &Config) -> Built {
-    loops::<C>(Which::Outer, dynamic(config), collect, choice, config)
+/// Builds an engine that looks at all pairs, with discs from a queue ([`dynamic`]); candidates are collected and put in
+/// order in these ways.
+///
+/// # Errors
+/// The system refuses the threads.
+pub fn collected<C: Step + ParallelLoops>(
+    config: &Config,
+    collect: Collect,
+    choice: Choice,
+) -> Built {
+    built::<C>(config, Which::Outer, dynamic(config), collect, choice)
 }
 
-fn loops<C: Step + ParallelLoops>(
+fn built<C: Step + ParallelLoops>(
+    config: &Config,
     which: Which,
     schedule: Schedule,
     collect: Collect,
     choice: Choice,
-    config: &Config,
 ) -> Built {
     let workers = Workers::new(config.threads)?;
     let loops = Loops::<C>::new(which, schedule, collect, workers.clone());
     engine::<C>(loops, choice, workers)
 }
 
-/// A grid of three levels, by one thread.
-fn grid<C: Step + BroadPhase + ParallelLoops>(_: &Config) -> Built {
+/// Builds an engine with a grid of three levels, by one thread.
+///
+/// # Errors
+/// There are none.
+pub fn grid<C: Step + BroadPhase + ParallelLoops>(_: &Config) -> Built {
     let grid = Grid::<C>::new(Workers::One, Deal::Blocks);
     engine::<C>(grid, Choice::Sort, Workers::One)
 }
 
-/// The same from a queue: discs in chunks of the parameter `chunk`, or whole blocks.
-fn grid_parallel<C: Step + BroadPhase + ParallelLoops>(config: &Config) -> Built {
+/// Builds the same for several threads, which take from a queue: discs in chunks ([`DISC_CHUNK`]), or whole blocks
+/// ([`WHOLE_BLOCKS`]).
+///
+/// # Errors
+/// The system refuses the threads.
+pub fn grid_parallel<C: Step + BroadPhase + ParallelLoops>(config: &Config) -> Built {
     let workers = Workers::new(config.threads)?;
-    let deal = match config.parameter("blocks") > 0.0 {
+    let deal = match config.parameter(WHOLE_BLOCKS.name) > 0.0 {
         true => Deal::Blocks,
-        false => Deal::Discs(config.parameter("chunk") as usize),
+        false => Deal::Discs(config.parameter(DISC_CHUNK.name) as usize),
     };
     let grid = Grid::<C>::new(workers.clone(), deal);
     engine::<C>(grid, Choice::Sort, workers)
 }
 
-/// Sorted occupied cells, the step in one window.
-fn cells<C: Step + BroadPhase>(config: &Config) -> Built {
-    in_windows::<C>(Some(1), config)
+/// Builds an engine with sorted occupied cells, and the step in one window.
+///
+/// # Errors
+/// The system refuses the threads.
+pub fn cells<C: Step + BroadPhase>(config: &Config) -> Built {
+    in_windows::<C>(config, Some(1))
 }
 
-/// Sorted occupied cells, in the number of windows that the parameter `windows` says; 0 chooses.
-fn planned<C: Step + BroadPhase>(config: &Config) -> Built {
-    let windows = config.parameter("windows") as usize;
-    in_windows::<C>((windows > 0).then_some(windows), config)
+/// Builds an engine with sorted occupied cells, and the step in as many windows as the parameter [`WINDOWS`] says.
+///
+/// # Errors
+/// The system refuses the threads.
+pub fn planned<C: Step + BroadPhase>(config: &Config) -> Built {
+    let windows = config.parameter(WINDOWS.name) as usize;
+    in_windows::<C>(config, (windows > 0).then_some(windows))
 }
 
-fn in_windows<C: Step + BroadPhase>(windows: Option<usize>, config: &Config) -> Built {
+fn in_windows<C: Step + BroadPhase>(config: &Config, windows: Option<usize>) -> Built {
     let workers = Workers::new(config.threads)?;
     let finder = Planned::<C>::new(workers.clone(), windows);
     engine::<C>(finder, Choice::SortTogether, workers)

@@ -1,7 +1,7 @@
-//! The engines as programs that a driver lists and builds.
+//! The engines as programs: their parameters, and how they are built.
 
 use common::soft::Simulation;
-use common::{BuildError, Config, Parameter, Variant, deterministic, observed};
+use common::{BuildError, Config, Parameter, observed};
 use solution1::Tally;
 
 use crate::deep::Deep;
@@ -9,32 +9,8 @@ use crate::deep_halo::DeepHalo;
 use crate::distributed::Distributed;
 use crate::sent_halo::Halo;
 
-/// The programs for a type that answers all that the library asks.
-pub trait Programs: Halo + DeepHalo + Sized + 'static {
-    /// All of them.
-    const VARIANTS: &'static [Variant<dyn Simulation>] = &[
-        deterministic(
-            "strips",
-            "lab 10's engine on each rank, ghosts chosen once for each list",
-            &[SKIN, REBALANCE],
-            |config| build::<Self>(&config.clone().with_threads(1)),
-        ),
-        deterministic(
-            "strips-threads",
-            "the same with threads (-t) in each rank",
-            &[SKIN, REBALANCE],
-            build::<Self>,
-        ),
-        deterministic(
-            "strips-deep",
-            "ghosts several cutoffs deep, moved by the rank itself: no message for several steps",
-            &[SKIN, REBALANCE],
-            |config| build_deep::<Self>(&config.clone().with_threads(1)),
-        ),
-    ];
-}
-
-impl<L: Halo + DeepHalo + 'static> Programs for L {}
+/// The parameters of both engines.
+pub const PARAMETERS: &[Parameter] = &[SKIN, REBALANCE];
 
 const SKIN: Parameter = Parameter {
     name: "skin",
@@ -49,18 +25,28 @@ const REBALANCE: Parameter = Parameter {
     range: (0.0, 1e9),
 };
 
-fn build<L: Halo + 'static>(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
+type Built = Result<Box<dyn Simulation>, BuildError>;
+
+/// Builds the engine [`Distributed`] of this rank, with `threads` threads.
+///
+/// # Errors
+/// There is no MPI library.
+pub fn distributed<L: Halo + 'static>(config: &Config, threads: usize) -> Built {
     let world = common_mpi::world()?;
-    Ok(observed!(config, Tally, |O| Distributed::<O, L>::new(world, config)))
+    let config = config.clone().with_threads(threads);
+    Ok(observed!(config, Tally, |O| Distributed::<O, L>::new(world, &config)))
 }
 
-/// Two ranks know a pair of ghosts, and each would count it. So with statistics, which are read after each
-/// step anyway, `strips` runs instead.
-fn build_deep<L: Halo + DeepHalo + 'static>(
-    config: &Config,
-) -> Result<Box<dyn Simulation>, BuildError> {
+/// Builds the engine [`Deep`] of this rank, with one thread.
+///
+/// Two ranks know a pair of ghosts, and each would count it. So with statistics, which are read after each step anyway,
+/// it is the engine [`Distributed`] instead.
+///
+/// # Errors
+/// There is no MPI library.
+pub fn deep<L: Halo + DeepHalo + 'static>(config: &Config) -> Built {
     if config.statistics {
-        return build::<L>(config);
+        return distributed::<L>(config, 1);
     }
-    Ok(Box::new(Deep::<L>::new(common_mpi::world()?, config)))
+    Ok(Box::new(Deep::<L>::new(common_mpi::world()?, &config.clone().with_threads(1))))
 }

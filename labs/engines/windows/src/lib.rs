@@ -85,13 +85,12 @@
 mod groups;
 mod path;
 mod planned;
-mod programs;
+pub mod programs;
 mod rules;
 mod search;
 mod span;
 mod window;
 
 pub use planned::{Plan, Planned, Strategy, plan};
-pub use programs::Programs;
 pub use rules::Rules;
 pub use span::Span;

@@ -1,6 +1,6 @@
-//! The engine as programs that a driver lists and builds.
+//! The engine as a program: its parameters, and how it is built.
 
-use common::{BuildError, Config, Parameter, Reproducibility, Variant, hard};
+use common::{BuildError, Config, Parameter, hard};
 use device::{Gpu, Real};
 
 use super::choose::{Choice, Chooser};
@@ -9,43 +9,8 @@ use super::finder::{Deal, Finder};
 use super::kernels::HardKernels;
 use crate::parameters::{TIMING, WORKGROUP, refused, stopwatch, threads};
 
-/// The programs for a type that has the kernels.
-pub trait Programs: HardKernels {
-    /// All of them. They give the same bits on every device.
-    const VARIANTS: &'static [Variant<dyn hard::Simulation>] = &[
-        variant("basic-f64", "an invocation takes a disc, and looks at all after it", |config| {
-            build::<Self, f64>(config, Deal::Discs, false)
-        }),
-        variant("balanced-f64", "an invocation takes every T-th pair", |config| {
-            build::<Self, f64>(config, Deal::Pairs, false)
-        }),
-        variant("basic-f32", "as basic-f64, filtered in single precision", |config| {
-            build::<Self, f32>(config, Deal::Discs, false)
-        }),
-        variant("balanced-f32", "as balanced-f64, filtered in single precision", |config| {
-            build::<Self, f32>(config, Deal::Pairs, false)
-        }),
-        variant(
-            "chosen-f32",
-            "as balanced-f32, and the device also chooses among the candidates",
-            |config| build::<Self, f32>(config, Deal::Pairs, true),
-        ),
-    ];
-}
-
-impl<K: HardKernels> Programs for K {}
-
-const fn variant(
-    name: &'static str,
-    about: &'static str,
-    build: fn(&Config) -> Result<Box<dyn hard::Simulation>, BuildError>,
-) -> Variant<dyn hard::Simulation> {
-    let (reproducibility, parameters) = (Reproducibility::Bitwise, PARAMETERS);
-    Variant { name, about, reproducibility, parameters, build }
-}
-
-/// The parameters of each variant: `workgroup`, `blocks`, `timing`.
-const PARAMETERS: &[Parameter] = &[
+/// The parameters of each program: `workgroup`, `blocks`, `timing`.
+pub const PARAMETERS: &[Parameter] = &[
     WORKGROUP,
     Parameter {
         name: "blocks",
@@ -56,12 +21,12 @@ const PARAMETERS: &[Parameter] = &[
     TIMING,
 ];
 
-/// An engine with the kernels `K` on this program's device, which filters in precision `R`. The greedy choice
+/// Builds an engine with the kernels `K` on this program's device, which filters in precision `R`. The greedy choice
 /// is made `on_device` or on the host.
 ///
 /// # Errors
 /// There is no device, or it cannot do what the parameters ask for.
-fn build<K: HardKernels, R: Real>(
+pub fn build<K: HardKernels, R: Real>(
     config: &Config,
     deal: Deal,
     on_device: bool,

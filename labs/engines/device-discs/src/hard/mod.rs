@@ -7,7 +7,7 @@ mod finder;
 mod kernels;
 mod margins;
 
-pub use build::Programs;
+pub use build::{PARAMETERS, build};
 pub use choose::{Choice, ChoiceError, Chooser};
 pub use engine::HardDiscs;
 pub use finder::{Deal, Finder, WALL};

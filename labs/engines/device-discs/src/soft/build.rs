@@ -1,37 +1,16 @@
-//! The engine as programs that a driver lists and builds.
+//! The engine as a program: its parameters, and how it is built.
 
-use common::{BuildError, Config, Parameter, Variant, deterministic, soft};
+use common::{BuildError, Config, Parameter, soft};
 use device::Gpu;
 
 use super::engine::SoftDiscs;
 use super::kernels::SoftKernels;
-use super::positions::{Double, Precision, Single};
+use super::positions::Precision;
 use super::scene::Options;
 use crate::parameters::{TIMING, WORKGROUP, refused, stopwatch, threads};
 
-/// The programs for a type that has the kernels.
-pub trait Programs: SoftKernels {
-    /// All of them.
-    const VARIANTS: &'static [Variant<dyn soft::Simulation>] = &[
-        deterministic(
-            "soft-f64",
-            "soft discs in bins sorted on the device, in double precision",
-            PARAMETERS,
-            build::<Self, Double>,
-        ),
-        deterministic(
-            "soft-f32",
-            "the same in single precision, with positions relative to their bins",
-            PARAMETERS,
-            build::<Self, Single>,
-        ),
-    ];
-}
-
-impl<K: SoftKernels> Programs for K {}
-
-/// The parameters of each variant: `workgroup`, `bin`, `in-flight`, `timing`.
-const PARAMETERS: &[Parameter] = &[
+/// The parameters of each program: `workgroup`, `bin`, `in-flight`, `timing`.
+pub const PARAMETERS: &[Parameter] = &[
     WORKGROUP,
     Parameter {
         name: "bin",
@@ -48,11 +27,11 @@ const PARAMETERS: &[Parameter] = &[
     TIMING,
 ];
 
-/// An engine with the kernels `K` in precision `P` on this program's device.
+/// Builds an engine with the kernels `K` in precision `P` on this program's device.
 ///
 /// # Errors
 /// There is no device, or it cannot do what the parameters ask for.
-fn build<K: SoftKernels, P: Precision>(
+pub fn build<K: SoftKernels, P: Precision>(
     config: &Config,
 ) -> Result<Box<dyn soft::Simulation>, BuildError> {
     let gpu = Gpu::shared().map_err(refused)?;

@@ -8,7 +8,7 @@ mod positions;
 mod scan;
 mod scene;
 
-pub use build::Programs;
+pub use build::{PARAMETERS, build};
 pub use engine::{SoftDiscs, Sorted};
 pub use kernels::SoftKernels;
 pub use positions::{Double, Grid, Precision, Single};

@@ -16,7 +16,7 @@
 //! ([`common::soft::Scene`]), so nothing here fails.
 
 mod alone;
-mod programs;
+mod parameters;
 
 pub mod cells;
 pub mod engine;
@@ -30,6 +30,6 @@ pub use cells::{Cells, Extent, Grid, Kind, Sorter};
 pub use engine::{External, NeighbourList};
 pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Primitives, Signs, make_room, pack};
 pub use list::{Block, Disc, LISTED, Pairs, REBUILD, TESTED, overlapping};
+pub use parameters::{DIVIDE, SHARE, SKIN, workers};
 pub use particles::{Bodies, Moving};
-pub use programs::{DIVIDE, Programs, SKIN};
-pub use threads::{SHARE, Workers, workers};
+pub use threads::Workers;

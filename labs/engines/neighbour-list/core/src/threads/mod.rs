@@ -2,26 +2,12 @@
 
 use std::sync::Arc;
 
-use common::{Config, Parameter};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
 /// The fewest particles that pay for a thread: with fewer it costs more to wake than it does. Measured on
 /// the machine of the book.
 pub const LEAST: usize = 2000;
-
-/// The fewest particles of a thread, as a parameter of a run.
-pub const SHARE: Parameter = Parameter {
-    name: "share",
-    about: "particles that each thread has at least; threads that would have fewer are left out",
-    default: LEAST as f64,
-    range: (1.0, 1e9),
-};
-
-/// The threads of a run with the parameter [`SHARE`].
-pub fn workers(config: &Config) -> Workers {
-    Workers::sharing(config.threads, config.parameter(SHARE.name) as usize)
-}
 
 /// The threads of an engine.
 ///
