@@ -131,7 +131,7 @@ fn bins_have_the_kits_bits_and_counts() {
 fn lists_have_the_kits_counts() {
     for (skin, n, steps) in [(0.5, 1000, 300), (0.25, 300, 300), (0.6, 500, 300)] {
         let (expected, _) =
-            tests(NeighbourList::<Tally>::new(Workers::new(1), skin, 1), n, 1, steps);
+            tests(NeighbourList::<Tally>::new(Workers::if_possible(1), skin, 1), n, 1, steps);
         let ask = format!("tests(new soft.List({skin:?}), {n}, 1, {steps})");
         assert_same(scripts(&ask), &expected, &format!("a skin of {skin} cutoffs"));
     }

@@ -3,9 +3,9 @@
 //!
 //! Book: chapter 10, *Is it vector code?*.
 
-use common::Variant;
 use common::soft::Simulation;
-use neighbour_list_core::Alone;
+use common::{Variant, bitwise};
+use neighbour_list_alone::DRAWN;
 use neighbour_list_core::kernels::{Pair, Positions, ROOM};
 
 use crate::Tasks;
@@ -13,7 +13,27 @@ use crate::drift::drift;
 use crate::filter::filter;
 
 /// The programs of `lab10-alone`: a step of each is one pass of a loop over all particles, which stay where they are.
-pub static ALONE: &[Variant<dyn Simulation>] = Tasks::ALONE;
+pub static ALONE: &[Variant<dyn Simulation>] = &[
+    bitwise(
+        "drift",
+        "task 10.1 alone: particles at rest, moved",
+        &[],
+        neighbour_list_alone::drift::<Tasks>,
+    ),
+    bitwise("plain", "the same move without walls", &[], neighbour_list_alone::plain),
+    bitwise(
+        "collect",
+        "task 10.2 alone: the neighbours of each particle among a few",
+        &[DRAWN],
+        neighbour_list_alone::collect::<Tasks>,
+    ),
+    bitwise(
+        "filter",
+        "task 10.4 alone: which pairs are near, of one for each particle",
+        &[DRAWN],
+        neighbour_list_alone::filter::<Tasks>,
+    ),
+];
 
 /// [`drift`], not inlined.
 #[inline(never)]

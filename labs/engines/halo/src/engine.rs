@@ -13,6 +13,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution2::{BIN_SIZE, Grid, SortedBins};
 use solution5::{read_at_root, reduce};
+use workers::Workers;
 
 use crate::{Blocks, Cuts, Messages, Replay, Route, make_share};
 
@@ -21,7 +22,7 @@ use crate::{Blocks, Cuts, Messages, Replay, Route, make_share};
 pub struct Halo<O, T> {
     pub(crate) world: SimpleCommunicator,
     bin_size: f64,
-    pub(crate) threads: usize,
+    pub(crate) workers: Workers,
     rebalance: u64,
     remainder_last: bool,
     pub(crate) route: Route,
@@ -44,13 +45,13 @@ pub struct Halo<O, T> {
 // ANCHOR_END: engine
 
 impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
-    /// An engine that sends its messages along `route`.
-    pub fn new(world: SimpleCommunicator, config: &Config, route: Route) -> Self {
+    /// An engine that sends its messages along `route`, and shares what it can among `workers`.
+    pub fn new(world: SimpleCommunicator, config: &Config, workers: Workers, route: Route) -> Self {
         let remainder_last = config.parameter("remainder-last") > 0.0;
         Self {
             world,
             bin_size: config.parameter(BIN_SIZE),
-            threads: config.threads,
+            workers,
             rebalance: if remainder_last { 0 } else { config.parameter("rebalance") as u64 },
             remainder_last,
             route,

@@ -25,9 +25,9 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
             self.traffic.sent(&[0_u64]);
             self.traffic.sent(list);
         }
-        let (own, threads, clock) = (&self.own, self.threads, &self.clock);
+        let (own, workers, clock) = (&self.own, &self.workers, &self.clock);
         let inner = &mut self.accelerations[own.indices(interior.clone())];
-        let mut work = || sum_rows::<O>(own, interior.clone(), inner, threads);
+        let mut work = || sum_rows::<O>(own, interior.clone(), inner, workers);
         let (arrived, seen) = match self.route {
             Route::Neighbours => clock.call(Partners::receivers(&outgoing), || {
                 T::exchange_beside(&self.world, &outgoing, || clock.work(work))

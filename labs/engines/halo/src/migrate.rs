@@ -16,8 +16,8 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
     /// Moves the own particles and takes out those that left the block.
     pub(crate) fn move_particles(&mut self) -> Vec<Wire> {
         let grid = *self.own.grid();
-        let (block, particles) = (self.block.clone(), self.own.particles_mut());
-        let indices = move_all(particles, &self.accelerations, &grid, &block, self.threads);
+        let particles = self.own.particles_mut();
+        let indices = move_all(particles, &self.accelerations, &grid, &self.block, &self.workers);
         // From the last to the first, so that a particle that fills a gap has been handled.
         indices.iter().rev().map(|&index| Wire::from(&self.own.take(index))).collect()
     }

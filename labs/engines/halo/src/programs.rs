@@ -4,6 +4,7 @@ use common::soft::Simulation;
 use common::{BuildError, Config, Parameter, observed};
 use solution1::Tally;
 use solution2::bin_size;
+use workers::Workers;
 
 use crate::blocks::Blocks;
 use crate::engine::Halo;
@@ -28,13 +29,13 @@ const REMAINDER_LAST: Parameter = Parameter::switch(
 /// Builds the engine of this rank, with `threads` threads, whose messages take this `route`.
 ///
 /// # Errors
-/// There is no MPI library.
+/// There is no MPI library, or the system refuses the threads.
 pub fn build<L: Blocks + Messages + 'static>(
     config: &Config,
     threads: usize,
     route: Route,
 ) -> Result<Box<dyn Simulation>, BuildError> {
     let world = common_mpi::world()?;
-    let config = config.clone().with_threads(threads);
-    Ok(observed!(config, Tally, |O| Halo::<O, L>::new(world, &config, route)))
+    let workers = Workers::new(threads)?;
+    Ok(observed!(config, Tally, |O| Halo::<O, L>::new(world, config, workers, route)))
 }

@@ -2,7 +2,7 @@
 
 use crate::collisions::{Candidate, Collisions};
 use crate::find::Found;
-use crate::threads::Workers;
+use workers::Workers;
 
 /// How the candidates of a window are put in order. All take the same ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +27,8 @@ impl Choice {
     ) {
         found.candidates += found.lists.iter().map(|list| list.len() as u64).sum::<u64>();
         if self == Self::Merge {
-            workers.for_few(&mut found.lists, |_, list| list.sort_by(C::order));
+            workers
+                .map(found.lists.iter_mut().collect(), |list: &mut Vec<_>| list.sort_by(C::order));
         }
         let (first, rest) = found.lists.split_first_mut().expect("there is a list");
         rest.iter_mut().for_each(|list| first.append(list));

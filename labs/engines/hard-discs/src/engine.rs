@@ -8,7 +8,8 @@ use crate::choice::Choice;
 use crate::collisions::{Candidate, Collisions, Hit, outcome, write_back};
 use crate::find::{Find, Found};
 use crate::geometry::Square;
-use crate::threads::Workers;
+use crate::threads::pieces::{collect, for_each, map_pieces};
+use workers::Workers;
 
 /// How a step goes.
 pub trait Step: Collisions {
@@ -76,7 +77,7 @@ impl<C: Collisions, F: Find> Engine<C, F> {
         let square = self.square;
         self.tally.windows += windows as u64;
         self.walls.clear();
-        self.workers.collect(&self.discs, &mut self.walls, |number, disc| {
+        collect(&self.workers, &self.discs, &mut self.walls, |number, disc| {
             C::wall_hit(number as u32, disc, square)
         });
         if windows > 1 {
@@ -88,7 +89,7 @@ impl<C: Collisions, F: Find> Engine<C, F> {
     /// were taken as these say.
     pub fn move_discs(&mut self) {
         let free = &self.free;
-        self.workers.for_each(&mut self.discs, |number, disc| {
+        for_each(&self.workers, &mut self.discs, |number, disc| {
             if free[number] {
                 disc.x += disc.vx;
                 disc.y += disc.vy;
@@ -96,8 +97,9 @@ impl<C: Collisions, F: Find> Engine<C, F> {
         });
         // No disc is in two collisions, so workers may do any of them at the same time.
         for taken in self.taken.chunks(BATCH) {
-            let (discs, square) = (&self.discs, self.square);
-            let outcomes = self.workers.map_pieces(taken, |_, piece| -> Vec<_> {
+            let discs = &self.discs;
+            let square = self.square;
+            let outcomes = map_pieces(&self.workers, taken, |_, piece| -> Vec<_> {
                 piece.iter().map(|candidate| outcome::<C>(candidate, discs, square)).collect()
             });
             for (candidate, outcome) in taken.iter().zip(outcomes.into_iter().flatten()) {

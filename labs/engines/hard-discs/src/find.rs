@@ -4,10 +4,10 @@ use std::sync::{Mutex, MutexGuard};
 
 use common::hard::Disc;
 use crossbeam::utils::CachePadded;
+use workers::Workers;
 
 use crate::collisions::Candidate;
 use crate::geometry::{Square, Window};
-use crate::threads::Workers;
 
 /// What was found, and what it took.
 #[derive(Debug, Default)]

@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 use std::ops::Range;
 
 use common::hard::Disc;
+use workers::Workers;
 
 use crate::broad_phase::BroadPhase;
 use crate::collisions::Collisions;
@@ -11,7 +12,7 @@ use crate::find::{Find, Found, Lists};
 use crate::geometry::{Square, Window, reach};
 use crate::parallel_loops::ParallelLoops;
 use crate::survey::Survey;
-use crate::threads::{Schedule, Team, Workers};
+use crate::threads::{Schedule, Team};
 
 /// Blocks of all levels: 4 × 4 small ones, numbers 0 to 15; 2 × 2 medium ones, 16 to 19; the
 /// whole square, 20.

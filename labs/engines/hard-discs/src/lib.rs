@@ -104,4 +104,5 @@ pub use loops::{AllPairs, Collect, Loops};
 pub use pairs::{LANES, look_along, look_for, may_touch};
 pub use parallel_loops::{ParallelLoops, Which};
 pub use survey::Survey;
-pub use threads::{LockedCount, Schedule, SharedCount, Slots, Team, Workers};
+pub use threads::{LockedCount, Schedule, SharedCount, Slots, Team};
+pub use workers::Workers;

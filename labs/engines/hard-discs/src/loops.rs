@@ -4,13 +4,14 @@ use std::marker::PhantomData;
 use std::ops::Range;
 
 use common::hard::Disc;
+use workers::Workers;
 
 use crate::collisions::Collisions;
 use crate::find::{Find, Found, Lists};
 use crate::geometry::{Square, Window};
 use crate::pairs::{look_along, look_for};
 use crate::parallel_loops::{ParallelLoops, Which};
-use crate::threads::{LockedCount, Schedule, SharedCount, Slots, Team, Workers};
+use crate::threads::{LockedCount, Schedule, SharedCount, Slots, Team};
 
 /// All pairs a < b, by one thread.
 pub struct AllPairs<C>(PhantomData<C>);

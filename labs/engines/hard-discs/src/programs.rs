@@ -2,6 +2,7 @@
 
 use common::hard::Simulation;
 use common::{BuildError, Config, Parameter};
+use workers::Workers;
 
 use crate::broad_phase::BroadPhase;
 use crate::cells::Planned;
@@ -11,7 +12,7 @@ use crate::find::Find;
 use crate::grid::{Deal, Grid};
 use crate::loops::{AllPairs, Collect, Loops};
 use crate::parallel_loops::{ParallelLoops, Which};
-use crate::threads::{Schedule, Workers};
+use crate::threads::Schedule;
 
 /// The number of iterations that a worker takes from a queue together.
 pub const CHUNK: Parameter =

@@ -3,9 +3,10 @@
 use std::f64::consts::SQRT_2;
 
 use common::hard::Disc;
+use workers::Workers;
 
 use crate::geometry::Square;
-use crate::threads::Workers;
+use crate::threads::pieces::map_pieces;
 
 /// What the discs of a scene are like on the whole: enough to plan a step. Lengths are in the scene's unit, and
 /// velocities in lengths a step.
@@ -35,7 +36,7 @@ impl Survey {
     /// The same with the help of `workers`. The means are sums over pieces, and the pieces are the same
     /// for any number of workers.
     pub fn by(workers: &Workers, discs: &[Disc], square: Square) -> Self {
-        let pieces = workers.map_pieces(discs, |_, piece| Self::sums(piece, square));
+        let pieces = map_pieces(workers, discs, |_, piece| Self::sums(piece, square));
         let mut all = pieces.into_iter().reduce(Self::and).unwrap_or_default();
         all.speed.0 /= discs.len() as f64;
         all.speed.1 /= discs.len() as f64;

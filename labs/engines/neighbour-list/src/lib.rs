@@ -11,7 +11,7 @@
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let scene = Scene::official(1000, 1)?;
 //! // Two threads, the cheapest skin, and one small step for each step.
-//! let mut engine = NeighbourList::<NoStatistics>::new(Workers::new(2), 0.0, 1);
+//! let mut engine = NeighbourList::<NoStatistics>::new(Workers::new(2)?, 0.0, 1);
 //! engine.load(&scene);
 //! engine.run(100);
 //! let mut particles = vec![Particle::default(); scene.len()];
@@ -49,8 +49,8 @@
 //! **Units.** Lengths are those of the box, times are steps of [`DT`](common::soft::DT), a skin given to
 //! [`NeighbourList::new`] is in cutoffs. Costs ([`LISTED`]) are nanoseconds.
 //!
-//! **Errors.** There are none: a [`Scene`](common::soft::Scene) was checked when it was made. If the machine
-//! refuses threads, the caller's own works alone.
+//! **Errors.** A [`Scene`](common::soft::Scene) was checked when it was made. Only threads that the system refuses are an
+//! error ([`Workers::new`]).
 //!
 //! **Bits.** The same scene gives the same bits on any number of threads and on any processor.
 //!

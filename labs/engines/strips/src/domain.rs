@@ -58,7 +58,11 @@ impl<O: Observer> Domain<O> {
     pub(crate) fn new(world: SimpleCommunicator, config: &Config) -> Self {
         Self {
             world,
-            engine: NeighbourList::new(Workers::new(config.threads), config.parameter("skin"), 1),
+            engine: NeighbourList::new(
+                Workers::if_possible(config.threads),
+                config.parameter("skin"),
+                1,
+            ),
             rebalance: config.parameter("rebalance") as u64,
             grid: Grid::default(),
             strips: Strips { edges: Vec::new() },

@@ -60,7 +60,7 @@
 //!
 //! let scene = Scene::official(200, 1)?;
 //! // Two threads, windows of 4 steps, each official step as one.
-//! let mut planned = Planned::<Careful, NoStatistics>::new(Workers::new(2), 4, 1);
+//! let mut planned = Planned::<Careful, NoStatistics>::new(Workers::if_possible(2), 4, 1);
 //! let mut naive = AllPairs::<NoStatistics>::default();
 //! assert_eq!(end(&mut planned, &scene), end(&mut naive, &scene));
 //! # Ok::<(), common::soft::SceneError>(())

@@ -2,7 +2,7 @@
 
 use common::soft::Simulation;
 use common::{BuildError, Config, Parameter, observed};
-use neighbour_list::workers;
+use neighbour_list::crew;
 use solution1::Tally;
 
 use crate::planned::Planned;
@@ -24,5 +24,5 @@ pub const WINDOW: Parameter = Parameter {
 /// There are none.
 pub fn planned<R: Rules>(config: &Config, divide: u32) -> Result<Box<dyn Simulation>, BuildError> {
     let steps = config.parameter(WINDOW.name) as u32;
-    Ok(observed!(config, Tally, |O| Planned::<R, O>::new(workers(config), steps, divide)))
+    Ok(observed!(config, Tally, |O| Planned::<R, O>::new(crew(config), steps, divide)))
 }

@@ -3,6 +3,7 @@
 use std::marker::PhantomData;
 
 use common::hard::Disc;
+use workers::Workers;
 
 use super::cut::Cut;
 use super::deal::Deal;
@@ -14,7 +15,7 @@ use crate::collisions::Collisions;
 use crate::find::{Find, Found};
 use crate::geometry::{Square, Window};
 use crate::survey::Survey;
-use crate::threads::{SharedCount, Workers};
+use crate::threads::SharedCount;
 
 /// The fastest search: it surveys the scene, plans the step, and then looks only at pairs
 /// whose boxes meet.
@@ -97,14 +98,16 @@ impl<C: Collisions + BroadPhase> Find for Planned<C> {
     ) {
         let cut = self.plan.as_ref().expect("windows() has planned the step");
         let share = discs.len().div_ceil(self.deals.len()).max(1);
-        self.workers.for_few(&mut self.deals, |worker, deal| {
+        let work = self.deals.iter_mut().enumerate().collect();
+        self.workers.map(work, |(worker, deal): (usize, &mut Deal)| {
             let part = (worker * share).min(discs.len())..((worker + 1) * share).min(discs.len());
-            let (discs, free) = (&discs[part.clone()], &free[part.clone()]);
-            deal.deal::<C>(discs, free, part.start, square, window, cut);
+            let free = &free[part.clone()];
+            deal.deal::<C>(&discs[part.clone()], free, part.start, square, window, cut);
         });
 
-        let (deals, next) = (&self.deals, SharedCount::default());
-        self.workers.for_few(&mut self.searchers, |_, searcher| {
+        let deals = &self.deals;
+        let next = SharedCount::default();
+        self.workers.map(self.searchers.iter_mut().collect(), |searcher: &mut Searcher| {
             searcher.list.clear();
             searcher.pair_tests = 0;
             let strips = std::iter::repeat_with(|| next.fetch_add(1));

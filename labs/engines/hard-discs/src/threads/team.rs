@@ -2,7 +2,7 @@
 
 use std::thread;
 
-use super::workers::Workers;
+use workers::Workers;
 
 /// How the iterations of a loop are dealt out to the workers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,9 +39,7 @@ impl Team<'_> {
     /// fork and a join.
     pub fn on_each(&self, act: impl Fn(usize) + Sync) {
         match self {
-            Self::Standing(Workers::Many(pool)) => {
-                pool.broadcast(|context| act(context.index()));
-            }
+            Self::Standing(workers) => workers.on_each(act),
             Self::Fresh(count) if *count > 1 => thread::scope(|scope| {
                 for worker in 1..*count {
                     let act = &act;
@@ -49,7 +47,7 @@ impl Team<'_> {
                 }
                 act(0);
             }),
-            _ => act(0),
+            Self::Fresh(_) => act(0),
         }
     }
 }

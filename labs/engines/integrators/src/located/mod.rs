@@ -42,8 +42,16 @@ pub struct Located<R> {
 impl<R: Rules> Located<R> {
     /// An engine for `threads` threads whose step is `stretch` official ones, done in `divide`.
     pub fn new(threads: usize, divide: u32, stretch: f64) -> Self {
-        let (state, workers) = (State::default(), Workers::new(threads));
-        Self { workers, divide, stretch, size: 0.0, state, asked: 0, events: 0, rules: PhantomData }
+        Self {
+            workers: Workers::if_possible(threads),
+            divide,
+            stretch,
+            size: 0.0,
+            state: State::default(),
+            asked: 0,
+            events: 0,
+            rules: PhantomData,
+        }
     }
 
     fn one_step(&mut self, dt: f64) {

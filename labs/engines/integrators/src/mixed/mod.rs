@@ -28,7 +28,7 @@ impl Mixed {
     /// An engine for `threads` threads, each official step divided into `divide`.
     pub fn new(threads: usize, divide: u32) -> Self {
         Self {
-            workers: Workers::new(threads),
+            workers: Workers::if_possible(threads),
             divide,
             cells: CellBox::new(1.0),
             bodies: Vec::new(),

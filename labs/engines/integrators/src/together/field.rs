@@ -20,8 +20,11 @@ pub(super) struct Field {
 impl Field {
     /// A field for `threads` threads.
     pub(super) fn new(threads: usize) -> Self {
-        let (sorter, sorted) = (Sorter::default(), Bodies::default());
-        Self { workers: Workers::new(threads), sorter, sorted }
+        Self {
+            workers: Workers::if_possible(threads),
+            sorter: Sorter::default(),
+            sorted: Bodies::default(),
+        }
     }
 
     /// Writes the accelerations of particles at positions `at` into `a`, which is as long.

@@ -8,14 +8,13 @@
 //! - [`cells`]: the [`Grid`], and sorting by cell. Neighbours in the box are then neighbours in memory.
 //! - [`kernels`]: loops for vector registers: eight positions, eight signs, forces of pairs that touch.
 //! - [`list`]: the lists in blocks, and the few particles that are too fast for them.
-//! - [`threads`]: work cut into pieces by the scene, never by the number of threads.
+//! - [`threads`]: as many threads as pay for the particles, and work cut into pieces by the scene.
 //! - [`engine`]: the engine, [`NeighbourList`].
 //!
 //! Lengths are in units of the box, times in steps, costs in nanoseconds. An index counts particles in the
 //! sorted order; sorting makes all of them invalid. Scenes are checked when they are made
 //! ([`common::soft::Scene`]), so nothing here fails.
 
-mod alone;
 mod parameters;
 
 pub mod cells;
@@ -25,11 +24,11 @@ pub mod list;
 pub mod particles;
 pub mod threads;
 
-pub use alone::Alone;
 pub use cells::{Cells, Extent, Grid, Kind, Sorter};
 pub use engine::{External, NeighbourList};
 pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Primitives, Signs, make_room, pack};
 pub use list::{Block, Disc, LISTED, Pairs, REBUILD, TESTED, overlapping};
-pub use parameters::{DIVIDE, SHARE, SKIN, workers};
+pub use parameters::{DIVIDE, SHARE, SKIN, crew};
 pub use particles::{Bodies, Moving};
-pub use threads::Workers;
+pub use threads::Crew;
+pub use workers::Workers;

@@ -2,7 +2,7 @@
 
 use common::{Config, Parameter};
 
-use crate::threads::{LEAST, Workers};
+use crate::threads::{Crew, LEAST};
 
 /// The number of steps that an official one is divided into.
 pub const DIVIDE: Parameter = Parameter {
@@ -29,6 +29,6 @@ pub const SHARE: Parameter = Parameter {
 };
 
 /// The threads of a run with the parameter [`SHARE`].
-pub fn workers(config: &Config) -> Workers {
-    Workers::sharing(config.threads, config.parameter(SHARE.name) as usize)
+pub fn crew(config: &Config) -> Crew {
+    Crew::sharing(config.threads, config.parameter(SHARE.name) as usize)
 }

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::marker::PhantomData;
 
 use common::soft::{DT, Observer, Particle, Scene, Simulation, Statistics};
-use neighbour_list::{Bodies, NeighbourList, Workers};
+use neighbour_list::{Bodies, Crew, NeighbourList, Workers};
 
 pub use plan::{Plan, Strategy, plan};
 
@@ -25,7 +25,7 @@ const STEPS: u64 = 256;
 ///
 /// `R` are the rules of its windows, `O` what watches each step; what nobody watches is compiled away.
 pub struct Planned<R, O> {
-    workers: Workers,
+    crew: Crew,
     /// The number of steps that was asked for, or 0 for the planner's choice.
     fixed_steps: u32,
     /// Steps that an official step is divided into.
@@ -50,14 +50,15 @@ pub struct Planned<R, O> {
 impl<R: Rules, O: Observer> Planned<R, O> {
     /// An engine for these threads with windows of `steps` steps, 0 for the planner's choice, and
     /// each official step divided into `divide`.
-    pub fn new(workers: Workers, steps: u32, divide: u32) -> Self {
+    pub fn new(crew: impl Into<Crew>, steps: u32, divide: u32) -> Self {
+        let crew = crew.into();
         Self {
-            workers: workers.clone(),
+            crew: crew.clone(),
             fixed_steps: steps,
             divide,
             size: 0.0,
             window: Window::default(),
-            plain: NeighbourList::new(workers, 0.0, divide),
+            plain: NeighbourList::new(crew, 0.0, divide),
             plan: Plan::default(),
             counts: WindowCounts::default(),
             into: 0,
@@ -168,8 +169,8 @@ impl<R: Rules, O: Observer> Simulation for Planned<R, O> {
     fn load(&mut self, scene: &Scene) {
         self.size = scene.size();
         self.window = Window::of(Bodies::of(scene));
-        self.workers.engage(scene.len());
-        self.plain = NeighbourList::new(self.workers.clone(), 0.0, self.divide);
+        self.crew.engage(scene.len());
+        self.plain = NeighbourList::new(self.crew.clone(), 0.0, self.divide);
         self.counts = WindowCounts::default();
         (self.into, self.steps, self.span) = (0, 0, Span { steps: 0, dt: 0.0, size: self.size });
         self.statistics = None;
@@ -184,7 +185,7 @@ impl<R: Rules, O: Observer> Simulation for Planned<R, O> {
 
     fn run(&mut self, steps: u64) {
         self.seen.replace(None);
-        let workers = self.workers.clone();
+        let workers = self.crew.workers().clone();
         let mut left = steps;
         // These need no threads.
         while left > 0 && self.is_computed() {
@@ -214,7 +215,8 @@ impl<R: Rules, O: Observer> Simulation for Planned<R, O> {
     }
 
     fn plan(&self) -> Option<String> {
-        let (threads, most) = (self.workers.threads(), self.workers.most());
+        let threads = self.crew.workers().count();
+        let most = self.crew.most();
         let mut text = format!("threads: {threads} of {most}\n");
         for (step, plan) in &self.log {
             let _ = writeln!(text, "from step {step}: {plan}");

@@ -1,7 +1,8 @@
 //! Squares over the part of the box where particles are.
 
+use workers::Workers;
+
 use crate::particles::Bodies;
-use crate::threads::Workers;
 
 /// A grid of square cells over the rectangle that holds all particles.
 ///

@@ -7,11 +7,12 @@
 use std::ops::Range;
 
 use pulp::{Arch, NullaryFnOnce};
+use workers::Workers;
 
 use super::grid::Grid;
 use super::table::{Cells, Kind};
 use crate::particles::{Bodies, make_room};
-use crate::threads::{Workers, cut, pieces};
+use crate::threads::{cut, pieces};
 
 /// Particles that a band looks at together.
 const PIECE: usize = 1024;
@@ -62,7 +63,7 @@ impl Sorter {
         let mut bands = n.div_ceil(pieces(n, BAND, BANDS)).max(1);
         if spans.iter().all(|span| span.len() > cells / 2) {
             // Each band would look at all particles, as in the first sort of a scene.
-            bands = bands.min(workers.threads());
+            bands = bands.min(workers.count());
         }
         let length = cells.div_ceil(bands);
         let bands = || (0..cells).step_by(length).map(|k| Band { first: k as u32, length });

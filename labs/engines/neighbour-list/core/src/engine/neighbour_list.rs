@@ -11,12 +11,12 @@ use super::sweep::{Pass, Sweep};
 use crate::kernels::Primitives;
 use crate::list::{Block, Limits, Neighbours};
 use crate::particles::{Bodies, Moving};
-use crate::threads::{Workers, cut};
+use crate::threads::{Crew, cut};
 
 /// The engine: the primitives `P` on several threads, seen by an observer `O`.
 #[derive(Default)]
 pub struct NeighbourList<O, P> {
-    workers: Workers,
+    crew: Crew,
     /// The skin that was asked for, or 0 for the cheapest.
     fixed_skin: f64,
     /// Steps that an official step is divided into.
@@ -35,8 +35,8 @@ pub struct NeighbourList<O, P> {
 impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     /// An engine for these threads with a skin of `skin` cutoffs, 0 for the cheapest, and each
     /// official step divided into `divide`.
-    pub fn new(workers: Workers, skin: f64, divide: u32) -> Self {
-        Self { workers, fixed_skin: skin * CUTOFF, divide, ..Self::default() }
+    pub fn new(crew: impl Into<Crew>, skin: f64, divide: u32) -> Self {
+        Self { crew: crew.into(), fixed_skin: skin * CUTOFF, divide, ..Self::default() }
     }
 
     /// Goes on from particles in a box of side `size`.
@@ -99,15 +99,15 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
             return;
         }
         let dt = self.dt();
-        let Self { workers, list, limits, bodies, passes, size, fixed_skin, .. } = self;
+        let Self { crew, list, limits, bodies, passes, size, fixed_skin, .. } = self;
         let skin = |displacement| {
             if *fixed_skin > 0.0 { *fixed_skin } else { list.cheapest_skin(bodies, displacement) }
         };
         let skin = limits.renew(bodies, dt, *size, skin);
-        let tested = list.rebuild(bodies, skin, *size, workers);
+        let tested = list.rebuild(bodies, skin, *size, crew.workers());
         passes.resize_with(list.blocks.len(), Pass::default);
         let work = list.blocks.iter().zip(passes).collect();
-        workers.map(work, |(block, pass): (&Block, &mut Pass<P>)| {
+        crew.workers().map(work, |(block, pass): (&Block, &mut Pass<P>)| {
             limits.note_fast(bodies, block.particles.clone(), &mut pass.fast);
         });
         self.counts.rebuilds += 1;
@@ -137,9 +137,9 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         if !self.limits.inner_has_expired::<P>() {
             return;
         }
-        let Self { workers, list, limits, bodies, passes, .. } = self;
+        let Self { crew, list, limits, bodies, passes, .. } = self;
         let fast = passes.iter_mut().flat_map(|pass| pass.fast.indices.drain(..));
-        let tested = limits.rebuild_inner(list, bodies, fast, workers);
+        let tested = limits.rebuild_inner(list, bodies, fast, crew.workers());
         self.counts.inner_rebuilds += 1;
         self.counts.outliers += self.limits.outliers().count() as u64;
         self.count(tested);
@@ -163,13 +163,13 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
 
     fn sweep(&mut self, external: External<'_>, is_chosen: impl Fn(&Block) -> bool) {
         let (dt, size, arch) = (self.dt(), self.size, Arch::new());
-        let Self { workers, list, limits, bodies, passes, across, observer, .. } = self;
+        let Self { crew, list, limits, bodies, passes, across, observer, .. } = self;
         let ends = || list.blocks.iter().map(|block| block.particles.end);
         let positions = cut(&mut bodies.x, ends()).into_iter().zip(cut(&mut bodies.y, ends()));
         let velocities = cut(&mut bodies.vx, ends()).into_iter().zip(cut(&mut bodies.vy, ends()));
         let work = list.blocks.iter().zip(passes).zip(positions.zip(velocities));
         let work = work.filter(|((block, _), _)| is_chosen(block)).collect();
-        let observers = workers.map(
+        let observers = crew.workers().map(
             work,
             |((block, pass), ((x, y), (vx, vy))): ((&Block, &mut Pass<P>), _)| {
                 let (moving, limit) =
@@ -219,7 +219,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
 
 impl<O: Observer, P: Primitives> Simulation for NeighbourList<O, P> {
     fn load(&mut self, scene: &Scene) {
-        self.workers.engage(scene.len());
+        self.crew.engage(scene.len());
         self.start(Bodies::of(scene), scene.size());
         self.counts = Counts::default();
     }
@@ -229,7 +229,7 @@ impl<O: Observer, P: Primitives> Simulation for NeighbourList<O, P> {
     }
 
     fn run(&mut self, steps: u64) {
-        let workers = self.workers.clone();
+        let workers = self.crew.workers().clone();
         workers.within(|| (0..steps).for_each(|_| self.official_step()));
     }
 

@@ -1,13 +1,13 @@
 //! The speed limit that lists are made for, and when the inner list is rebuilt.
 
 use std::ops::Range;
+use workers::Workers;
 
 use super::budget::{Budget, lasting};
 use super::neighbours::Neighbours;
 use super::outliers::{Outlier, Outliers};
 use crate::kernels::Primitives;
 use crate::particles::{Bodies, Sample};
-use crate::threads::Workers;
 
 /// Particles for each one that may be faster than a list allows.
 const FEW: usize = 1000;

@@ -5,13 +5,14 @@ use std::marker::PhantomData;
 
 use common::soft::CUTOFF;
 use pulp::Arch;
+use workers::Workers;
 
 use super::block::{Block, Collect, Filter};
 use super::budget::Budget;
 use crate::cells::{Cells, Extent, Grid, Sorter};
 use crate::kernels::{Pair, Primitives, dispatch};
 use crate::particles::Bodies;
-use crate::threads::{LEAST, Workers, pieces};
+use crate::threads::{LEAST, pieces};
 
 /// Most blocks.
 const BLOCKS: usize = 16;

@@ -5,11 +5,12 @@
 //! outliers are looked for whenever an inner list is built.
 
 use std::ops::Range;
+use workers::Workers;
 
 use super::neighbours::Neighbours;
 use crate::kernels::{Pair, Primitives};
 use crate::particles::Bodies;
-use crate::threads::{Workers, pieces};
+use crate::threads::pieces;
 
 /// Outliers whose pairs are looked for one after another.
 const SOME: usize = 32;

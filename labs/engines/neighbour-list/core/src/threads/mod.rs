@@ -1,80 +1,50 @@
-//! Work that is the same on any number of threads.
+//! Work that is the same on any number of threads: it is cut into pieces by the scene, never by the number of threads.
 
-use std::sync::Arc;
-
-use rayon::ThreadPool;
-use rayon::prelude::*;
+use workers::Workers;
 
 /// The fewest particles that pay for a thread: with fewer it costs more to wake than it does. Measured on
 /// the machine of the book.
 pub const LEAST: usize = 2000;
 
-/// The threads of an engine.
-///
-/// Work is cut into pieces by the scene, never by the number of threads, and the results come
-/// back in the order of the pieces. Which thread does which piece is then no longer visible in them.
+/// The threads of an engine: as many as pay for the particles of a scene.
 #[derive(Clone, Default)]
-pub struct Workers {
+pub struct Crew {
     most: usize,
     share: usize,
-    pool: Option<Arc<ThreadPool>>,
+    workers: Workers,
 }
 
-impl Workers {
-    /// `threads` threads; one means the caller's own. If the machine refuses to start them, the
-    /// caller works alone: slower, with the same result.
-    pub fn new(threads: usize) -> Self {
-        let pool = (threads > 1)
-            .then(|| rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok())
-            .flatten();
-        Self { most: threads, share: 1, pool: pool.map(Arc::new) }
+impl From<Workers> for Crew {
+    /// These threads, or fewer for fewer particles.
+    fn from(workers: Workers) -> Self {
+        Self { most: workers.count(), share: 1, workers }
     }
+}
 
+impl Crew {
     /// `most` threads or fewer: as many as have `share` particles each. It is the caller alone until
     /// the particles are counted, by [`engage`](Self::engage).
     pub fn sharing(most: usize, share: usize) -> Self {
-        Self { most, share, pool: None }
+        Self { most, share, workers: Workers::One }
     }
 
-    /// Takes as many threads as pay for `n` particles.
+    /// Takes as many threads as pay for `n` particles. If the machine refuses to start them, the caller works alone:
+    /// slower, with the same result.
     pub fn engage(&mut self, n: usize) {
         let threads = self.most.min(n / self.share.max(1)).max(1);
-        if threads != self.threads() {
-            self.pool = Self::new(threads).pool;
+        if threads != self.workers.count() {
+            self.workers = Workers::if_possible(threads);
         }
     }
 
-    /// How many there are.
-    pub fn threads(&self) -> usize {
-        self.pool.as_ref().map_or(1, |pool| pool.current_num_threads())
+    /// The threads that are engaged.
+    pub fn workers(&self) -> &Workers {
+        &self.workers
     }
 
-    /// How many there may be.
+    /// How many threads there may be.
     pub fn most(&self) -> usize {
         self.most
-    }
-
-    /// Does `work` on one of the threads. What it hands over from there costs less than what it
-    /// hands over from outside: no thread has to be woken that is not needed.
-    pub fn within<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
-        match &self.pool {
-            Some(pool) => pool.install(work),
-            None => work(),
-        }
-    }
-
-    /// Does every piece of work and returns the results in the order of the pieces.
-    pub fn map<T: Send, R: Send>(
-        &self,
-        pieces: Vec<T>,
-        work: impl Fn(T) -> R + Send + Sync,
-    ) -> Vec<R> {
-        match &self.pool {
-            Some(pool) if pieces.len() > 1 => {
-                pool.install(|| pieces.into_par_iter().with_max_len(1).map(work).collect())
-            }
-            _ => pieces.into_iter().map(work).collect(),
-        }
     }
 }
 

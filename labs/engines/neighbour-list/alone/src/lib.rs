@@ -1,61 +1,80 @@
-//! Primitives alone, without an engine: loops that one can time.
+//! The primitives of a neighbour-list engine alone, without the engine: programs that one can time.
+//!
+//! A step of each program is one pass of a loop over all particles, which stay where they are. So these programs simulate
+//! nothing. Two of them take the same time if a primitive is as fast as it can be.
 
 use std::hint::black_box;
 use std::marker::PhantomData;
 
 use common::soft::{DT, Particle, Scene, Simulation};
-use common::{BuildError, Config, Parameter, Variant, bitwise};
-
-use crate::kernels::{
-    EIGHT, Kernel, Pair, Positions, Primitives, ROOM, Signs, dispatch, make_room,
+use common::{BuildError, Config, Parameter};
+use neighbour_list_core::kernels::{
+    EIGHT, Kernel, Pair, Positions, ROOM, Signs, dispatch, make_room,
 };
-use crate::particles::Bodies;
+use neighbour_list_core::{Bodies, Primitives};
 
-/// Programs for a type that has the primitives: a step of each is one pass of a loop over all particles, which stay where
-/// they are.
-pub trait Alone: Primitives {
-    /// All of them.
-    const ALONE: &'static [Variant<dyn Simulation>] = &[
-        single("drift", "task 10.1 alone: particles at rest, moved", &[], |_| {
-            of(|data| dispatch(Drift(data, PhantomData::<Self>)), false)
-        }),
-        single("plain", "the same move without walls", &[], |_| {
-            of(|data| dispatch(Plain(data)), false)
-        }),
-        single(
-            "collect",
-            "task 10.2 alone: the neighbours of each particle among a few",
-            &[DRAWN],
-            |config| of(|data| dispatch(Collect(data, PhantomData::<Self>)), is_drawn(config)),
-        ),
-        single(
-            "filter",
-            "task 10.4 alone: which pairs are near, of one for each particle",
-            &[DRAWN],
-            |config| of(|data| dispatch(Filter(data, PhantomData::<Self>)), is_drawn(config)),
-        ),
-    ];
+/// Whether chance decides what is near.
+pub const DRAWN: Parameter =
+    Parameter::switch("drawn", "1: chance decides what is near; 0: nothing is", true);
+
+type Built = Result<Box<dyn Simulation>, BuildError>;
+
+/// Builds the program that moves particles at rest by [`Primitives::drift`].
+///
+/// # Errors
+/// There are none.
+pub fn drift<P: Primitives>(_: &Config) -> Built {
+    of(|data| dispatch(Drift(data, PhantomData::<P>)), false)
 }
 
-impl<P: Primitives> Alone for P {}
+/// Builds the program that makes the same move without walls.
+///
+/// # Errors
+/// There are none.
+pub fn plain(_: &Config) -> Built {
+    of(|data| dispatch(Plain(data)), false)
+}
 
-/// A program that is no way to simulate: the comparison of all leaves it out.
-const fn single(
-    name: &'static str,
-    about: &'static str,
-    parameters: &'static [Parameter],
-    build: fn(&Config) -> Result<Box<dyn Simulation>, BuildError>,
-) -> Variant<dyn Simulation> {
-    bitwise(name, about, parameters, build)
+/// Builds the program that lists pairs by [`Primitives::collect`], for the parameter [`DRAWN`].
+///
+/// # Errors
+/// There are none.
+pub fn collect<P: Primitives>(config: &Config) -> Built {
+    of(|data| dispatch(Collect(data, PhantomData::<P>)), is_drawn(config))
+}
+
+/// Builds the program that filters pairs by [`Primitives::filter`], for the parameter [`DRAWN`].
+///
+/// # Errors
+/// There are none.
+pub fn filter<P: Primitives>(config: &Config) -> Built {
+    of(|data| dispatch(Filter(data, PhantomData::<P>)), is_drawn(config))
+}
+
+fn of(pass: fn(&mut Loop), drawn: bool) -> Built {
+    Ok(Box::new(Loop {
+        bodies: Bodies::default(),
+        size: 0.0,
+        zeros: Vec::new(),
+        pairs: Vec::new(),
+        drawn,
+        passes: 0,
+        found: 0,
+        pass,
+    }))
+}
+
+fn is_drawn(config: &Config) -> bool {
+    config.parameter(DRAWN.name) > 0.0
 }
 
 /// Particles that are moved by one call, as in the engines.
 const CHUNK: usize = 64;
 
-/// So often pairs are at other distances. A processor knows by heart what it has seen in the pass before.
+/// Passes until the same pairs are at the same distances again. A processor knows by heart what it has seen in the pass before.
 const SHIFTS: usize = 512;
 
-/// What a loop works on: particles at rest, which no force acts on, so that every step is alike.
+/// The data of a loop: particles at rest, on which no force acts, so that every step is alike.
 struct Loop {
     bodies: Bodies,
     size: f64,
@@ -83,12 +102,13 @@ struct Collect<'a, P>(&'a mut Loop, PhantomData<P>);
 struct Filter<'a, P>(&'a mut Loop, PhantomData<P>);
 
 impl Loop {
-    /// Positions that are others in each pass: x of one particle, y of another.
+    /// Positions that differ from pass to pass: x of one particle, y of another.
     #[inline(always)]
     fn positions(&self) -> Positions<'_> {
         let Bodies { x, y, .. } = &self.bodies;
         let shifts = SHIFTS.min(x.len() / 2);
-        let (shift, n) = (self.passes % shifts.max(1), x.len() - shifts);
+        let shift = self.passes % shifts.max(1);
+        let n = x.len() - shifts;
         Positions { x: &x[..n], y: &y[shift..shift + n], first: 0 }
     }
 }
@@ -132,7 +152,8 @@ impl<P: Primitives> Kernel for Collect<'_, P> {
     #[inline(always)]
     fn run(self, signs: impl Signs) {
         let mut pairs = std::mem::take(&mut self.0.pairs);
-        let (positions, drawn) = (self.0.positions(), self.0.drawn);
+        let positions = self.0.positions();
+        let drawn = self.0.drawn;
         let n = positions.x.len();
         let reach = if drawn { 0.4 * self.0.size } else { 0.0 };
         let mut len = 0;
@@ -153,8 +174,10 @@ impl<P: Primitives> Kernel for Filter<'_, P> {
 
     #[inline(always)]
     fn run(self, _: impl Signs) {
-        let (mut near, mut found) = ([[0; 2]; ROOM], 0);
-        let (positions, size) = (self.0.positions(), self.0.size);
+        let mut near = [[0; 2]; ROOM];
+        let mut found = 0;
+        let positions = self.0.positions();
+        let size = self.0.size;
         // Of two particles anywhere in the box one pair in ten is as near as that.
         let squared = if self.0.drawn { 0.036 * size * size } else { -1.0 };
         let pairs = &self.0.pairs[..positions.x.len().saturating_sub(1)];
@@ -168,11 +191,14 @@ impl<P: Primitives> Kernel for Filter<'_, P> {
 
 impl Simulation for Loop {
     fn load(&mut self, scene: &Scene) {
-        (self.bodies, self.size) = (Bodies::of(scene), scene.size());
-        (self.passes, self.found) = (0, 0);
-        let n = scene.len();
-        (self.bodies.vx, self.bodies.vy, self.zeros) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
-        self.pairs = (1..n as u32).map(|j| [j - 1, j]).collect();
+        self.bodies = Bodies::of(scene);
+        self.bodies.vx.fill(0.0);
+        self.bodies.vy.fill(0.0);
+        self.zeros = vec![0.0; scene.len()];
+        self.size = scene.size();
+        self.passes = 0;
+        self.found = 0;
+        self.pairs = (1..scene.len() as u32).map(|j| [j - 1, j]).collect();
     }
 
     fn step(&mut self) {
@@ -187,24 +213,4 @@ impl Simulation for Loop {
     fn counters(&self) -> Vec<(&'static str, f64)> {
         vec![("found", self.found as f64)]
     }
-}
-
-const DRAWN: Parameter =
-    Parameter::switch("drawn", "1: chance decides what is near; 0: nothing is", true);
-
-fn of(pass: fn(&mut Loop), drawn: bool) -> Result<Box<dyn Simulation>, BuildError> {
-    Ok(Box::new(Loop {
-        bodies: Bodies::default(),
-        size: 0.0,
-        zeros: Vec::new(),
-        pairs: Vec::new(),
-        drawn,
-        passes: 0,
-        found: 0,
-        pass,
-    }))
-}
-
-fn is_drawn(config: &Config) -> bool {
-    config.parameter("drawn") > 0.0
 }

@@ -1,0 +1,45 @@
+//! Simple loops over discs, cut into pieces of equal length that workers share.
+//!
+//! They are the loops (does a disc hit a wall, where does it go) that «do not allow much difference», as the CS3210 report
+//! says. The pieces are the same for any number of threads.
+
+use workers::Workers;
+
+/// Discs in a piece.
+const PIECE: usize = 4096;
+
+/// Calls `act` with every item and its index.
+pub(crate) fn for_each<T: Send>(
+    workers: &Workers,
+    items: &mut [T],
+    act: impl Fn(usize, &mut T) + Send + Sync,
+) {
+    workers.map(items.chunks_mut(PIECE).enumerate().collect(), |(k, piece): (usize, &mut [T])| {
+        for (i, item) in (k * PIECE..).zip(piece) {
+            act(i, item);
+        }
+    });
+}
+
+/// What `work` makes of each piece of the items and the index of its first one.
+pub(crate) fn map_pieces<T: Sync, U: Send>(
+    workers: &Workers,
+    items: &[T],
+    work: impl Fn(usize, &[T]) -> U + Send + Sync,
+) -> Vec<U> {
+    let pieces = items.chunks(PIECE).enumerate().collect();
+    workers.map(pieces, |(k, piece): (usize, &[T])| work(k * PIECE, piece))
+}
+
+/// Appends to `out`, in order, what `find` makes of every item and its index.
+pub(crate) fn collect<T: Sync, U: Send>(
+    workers: &Workers,
+    items: &[T],
+    out: &mut Vec<U>,
+    find: impl Fn(usize, &T) -> Option<U> + Send + Sync,
+) {
+    let found = map_pieces(workers, items, |first, piece| -> Vec<U> {
+        (first..).zip(piece).filter_map(|(i, item)| find(i, item)).collect()
+    });
+    out.extend(found.into_iter().flatten());
+}
