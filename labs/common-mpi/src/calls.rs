@@ -86,10 +86,8 @@ fn compare(number: u64, call: &Call) {
     let own = [name, call.root.into(), count, size];
     let all = share(own);
     let own_rank = SimpleCommunicator::world().rank();
-    let bytes = |items: [i64; 2]| items[0] * items[1];
     let differs = all.iter().any(|other| other[..2] != own[..2]);
-    let uneven =
-        call.is_alike && all.iter().any(|other| bytes([other[2], other[3]]) != count * size);
+    let uneven = call.is_alike && all.iter().any(|other| other[2] * other[3] != count * size);
     if differs || uneven {
         let what = match call.name {
             "MPI_Finalize" => "nothing more: it has ended".into(),
@@ -109,8 +107,9 @@ fn compare(number: u64, call: &Call) {
     }
     for (rank, (other, expected)) in all.iter().zip(&call.of_each).enumerate() {
         let theirs = [other[2], other[3]];
-        if bytes(theirs) != bytes(*expected) {
-            let (name, location) = (call.name, location_here());
+        if theirs[0] * theirs[1] != expected[0] * expected[1] {
+            let name = call.name;
+            let location = location_here();
             let does = if name.contains("Gather") { "sends" } else { "has room for" };
             let roots = if name.contains("Gather") { "has room for" } else { "sends it" };
             end(&format!(

@@ -43,6 +43,14 @@ impl At {
     fn next_step(self) -> Self {
         Self { step: self.step + 1, number: 0, ..self }
     }
+
+    /// The call in words, before it or past it.
+    fn said(self, how: &str, location: &Location<'_>) -> String {
+        let Self { step, number, total } = self;
+        let file = location.file();
+        let line = location.line();
+        format!("{how} call {total}: call {number} of step {step}, {file}:{line}")
+    }
 }
 
 /// The ranks that a call has to do with.
@@ -120,20 +128,16 @@ impl Clock {
     /// Does `call`, which all ranks make together, with these partners.
     #[track_caller]
     pub fn call<R>(&self, partners: Partners, call: impl FnOnce() -> R) -> R {
-        let (At { step, number, total }, location) =
-            (self.at.get().next_call(), Location::caller());
-        self.at.set(At { step, number, total });
-        let say = |how| {
-            let (file, line) = (location.file(), location.line());
-            format!("{how} call {total}: call {number} of step {step}, {file}:{line}")
-        };
-        here(|| say("in"));
+        let at = self.at.get().next_call();
+        let location = Location::caller();
+        self.at.set(at);
+        here(|| at.said("in", location));
         self.note(|log, now| {
             log.stretch_ends(now);
             log.call = Some((now, partners));
         });
         let result = call();
-        here(|| say("past"));
+        here(|| at.said("past", location));
         self.note(|log, now| {
             log.stretch_ends(now);
             log.call = None;
@@ -199,29 +203,27 @@ impl Clock {
         let log = self.log.as_ref()?.borrow();
         let calls = log.stretches.iter().filter_map(|stretch| stretch.call.as_ref());
         let mut came: Vec<f64> = calls.map(|(came, _)| *came).collect();
-        let (calls, mut most) = (came.len(), 0);
-        world.all_reduce_into(&calls, &mut most, SystemOperation::max());
+        let mut most = 0;
+        world.all_reduce_into(&came.len(), &mut most, SystemOperation::max());
         came.resize(most, f64::INFINITY);
         let mut all = vec![0.0; most * world.size() as usize];
         world.all_gather_into(&came[..], &mut all[..]);
-        let (mut number, mut events) = (0, Vec::new());
-        for Stretch { step, begin, end, call } in &log.stretches {
-            let mut record = |activity, begin, end| {
-                if begin < end {
-                    events.push(EventWire { begin, end, step: *step, activity: activity as u32 });
-                }
-            };
+        let mut number = 0;
+        let mut events = Vec::new();
+        for stretch in &log.stretches {
+            let Stretch { begin, end, call, .. } = stretch;
             let Some((_, partners)) = call else {
-                record(Activity::Compute, *begin, *end);
+                events.push(stretch.part(Activity::Compute, *begin, *end));
                 continue;
             };
             let came =
                 partners.of(world).into_iter().map(|rank| all[rank as usize * most + number]);
             let last = came.filter(|came| *came < end + ALIKE).fold(*begin, f64::max).min(*end);
-            record(Activity::Wait, *begin, last);
-            record(Activity::Communicate, last, *end);
+            events.push(stretch.part(Activity::Wait, *begin, last));
+            events.push(stretch.part(Activity::Communicate, last, *end));
             number += 1;
         }
+        events.retain(|event| event.begin < event.end);
         Some(events)
     }
 }
@@ -237,6 +239,13 @@ impl Log {
         let call = self.call.clone();
         self.stretches.push(Stretch { step: self.step, begin, end: now, call });
         self.since = Some(now);
+    }
+}
+
+impl Stretch {
+    /// A part of the stretch, as an event.
+    fn part(&self, activity: Activity, begin: f64, end: f64) -> EventWire {
+        EventWire { begin, end, step: self.step, activity: activity as u32 }
     }
 }
 

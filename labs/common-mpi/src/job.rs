@@ -105,8 +105,7 @@ fn end_job_on_panic(world: &SimpleCommunicator) {
     let main = thread::current().id();
     let print = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
-        let in_collective = |at: &panic::Location| at.file().ends_with("collective.rs");
-        let of_mpi = info.location().filter(|at| in_collective(at));
+        let of_mpi = info.location().filter(|at| at.file().ends_with("collective.rs"));
         let words = of_mpi
             .and_then(|_| calls::wrong_side(rank, &info.to_string(), &Backtrace::force_capture()));
         if let Some(words) = words {

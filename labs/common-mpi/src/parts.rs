@@ -8,12 +8,12 @@ use crate::Wire;
 /// 6. Counted in items, not in bytes.
 pub fn displacements(counts: &[Count]) -> Vec<Count> {
     let mut next = 0;
-    let begin = |count: &Count| {
-        let start = next;
+    let mut begins = Vec::with_capacity(counts.len());
+    for count in counts {
+        begins.push(next);
         next += count;
-        start
-    };
-    counts.iter().map(begin).collect()
+    }
+    begins
 }
 
 /// How many items there are in parts of these sizes.

@@ -21,7 +21,8 @@ fn a_rank_waits_until_its_partner_has_come() {
 #[ignore = "a part of a_rank_waits_until_its_partner_has_come"]
 fn the_second_rank_comes_late() {
     let code = as_rank(|world| {
-        let (late, other) = (world.rank() == 1, world.process_at_rank(1 - world.rank()));
+        let late = world.rank() == 1;
+        let other = world.process_at_rank(1 - world.rank());
         let mut clock = Clock::new(true);
         clock.start(world);
         for _ in 0..2 {
@@ -49,16 +50,16 @@ fn the_second_rank_comes_late() {
             let of = |rank, activity| {
                 events.iter().find(|e| (e.rank, e.step, e.activity) == (rank, step, activity))
             };
-            let (wait, compute) = (of(0, Wait).expect("it waits"), of(1, Compute).unwrap());
+            let wait = of(0, Wait).expect("it waits");
+            let compute = of(1, Compute).expect("it computes");
             assert_eq!(wait.end, compute.end, "rank 0 waits until rank 1 comes, step {step}");
             assert_eq!(of(1, Wait), None, "rank 1 finds rank 0 there");
             assert!(of(0, Communicate).is_some() && of(1, Communicate).is_some());
         }
-        let same = |pair: &[common::Event]| {
-            (pair[0].rank, pair[0].step) != (pair[1].rank, pair[1].step)
-                || pair[0].end == pair[1].begin
-        };
-        assert!(events.windows(2).all(same), "no gaps within a step: {events:?}");
+        let mut steps = events.chunk_by(|a, b| (a.rank, a.step) == (b.rank, b.step));
+        let without_gaps =
+            steps.all(|step| step.windows(2).all(|pair| pair[0].end == pair[1].begin));
+        assert!(without_gaps, "no gaps within a step: {events:?}");
         for (activity, (name, sum)) in Activity::ALL.into_iter().zip(sums) {
             let of_it = events.iter().filter(|event| event.activity == activity);
             let expected: f64 = of_it.map(|event| event.end - event.begin).sum();

@@ -33,9 +33,10 @@ fn a_sound_job_ends_well() {
 #[ignore = "a part of a_sound_job_ends_well"]
 fn particles_travel() {
     on_ranks(|world| {
-        let (rank, size) = (world.rank(), world.size());
-        let mine = Wire { x: 0.1, y: 0.2, vx: -0.3, vy: 0.4, id: rank as u64 };
-        let ghost = Ghost { x: 0.5, y: 0.6, id: rank as u64 };
+        let id = world.rank() as u64;
+        let size = world.size();
+        let mine = Wire { x: 0.1, y: 0.2, vx: -0.3, vy: 0.4, id };
+        let ghost = Ghost { x: 0.5, y: 0.6, id };
         let mut all = vec![Wire::default(); size as usize];
         world.all_gather_into(&mine, &mut all[..]);
         let mut ghosts = vec![Ghost::default(); size as usize];
@@ -88,15 +89,18 @@ fn one_rank_fails() {
 
 #[test]
 fn a_hang_names_its_task_and_where_each_rank_is() {
-    let play = || Job::part("0.1", "all_ranks_wait", 2).within(2).run();
-    let words = || *catch_unwind(play).expect_err("it hangs").downcast::<String>().expect("words");
-    let said = words();
+    let said = words_of_a_hang();
     assert!(said.contains("task 0.1: 2 ranks gave no answer within 2 s"), "{said}");
     assert!(said.contains("rank 0 is in its receive, in MPI_"), "{said}");
     assert!(said.contains("rank 1 is in its receive, in MPI_"), "{said}");
     let start = Instant::now();
-    assert!(words().contains("task 0.1: not tried"), "another job of the same task");
+    assert!(words_of_a_hang().contains("task 0.1: not tried"), "another job of the same task");
     assert!(start.elapsed() < Duration::from_secs(2), "and nobody waits for it");
+}
+
+fn words_of_a_hang() -> String {
+    let hang = catch_unwind(|| Job::part("0.1", "all_ranks_wait", 2).within(2).run());
+    *hang.expect_err("it hangs").downcast().expect("words")
 }
 
 #[test]

@@ -64,7 +64,9 @@ impl Memory {
         loop {
             {
                 let state = &mut *self.0.lock();
-                (state.reads, state.loads, state.told) = (true, 0, written.clone());
+                state.reads = true;
+                state.loads = 0;
+                state.told.clone_from(&written);
                 state.known.fill(0);
             }
             let came = read();
@@ -95,8 +97,8 @@ impl Memory {
 
     pub(crate) fn load(&self, location: usize, ordering: Ordering) -> u64 {
         let state = &mut *self.0.lock();
-        let (oldest, newest) =
-            (state.known[location], state.locations[location].messages.len() - 1);
+        let oldest = state.known[location];
+        let newest = state.locations[location].messages.len() - 1;
         if !state.reads {
             return state.locations[location].messages[newest].bits;
         }
@@ -140,11 +142,11 @@ mod tests {
                 flag.store(1, raise[0]);
             }
         };
-        let read = || {
+        let readings = memory.readings(write, || {
             let flag = flag.load(raise[1]);
             [number.load(Relaxed), flag]
-        };
-        let mut seen: Vec<_> = memory.readings(write, read).into_iter().map(|(s, _)| s).collect();
+        });
+        let mut seen: Vec<_> = readings.into_iter().map(|(seen, _)| seen).collect();
         seen.sort_unstable();
         seen
     }
@@ -168,10 +170,11 @@ mod tests {
     fn a_location_does_not_go_back_in_time() {
         let memory = Arc::new(Memory::default());
         let number = Atomic::watched(0, &memory, "number");
-        let write = || [1, 2].into_iter().for_each(|bits| number.store(bits, Relaxed));
-        for ((first, second), _) in
-            memory.readings(write, || (number.load(Relaxed), number.load(Relaxed)))
-        {
+        let readings = memory.readings(
+            || [1, 2].into_iter().for_each(|bits| number.store(bits, Relaxed)),
+            || [number.load(Relaxed), number.load(Relaxed)],
+        );
+        for ([first, second], _) in readings {
             assert!(first <= second);
         }
     }

@@ -62,15 +62,23 @@ impl FromStr for Event {
     type Err = EventError;
 
     fn from_str(line: &str) -> Result<Self, EventError> {
-        let read = || {
-            let [rank, step, name, begin, end] = line.split(' ').collect::<Vec<_>>()[..] else {
-                return None;
-            };
-            let activity = Activity::ALL.into_iter().find(|activity| activity.name() == name)?;
-            let (rank, step) = (rank.parse().ok()?, step.parse().ok()?);
-            Some(Self { rank, step, activity, begin: begin.parse().ok()?, end: end.parse().ok()? })
+        Self::read(line).ok_or_else(|| EventError(line.into()))
+    }
+}
+
+impl Event {
+    /// Reads a line; `None` if it is no event.
+    fn read(line: &str) -> Option<Self> {
+        let [rank, step, name, begin, end] = line.split(' ').collect::<Vec<_>>()[..] else {
+            return None;
         };
-        read().ok_or_else(|| EventError(line.into()))
+        Some(Self {
+            rank: rank.parse().ok()?,
+            step: step.parse().ok()?,
+            activity: Activity::ALL.into_iter().find(|activity| activity.name() == name)?,
+            begin: begin.parse().ok()?,
+            end: end.parse().ok()?,
+        })
     }
 }
 

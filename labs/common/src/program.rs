@@ -112,9 +112,11 @@ impl Choice {
 
     /// The arguments.
     pub(crate) fn config<S: ?Sized>(&self, variant: &Variant<S>) -> Result<Config, Complaint> {
-        let cores = || thread::available_parallelism().map_or(1, usize::from);
-        let mut config =
-            variant.config().with_threads(self.threads.map_or_else(cores, usize::from));
+        let threads = match self.threads {
+            Some(threads) => threads.into(),
+            None => thread::available_parallelism().map_or(1, usize::from),
+        };
+        let mut config = variant.config().with_threads(threads);
         for (name, value) in &self.param {
             variant.set(&mut config, name, *value).map_err(|e| e.to_string())?;
         }

@@ -105,7 +105,8 @@ fn run_lab(
             program::none_if_closed(seconds.and_then(|s| out.flush().map(|()| s)))
         }
     }?;
-    let (counters, events) = (simulation.counters(), simulation.events());
+    let counters = simulation.counters();
+    let events = simulation.events();
     match seconds {
         Some(seconds) if root => {
             options.choice.write_events(variant.name, events)?;
@@ -207,8 +208,11 @@ fn report(
 }
 
 fn two_numbers(text: &str) -> Result<(f64, f64), String> {
-    let number = |text: &str| text.trim().parse().ok().filter(|v: &f64| v.is_finite());
     text.split_once(',')
         .and_then(|(least, greatest)| Some((number(least)?, number(greatest)?)))
         .ok_or_else(|| "expected two numbers, LEAST,GREATEST".into())
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.trim().parse().ok().filter(|value: &f64| value.is_finite())
 }

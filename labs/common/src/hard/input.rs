@@ -56,9 +56,8 @@ pub fn read_problem(input: impl BufRead) -> Result<Problem, InputError> {
     let mut lines = Words::new(input);
     let n = lines.head("N", "a whole number of discs, 1 or more", |n: &u64| *n > 0)?;
     Scene::check_count(n).map_err(|e| lines.error(e))?;
-    let positive = |value: &f64| value.is_finite() && *value > 0.0;
-    let side = lines.head("L", "a positive finite number", positive)?;
-    let radius = lines.head("r", "a positive finite number", positive)?;
+    let side = lines.head("L", "a positive finite number", is_positive)?;
+    let radius = lines.head("r", "a positive finite number", is_positive)?;
     Scene::check_square(side, radius).map_err(|e| lines.error(e))?;
     let steps = lines.head("S", "a whole number of steps, 0 or more", |_| true)?;
     let mode: String =
@@ -82,12 +81,13 @@ pub fn read_problem(input: impl BufRead) -> Result<Problem, InputError> {
             };
             return Err(lines.error(format!("i: expected disc {i}, found disc {found}{why}")));
         }
-        let mut number = |field: &str| {
-            lines.field(format_args!("{field} of disc {i}"), "a finite number", |value: &f64| {
-                value.is_finite()
-            })
-        };
-        let disc = Disc::new(number("x")?, number("y")?, number("vx")?, number("vy")?);
+        let mut numbers = [0.0; 4];
+        for (number, field) in numbers.iter_mut().zip(["x", "y", "vx", "vy"]) {
+            let field = format_args!("{field} of disc {i}");
+            *number = lines.field(field, "a finite number", |value: &f64| value.is_finite())?;
+        }
+        let [x, y, vx, vy] = numbers;
+        let disc = Disc::new(x, y, vx, vy);
         lines.end_of_line(&format!("vy of disc {i}"))?;
         Scene::check_disc(side, radius, i as usize, &disc).map_err(|e| lines.error(e))?;
         discs.push(disc);
@@ -98,6 +98,10 @@ pub fn read_problem(input: impl BufRead) -> Result<Problem, InputError> {
         return Err(lines.error(format!("disc {found} {what} {found} of {n} discs")));
     }
     Ok(Problem { n, side, radius, steps, mode, discs: (found > 0).then_some(discs) })
+}
+
+fn is_positive(value: &f64) -> bool {
+    value.is_finite() && *value > 0.0
 }
 
 #[cfg(test)]

@@ -39,7 +39,8 @@ mod tests {
     #[test]
     fn lines_are_the_assignments() {
         let mut disc = Disc::new(1.0, 2.5, -1.0 / 3.0, 12_345.678_901_234);
-        (disc.pair_collisions, disc.wall_collisions) = (4, 1);
+        disc.pair_collisions = 4;
+        disc.wall_collisions = 1;
         let mut out = Vec::new();
         write_step(&mut out, 3, 7, &[disc]).unwrap();
         write_end(&mut out, 5, 7, &[disc]).unwrap();

@@ -50,26 +50,34 @@ impl RandomScene {
     /// # Errors
     /// The numbers make no scene ([`SceneError`]), or the discs need more memory than there is.
     pub fn draw(&self) -> Result<Scene, SceneError> {
-        let Self { n, side, radius, seed, speeds: (least, greatest), within } = *self;
+        let Self { n, side, radius, seed, .. } = *self;
         Scene::check_square(side, radius)?;
         let count = Scene::check_count(n)?;
         let mut discs = room_for(count).ok_or(SceneError::Memory("disc", n))?;
 
         let mut twister = Mt::new(seed);
-        let coordinate = |u: f64| {
-            // Rounding must not push a disc that touches a wall through it.
-            ((side - within) / 2.0 + within * u).clamp(radius, side - radius)
-        };
-        let component = |u: f64| {
-            let s = 2.0 * u - 1.0;
-            (least + (greatest - least) * s.abs()).copysign(s)
-        };
         for _ in 0..count {
-            let (x, y) = (coordinate(unit(&mut twister)), coordinate(unit(&mut twister)));
-            let (vx, vy) = (component(unit(&mut twister)), component(unit(&mut twister)));
+            let x = self.coordinate(unit(&mut twister));
+            let y = self.coordinate(unit(&mut twister));
+            let vx = self.component(unit(&mut twister));
+            let vy = self.component(unit(&mut twister));
             discs.push(Disc::new(x, y, vx, vy));
         }
         Scene::new(side, radius, discs)
+    }
+
+    /// A coordinate of a centre, for a number `u` in 0 .. 1.
+    fn coordinate(&self, u: f64) -> f64 {
+        let Self { side, radius, within, .. } = *self;
+        // Rounding must not push a disc that touches a wall through it.
+        ((side - within) / 2.0 + within * u).clamp(radius, side - radius)
+    }
+
+    /// A component of a velocity, for a number `u` in 0 .. 1.
+    fn component(&self, u: f64) -> f64 {
+        let (least, greatest) = self.speeds;
+        let s = 2.0 * u - 1.0;
+        (least + (greatest - least) * s.abs()).copysign(s)
     }
 }
 

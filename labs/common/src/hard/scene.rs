@@ -50,9 +50,11 @@ impl Scene {
         disc: &Disc,
     ) -> Result<(), SceneError> {
         let Disc { x, y, vx, vy, .. } = *disc;
-        let (least, most) = (radius, side - radius);
-        let outside = |field, value| SceneError::BeyondWall { number, field, value, least, most };
-        check_body("disc", number, [x, y, vx, vy], least..=most, outside)
+        let least = radius;
+        let most = side - radius;
+        check_body("disc", number, [x, y, vx, vy], least..=most, |field, value| {
+            SceneError::BeyondWall { number, field, value, least, most }
+        })
     }
 
     /// Side L of the square.

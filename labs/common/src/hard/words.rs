@@ -83,10 +83,11 @@ impl<R: BufRead> Words<R> {
         let Some(word) = self.word() else {
             return Err(self.error(format_args!("{field} is missing")));
         };
-        let (value, found) = (word.parse().ok().filter(good), shortened(word));
-        value.ok_or_else(|| {
-            self.error(format_args!("{field}: expected {expected}, found '{found}'"))
-        })
+        if let Some(value) = word.parse().ok().filter(good) {
+            return Ok(value);
+        }
+        let found = shortened(word);
+        Err(self.error(format_args!("{field}: expected {expected}, found '{found}'")))
     }
 
     /// Refuses whatever else stands on this line.

@@ -101,8 +101,13 @@ impl CounterParticles {
 
     fn at(&self, id: usize, site: usize) -> Particle {
         let [vx, vy, ..] = philox4x32([id as u32, 0, SPEEDS, 0], [self.seed, 0]).map(unit_speed);
-        let (x, y) = (self.lattice.x(site), self.lattice.y(site / self.lattice.columns));
-        Particle { x, y, vx, vy, id: id as u32 }
+        Particle {
+            x: self.lattice.x(site),
+            y: self.lattice.y(site / self.lattice.columns),
+            vx,
+            vy,
+            id: id as u32,
+        }
     }
 }
 
@@ -114,16 +119,18 @@ mod tests {
     #[test]
     fn its_positions_are_those_of_the_official_scene() {
         for n in [1, 2, 3, 7, 100, 1000, 1023] {
-            let sites = |scene: Scene| {
-                let bits = |p: &Particle| (p.y.to_bits(), p.x.to_bits());
-                let mut sites: Vec<_> = scene.particles().iter().map(bits).collect();
-                sites.sort_unstable();
-                sites
-            };
-            let (counter, official) = (Scene::counter(n, 1), Scene::official(n, 1));
-            let [counter, official] = [counter, official].map(|scene| sites(scene.unwrap()));
+            let counter = sites(&Scene::counter(n, 1).unwrap());
+            let official = sites(&Scene::official(n, 1).unwrap());
             assert_eq!(counter, official, "n = {n}");
         }
+    }
+
+    /// The bits of all positions, in order.
+    fn sites(scene: &Scene) -> Vec<[u64; 2]> {
+        let mut sites: Vec<_> =
+            scene.particles().iter().map(|p| [p.y.to_bits(), p.x.to_bits()]).collect();
+        sites.sort_unstable();
+        sites
     }
 
     #[test]
@@ -148,12 +155,11 @@ mod tests {
         let scene = Scene::counter(20_000, 3).unwrap();
         let speeds: Vec<f64> = scene.particles().iter().flat_map(|p| [p.vx, p.vy]).collect();
         assert!(speeds.iter().all(|v| (-1.0..1.0).contains(v)));
-        let mean = |of: &dyn Fn(f64) -> f64| {
-            speeds.iter().map(|v| of(*v)).sum::<f64>() / speeds.len() as f64
-        };
         // Five standard errors of 40,000 draws.
-        assert!(mean(&|v| v).abs() < 0.0145, "mean {}", mean(&|v| v));
-        assert!((mean(&|v| v * v) - 1.0 / 3.0).abs() < 0.0075, "square {}", mean(&|v| v * v));
+        let mean = speeds.iter().sum::<f64>() / 40_000.0;
+        assert!(mean.abs() < 0.0145, "mean {mean}");
+        let square = speeds.iter().map(|v| v * v).sum::<f64>() / 40_000.0;
+        assert!((square - 1.0 / 3.0).abs() < 0.0075, "square {square}");
         let across: f64 = scene.particles().iter().map(|p| p.vx * p.vy).sum::<f64>() / 20_000.0;
         assert!(across.abs() < 0.012, "vx and vy go together: {across}");
     }
@@ -162,19 +168,23 @@ mod tests {
     #[test]
     fn the_scene_never_changes() {
         let scene = CounterParticles::new(1_000_000_000, 1).unwrap();
-        let line = |id| {
+        for (id, line) in [
+            (0, "151.577 205.777 -0.945096 -0.480396"),
+            (999_999_999, "493.481 524.673 0.0482457 0.837474"),
+        ] {
             let Particle { x, y, vx, vy, .. } = scene.particle(id);
-            [x, y, vx, vy].map(general).join(" ")
-        };
-        assert_eq!(line(0), "151.577 205.777 -0.945096 -0.480396");
-        assert_eq!(line(999_999_999), "493.481 524.673 0.0482457 0.837474");
+            assert_eq!([x, y, vx, vy].map(general).join(" "), line);
+        }
     }
 
     #[test]
     fn bad_scenes_are_refused() {
-        let refused = |n, seed| CounterParticles::new(n, seed).unwrap_err();
-        assert_eq!(refused(0, 1), SceneError::Empty("particle"));
-        assert_eq!(refused(1 << 31, 1), SceneError::TooMany("particle", 1 << 31));
-        assert_eq!(refused(10, 0), SceneError::SeedZero);
+        for (n, seed, error) in [
+            (0, 1, SceneError::Empty("particle")),
+            (1 << 31, 1, SceneError::TooMany("particle", 1 << 31)),
+            (10, 0, SceneError::SeedZero),
+        ] {
+            assert_eq!(CounterParticles::new(n, seed).unwrap_err(), error);
+        }
     }
 }

@@ -129,9 +129,10 @@ fn load(simulation: &mut dyn Simulation, options: &Options) -> Result<(usize, f6
         let n = options.n as usize;
         return Ok((n, official_size(n)));
     };
-    let complaint = |e: &dyn std::fmt::Display| format!("{}: {e}", path.display());
-    let file = File::open(path).map_err(|e| complaint(&e))?;
-    let scene = read_scene(BufReader::new(file)).map_err(|e| complaint(&e))?;
+    let scene = File::open(path)
+        .map_err(Into::into)
+        .and_then(|file| read_scene(BufReader::new(file)))
+        .map_err(|e| format!("{}: {e}", path.display()))?;
     simulation.load(&scene);
     Ok((scene.len(), scene.size()))
 }

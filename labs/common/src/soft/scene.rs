@@ -27,8 +27,9 @@ impl Scene {
         Self::check_count(particles.len() as u64)?;
         for (number, particle) in particles.iter_mut().enumerate() {
             let Particle { x, y, vx, vy, .. } = *particle;
-            let outside = |field, value| SceneError::OutsideBox { number, field, value, size };
-            check_body("particle", number, [x, y, vx, vy], 0.0..=size, outside)?;
+            check_body("particle", number, [x, y, vx, vy], 0.0..=size, |field, value| {
+                SceneError::OutsideBox { number, field, value, size }
+            })?;
             particle.id = number as u32;
         }
         Ok(Self { size, particles })

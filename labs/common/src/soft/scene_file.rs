@@ -28,10 +28,7 @@ pub enum SceneFileError {
 pub fn read_scene(input: impl BufRead) -> Result<Scene, SceneFileError> {
     let mut lines = input.lines();
     let first = lines.next().transpose()?.unwrap_or_default();
-    let header = |_| bad(1, "'n size'", &first);
-    let (n, size) = first.trim().split_once(char::is_whitespace).ok_or(()).map_err(header)?;
-    let n: u64 = n.parse().map_err(|_| header(()))?;
-    let size: f64 = size.trim().parse().map_err(|_| header(()))?;
+    let (n, size) = header(&first).ok_or_else(|| bad(1, "'n size'", &first))?;
     Scene::check_count(n)?;
 
     // No memory on the header's word alone: a file that promises a billion may hold three.
@@ -49,6 +46,11 @@ pub fn read_scene(input: impl BufRead) -> Result<Scene, SceneFileError> {
         particles.push(Particle { x, y, vx, vy, id: 0 });
     }
     Ok(Scene::new(size, particles)?)
+}
+
+fn header(text: &str) -> Option<(u64, f64)> {
+    let (n, size) = text.trim().split_once(char::is_whitespace)?;
+    Some((n.parse().ok()?, size.trim().parse().ok()?))
 }
 
 fn numbers<const K: usize>(text: &str) -> Option<[f64; K]> {

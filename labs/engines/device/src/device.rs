@@ -126,7 +126,6 @@ impl Gpu {
     /// in words.
     pub fn about(&self) -> Vec<(&'static str, String)> {
         let limits = self.limits();
-        let yes = |is: bool| if is { "yes" } else { "no" }.to_owned();
         let kind = match self.info.device_type {
             DeviceType::Cpu => "software on the host's processor, not a GPU",
             DeviceType::DiscreteGpu => "GPU with memory of its own",
@@ -142,13 +141,17 @@ impl Gpu {
                 "driver",
                 format!("{}, {} {}", self.info.backend, self.info.driver, self.info.driver_info),
             ),
-            ("double precision", yes(self.has_doubles())),
-            ("timestamps", yes(self.has_timestamps())),
+            ("double precision", yes_or_no(self.has_doubles())),
+            ("timestamps", yes_or_no(self.has_timestamps())),
             ("a workgroup", format!("{} threads", most.min(limits.max_compute_workgroup_size_x))),
             ("a launch", format!("{rows} by {rows} workgroups")),
             ("a buffer", format!("{} bytes", self.most_bytes())),
         ]
     }
+}
+
+fn yes_or_no(is: bool) -> String {
+    if is { "yes" } else { "no" }.to_owned()
 }
 
 fn find_adapter() -> Result<Adapter, GpuError> {
@@ -161,11 +164,15 @@ fn find_adapter() -> Result<Adapter, GpuError> {
         return pollster::block_on(request).map_err(|_| GpuError::NoAdapter);
     };
     let adapters = pollster::block_on(instance.enumerate_adapters(Backends::all()));
-    let name = |adapter: &Adapter| adapter.get_info().name;
-    let found: Vec<String> = adapters.iter().map(name).collect();
     let lower = wanted.to_lowercase();
-    adapters.into_iter().find(|a| name(a).to_lowercase().contains(&lower)).ok_or_else(|| {
-        let found = if found.is_empty() { "none at all".into() } else { found.join(", ") };
-        GpuError::NoSuchAdapter { wanted, found }
-    })
+    let mut names = Vec::new();
+    for adapter in adapters {
+        let name = adapter.get_info().name;
+        if name.to_lowercase().contains(&lower) {
+            return Ok(adapter);
+        }
+        names.push(name);
+    }
+    let found = if names.is_empty() { "none at all".into() } else { names.join(", ") };
+    Err(GpuError::NoSuchAdapter { wanted, found })
 }

@@ -4,6 +4,7 @@ use wgpu::Limits;
 
 use crate::device::Gpu;
 use crate::error::{GpuError, LaunchError};
+use crate::kernel::Kernel;
 
 /// The shape of a launch: a number of workgroups, and a number of invocations in each. CUDA says a grid of
 /// blocks of threads, and `<<<blocks, threads>>>`.
@@ -45,4 +46,18 @@ pub trait Launcher {
     /// # Errors
     /// [`GpuError::Refused`] with the reason, and `what` was refused.
     fn checked<T>(gpu: &Gpu, what: &str, work: impl FnOnce() -> T) -> Result<T, GpuError>;
+
+    /// Compiles the entry point `name` of `sources` for workgroups of `threads` ([`Kernel::new`]).
+    ///
+    /// # Errors
+    /// The device refuses it.
+    fn compiled(
+        gpu: &Gpu,
+        name: &'static str,
+        sources: &[&str],
+        threads: u32,
+        constants: &[(&str, f64)],
+    ) -> Result<Kernel, GpuError> {
+        Self::checked(gpu, name, || Kernel::new(gpu, name, sources, threads, constants))
+    }
 }

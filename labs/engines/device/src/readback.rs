@@ -29,13 +29,15 @@ impl Readback {
         sources: [(&Buffer, Range<u64>); K],
     ) -> [Vec<T>; K] {
         let item = size_of::<T>() as u64;
-        let bytes = |range: &Range<u64>| (range.end - range.start) * item;
-        let total: u64 = sources.iter().map(|(_, range)| bytes(range)).sum();
+        let sources =
+            sources.map(|(source, Range { start, end })| (source, start * item..end * item));
+        let total: u64 = sources.iter().map(|(_, bytes)| bytes.end - bytes.start).sum();
         let staging = self.at_least(gpu, total);
         let mut offset = 0;
-        for (source, range) in &sources {
-            work.copy(source, range.start * item, staging, offset, bytes(range));
-            offset += bytes(range);
+        for (source, bytes) in &sources {
+            let len = bytes.end - bytes.start;
+            work.copy(source, bytes.start, staging, offset, len);
+            offset += len;
         }
         work.submit();
         if total == 0 {
@@ -48,10 +50,10 @@ impl Readback {
         gpu.wait();
         let view = staging.get_mapped_range(..total).expect("it was just mapped");
         let mut offset = 0;
-        let values = sources.map(|(_, range)| {
-            let here = offset as usize..(offset + bytes(&range)) as usize;
-            offset += bytes(&range);
-            bytemuck::pod_collect_to_vec(&view[here])
+        let values = sources.map(|(_, bytes)| {
+            let start = offset as usize;
+            offset += bytes.end - bytes.start;
+            bytemuck::pod_collect_to_vec(&view[start..offset as usize])
         });
         drop(view);
         staging.unmap();

@@ -24,22 +24,14 @@ pub struct Stopwatch {
 impl Stopwatch {
     /// A clock, if the device has one.
     pub fn new(gpu: &Gpu) -> Option<Self> {
-        let buffer = |usage| {
-            gpu.device.create_buffer(&BufferDescriptor {
-                label: Some("timestamps"),
-                size: BYTES,
-                usage,
-                mapped_at_creation: false,
-            })
-        };
         gpu.has_timestamps().then(|| Self {
             queries: gpu.device.create_query_set(&QuerySetDescriptor {
                 label: Some("timestamps"),
                 ty: QueryType::Timestamp,
                 count: MOST * 2,
             }),
-            resolved: buffer(BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC),
-            staging: buffer(BufferUsages::MAP_READ | BufferUsages::COPY_DST),
+            resolved: buffer(gpu, BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC),
+            staging: buffer(gpu, BufferUsages::MAP_READ | BufferUsages::COPY_DST),
             seconds: RefCell::default(),
         })
     }
@@ -92,4 +84,14 @@ impl Stopwatch {
             }
         }
     }
+}
+
+/// A buffer for timestamps.
+fn buffer(gpu: &Gpu, usage: BufferUsages) -> Buffer {
+    gpu.device.create_buffer(&BufferDescriptor {
+        label: Some("timestamps"),
+        size: BYTES,
+        usage,
+        mapped_at_creation: false,
+    })
 }

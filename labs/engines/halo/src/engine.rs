@@ -95,7 +95,8 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         self.observer = O::default();
         self.traffic = Traffic::default();
         self.clock.start(&self.world);
-        (self.steps, self.recuts) = (0, 0);
+        self.steps = 0;
+        self.recuts = 0;
     }
 
     /// Makes bins for the block that `cuts` give this rank and puts `particles` into them.
@@ -112,16 +113,15 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
 
 impl<O: Observer, T: Blocks + Messages> Simulation for Halo<O, T> {
     fn load(&mut self, scene: &Scene) {
-        let replay =
-            |keep: &mut dyn FnMut(Particle)| scene.particles().iter().for_each(|p| keep(*p));
-        self.start(scene.len(), scene.size(), &replay);
+        self.start(scene.len(), scene.size(), &|keep| {
+            scene.particles().iter().for_each(|particle| keep(*particle));
+        });
     }
 
     fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         let generator = OfficialParticles::new(n, seed)?;
         let n = n as usize;
-        let replay = |keep: &mut dyn FnMut(Particle)| generator.clone().for_each(keep);
-        self.start(n, official_size(n), &replay);
+        self.start(n, official_size(n), &|keep| generator.clone().for_each(keep));
         Ok(())
     }
 

@@ -25,19 +25,20 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
             self.traffic.sent(&[0_u64]);
             self.traffic.sent(list);
         }
-        let (own, workers, clock) = (&self.own, &self.workers, &self.clock);
+        let own = &self.own;
         let inner = &mut self.accelerations[own.indices(interior.clone())];
-        let mut work = || sum_rows::<O>(own, interior.clone(), inner, workers);
+        let mut work = || sum_rows::<O>(own, interior.clone(), inner, &self.workers);
         let (arrived, seen) = match self.route {
-            Route::Neighbours => clock.call(Partners::receivers(&outgoing), || {
-                T::exchange_beside(&self.world, &outgoing, || clock.work(work))
+            Route::Neighbours => self.clock.call(Partners::receivers(&outgoing), || {
+                T::exchange_beside(&self.world, &outgoing, || self.clock.work(work))
             }),
             Route::AllRanks => {
                 let mut lists = vec![Vec::new(); self.world.size() as usize];
                 for (rank, list) in outgoing {
                     lists[rank as usize] = list;
                 }
-                let arrived = clock.call(Partners::All, || T::exchange_all(&self.world, &lists));
+                let arrived =
+                    self.clock.call(Partners::All, || T::exchange_all(&self.world, &lists));
                 (vec![arrived], work())
             }
         };
@@ -68,17 +69,19 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
     fn take_ghosts(&mut self, arrived: &[Vec<Ghost>]) {
         let grid = *self.own.grid();
         let start = self.block.start;
-        let all = || arrived.iter().flatten();
+        let all = arrived.iter().flatten().map(Particle::from);
+        let (below, above): (Vec<_>, Vec<_>) = all.partition(|ghost| grid.row(ghost.y) < start);
         let [before, after] = &mut self.ghosts;
-        before.refill(all().filter(|g| grid.row(g.y) < start).map(Particle::from));
-        after.refill(all().filter(|g| grid.row(g.y) >= start).map(Particle::from));
+        before.refill(below);
+        after.refill(above);
     }
 
     fn sum_border(&mut self, rows: Range<usize>) {
         let grid = *self.own.grid();
         let mut gather = Gather::default();
         let range = self.own.indices(rows);
-        let (own, [before, after]) = (&self.own, &self.ghosts);
+        let own = &self.own;
+        let [before, after] = &self.ghosts;
         let particles = &own.particles()[range.clone()];
         for (particle, a) in particles.iter().zip(&mut self.accelerations[range]) {
             let columns = grid.near(grid.column(particle.x));

@@ -35,8 +35,9 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
                 (sorted.near, sorted.far)
             }
             Route::AllRanks => {
-                let owner = |wire: &Wire| self.cuts.owner(grid.row(wire.y));
-                (<_>::default(), leavers.iter().map(|wire| (owner(wire), *wire)).collect())
+                let addressed =
+                    leavers.iter().map(|wire| (self.cuts.owner(grid.row(wire.y)), *wire));
+                (<_>::default(), addressed.collect())
             }
         };
         let mut any_far = true;
@@ -54,7 +55,8 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
                 T::exchange_beside(&self.world, &outgoing, || ())
             });
             arrived.iter().flatten().for_each(|wire| self.own.put(wire.into()));
-            let (own_far, mut all_far) = (far.len() as u64, 0_u64);
+            let own_far = far.len() as u64;
+            let mut all_far = 0_u64;
             self.clock.call(Partners::All, || {
                 self.world.all_reduce_into(&own_far, &mut all_far, SystemOperation::sum());
             });
@@ -104,15 +106,16 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
     /// Sends each particle to the rank that has its row by other cuts, which hold from now on.
     pub(crate) fn cut_anew(&mut self, cuts: Cuts) {
         let grid = *self.own.grid();
-        let addressed = |p: &Particle| (cuts.owner(grid.row(p.y)), Wire::from(p));
-        let particles = self.own.particles().iter().map(addressed).collect();
-        let arrived = self.send_anywhere(particles);
+        let own = self.own.particles().iter();
+        let addressed = own.map(|p| (cuts.owner(grid.row(p.y)), Wire::from(p))).collect();
+        let arrived = self.send_anywhere(addressed);
         self.settle(grid, cuts, arrived.iter().map(Particle::from).collect());
     }
 
     /// The particles of the rank that has most of them. All ranks call it together.
     pub(crate) fn fullest(&self) -> u64 {
-        let (own, mut most) = (self.own.particles().len() as u64, 0_u64);
+        let own = self.own.particles().len() as u64;
+        let mut most = 0_u64;
         self.world.all_reduce_into(&own, &mut most, SystemOperation::max());
         most
     }

@@ -13,17 +13,19 @@ pub fn make_share<T: Blocks>(
     rank: usize,
     scene: &CounterParticles,
 ) -> (Cuts, Vec<Particle>) {
-    let row_of_bins = |row: usize| grid.row(scene.y(row));
     let mut counts = vec![0; grid.rows()];
     for row in 0..scene.rows() {
-        counts[row_of_bins(row)] += scene.count_in(row..row + 1) as u64;
+        counts[grid.row(scene.y(row))] += scene.count_in(row..row + 1) as u64;
     }
     let cuts = T::balanced(&counts, ranks);
     let block = cuts.block(rank);
-    // Both kinds of rows count from the bottom, so those of the block follow one another.
-    let below = |end: usize| (0..scene.rows()).take_while(|&row| row_of_bins(row) < end).count();
-    let rows = below(block.start)..below(block.end);
+    let rows = rows_below(grid, scene, block.start)..rows_below(grid, scene, block.end);
     let mut share = Vec::with_capacity(scene.count_in(rows.clone()));
     share.extend(scene.in_rows(rows));
     (cuts, share)
+}
+
+/// How many of the scene's rows are below row `end` of bins. Both kinds of rows count from the bottom.
+fn rows_below(grid: &Grid, scene: &CounterParticles, end: usize) -> usize {
+    (0..scene.rows()).take_while(|&row| grid.row(scene.y(row)) < end).count()
 }

@@ -67,12 +67,12 @@ impl<T: Dealing> AsReported<T> {
     /// that can be.
     fn carrier(&self, candidate: &Candidate) -> usize {
         let blocks = self.blocks_of(candidate);
-        let has_all = |worker: &usize| {
+        let mut workers = blocks.clone().chain(0..self.deal.workers);
+        let carrier = workers.find(|worker| {
             let held = self.deal.blocks(*worker);
             blocks.clone().all(|block| held.contains(&block))
-        };
-        let mut workers = blocks.clone().chain(0..self.deal.workers);
-        workers.find(has_all).expect("some worker has looked at the pair")
+        });
+        carrier.expect("some worker has looked at the pair")
     }
 
     /// For each worker the collisions that it carries out, and those of its own discs that others carry out.
@@ -115,8 +115,8 @@ impl<T: Dealing> AsReported<T> {
     }
 
     fn step_once(&mut self) {
-        let (master, worker) =
-            (self.base.is_master(), self.base.team.worker(self.base.world.rank()));
+        let master = self.base.is_master();
+        let worker = self.base.team.worker(self.base.world.rank());
         let blocks = if master { self.base.lists(&self.deal, true) } else { Vec::new() };
         let arrived = self.send(&blocks);
         self.put(&arrived);
@@ -146,7 +146,8 @@ impl<T: Dealing> Simulation for AsReported<T> {
     fn load(&mut self, scene: &Scene) {
         self.base.load(scene);
         self.deal = T::deal(self.base.team.workers);
-        (self.extra, self.steps) = (0, 0);
+        self.extra = 0;
+        self.steps = 0;
     }
 
     fn step(&mut self) {

@@ -33,7 +33,8 @@ impl<T: Deciding> SpatialCuts<T> {
         let rank = self.world.rank() as usize;
         let windows = self.finder.windows(discs, self.square);
         walls.sort_unstable_by(|a, b| a.time.total_cmp(&b.time));
-        let (mut walls, before) = (&walls[..], self.found.pair_tests);
+        let mut walls = &walls[..];
+        let before = self.found.pair_tests;
         for k in 0..windows {
             let window = Window::part(k, windows);
             self.found.clear(1);
@@ -56,6 +57,8 @@ impl<T: Deciding> SpatialCuts<T> {
 
 /// The wall collisions that could happen to `discs` in this step.
 pub fn walls_of<C: Collisions>(discs: &[DiscWire], square: Square) -> Vec<Candidate> {
-    let hit = |disc: &DiscWire| C::wall_hit(disc.number as u32, &Disc::from(disc), square);
-    discs.iter().filter_map(hit).collect()
+    discs
+        .iter()
+        .filter_map(|disc| C::wall_hit(disc.number as u32, &Disc::from(disc), square))
+        .collect()
 }

@@ -98,18 +98,17 @@ impl<T: Dealing> MasterWorkers<T> {
     /// What the master sends to each worker: all its blocks if it has none yet or does not keep
     /// them, else the discs of its blocks that have collided.
     pub fn lists(&self, deal: &Deal, first: bool) -> Vec<Vec<DiscWire>> {
-        let all_of = |block: usize| {
-            self.blocks.block(block).map(|number| DiscWire::new(number, &self.discs[number]))
-        };
-        let list = |worker: usize| {
+        let mut lists = Vec::with_capacity(self.team.workers);
+        for worker in 0..self.team.workers {
             let held = deal.blocks(worker);
-            if first || !self.keep {
-                held.into_iter().flat_map(all_of).collect()
+            lists.push(if first || !self.keep {
+                let numbers = held.into_iter().flat_map(|block| self.blocks.block(block));
+                numbers.map(|number| DiscWire::new(number, &self.discs[number])).collect()
             } else {
                 T::collided(&self.discs, &self.blocks, &held, &self.taken)
-            }
-        };
-        (0..self.team.workers).map(list).collect()
+            });
+        }
+        lists
     }
 
     /// Everything that could happen in this step to the discs of `worker`'s own block (walls) and
@@ -123,8 +122,9 @@ impl<T: Dealing> MasterWorkers<T> {
             })
             .collect();
         for job in T::jobs(deal, worker) {
-            let (discs, radius) = (&self.discs, self.square.radius);
-            self.tally.pair_tests += T::search_job(discs, &self.blocks, &job, radius, &mut list);
+            let radius = self.square.radius;
+            self.tally.pair_tests +=
+                T::search_job(&self.discs, &self.blocks, &job, radius, &mut list);
         }
         list.iter().map(CandidateWire::from).collect()
     }
@@ -144,8 +144,9 @@ impl<T: Dealing> MasterWorkers<T> {
         if !self.is_master() {
             self.traffic.sent(found);
         }
-        let call = || T::collect(&self.world, self.team, found);
-        let all = self.clock.call(Partners::Through(MASTER), call);
+        let all = self
+            .clock
+            .call(Partners::Through(MASTER), || T::collect(&self.world, self.team, found));
         all.iter().map(Candidate::from).collect()
     }
 }

@@ -26,28 +26,28 @@ impl Seen {
         ghosts: &[DiscWire],
         reached: impl Fn(&DiscWire) -> Reach,
     ) {
-        let Self { numbers, discs, owns, reach } = self;
-        numbers.clear();
-        discs.clear();
-        owns.clear();
-        reach.clear();
-        let mut push = |disc: &DiscWire, is_own: bool| {
-            numbers.push(disc.number as u32);
-            discs.push(disc.into());
-            owns.push(is_own);
-            reach.push(reached(disc));
-        };
+        self.numbers.clear();
+        self.discs.clear();
+        self.owns.clear();
+        self.reach.clear();
         let mut ghosts = ghosts.iter().peekable();
         for disc in own {
             while let Some(ghost) = ghosts.next_if(|ghost| ghost.number < disc.number) {
-                push(ghost, false);
+                self.push(ghost, false, reached(ghost));
             }
-            push(disc, true);
+            self.push(disc, true, reached(disc));
         }
-        ghosts.for_each(|ghost| push(ghost, false));
+        ghosts.for_each(|ghost| self.push(ghost, false, reached(ghost)));
         debug_assert!(
-            numbers.is_sorted_by(|a, b| a < b),
+            self.numbers.is_sorted_by(|a, b| a < b),
             "a disc is here as an own one and as a ghost: two ranks own it"
         );
+    }
+
+    fn push(&mut self, disc: &DiscWire, is_own: bool, reach: Reach) {
+        self.numbers.push(disc.number as u32);
+        self.discs.push(disc.into());
+        self.owns.push(is_own);
+        self.reach.push(reach);
     }
 }

@@ -140,8 +140,9 @@ impl<T: Deciding> SpatialCuts<T> {
     /// squared is at most the sum of both, and no component is more than twice the greatest of before.
     /// All in all a disc gets at most three times the greatest component away.
     pub fn range(&mut self) -> Range {
-        let faster = |most: f64, disc: &DiscWire| most.max(disc.vx.abs()).max(disc.vy.abs());
-        let (own, mut fastest) = (self.own.iter().fold(0.0, faster), 0.0);
+        let components = self.own.iter().map(|disc| disc.vx.abs().max(disc.vy.abs()));
+        let own = components.fold(0.0, f64::max);
+        let mut fastest = 0.0;
         self.clock.call(Partners::All, || {
             self.world.all_reduce_into(&own, &mut fastest, SystemOperation::max());
         });
@@ -166,15 +167,16 @@ impl<T: Deciding> SpatialCuts<T> {
             self.traffic.sent(&[0_u64]);
             self.traffic.sent(list);
         }
-        let work = || self.clock.work(work);
-        self.clock
-            .call(Partners::receivers(&outgoing), || exchange_beside(&self.world, &outgoing, work))
+        self.clock.call(Partners::receivers(&outgoing), || {
+            exchange_beside(&self.world, &outgoing, || self.clock.work(work))
+        })
     }
 
     /// The sum of a number over all ranks, on all ranks.
     pub fn add_up(&mut self, own: usize) -> u64 {
         self.rounds += 1;
-        let (own, mut sum) = (own as u64, 0_u64);
+        let own = own as u64;
+        let mut sum = 0_u64;
         self.clock.call(Partners::All, || {
             self.world.all_reduce_into(&own, &mut sum, SystemOperation::sum());
         });
@@ -184,11 +186,11 @@ impl<T: Deciding> SpatialCuts<T> {
 
     /// Sends discs to the ranks in whose strips they are. No disc flies further than to a partner.
     pub fn bring(&mut self, partners: &[usize], moved: Vec<DiscWire>) {
-        let (rank, strips) = (self.rank(), &self.strips);
+        let rank = self.rank();
         let mut lists = vec![Vec::new(); partners.len()];
         self.own = moved;
         self.own.retain(|disc| {
-            let owner = strips.rank_of(disc.y);
+            let owner = self.strips.rank_of(disc.y);
             if owner != rank {
                 let partner = partners.binary_search(&owner);
                 lists[partner.expect("no disc flies further than to a partner")].push(*disc);
@@ -215,7 +217,9 @@ impl<T: Deciding> Simulation for SpatialCuts<T> {
         self.cut();
         self.traffic = Traffic::default();
         self.tally = Tally::default();
-        (self.steps, self.rounds, self.ghosts) = (0, 0, 0);
+        self.steps = 0;
+        self.rounds = 0;
+        self.ghosts = 0;
         self.clock.start(&self.world);
     }
 
@@ -231,8 +235,9 @@ impl<T: Deciding> Simulation for SpatialCuts<T> {
     }
 
     fn read(&self, first: usize, out: &mut [Disc]) {
-        let wanted = |disc: &&DiscWire| (first..first + out.len()).contains(&disc.index());
-        let own: Vec<DiscWire> = self.own.iter().filter(wanted).copied().collect();
+        let wanted = first..first + out.len();
+        let mut own = self.own.clone();
+        own.retain(|disc| wanted.contains(&disc.index()));
         for wire in T::collect(&self.world, Team::new(self.ranks(), true), &own) {
             out[wire.index() - first] = Disc::from(&wire);
         }

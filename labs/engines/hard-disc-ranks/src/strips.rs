@@ -53,15 +53,18 @@ impl Strips {
         let low = own.iter().map(|disc| disc.y).fold(f64::INFINITY, f64::min);
         let high = own.iter().map(|disc| disc.y).fold(f64::NEG_INFINITY, f64::max);
         // One reduction finds both ends: the least of −y is the greatest y.
-        let (own_ends, mut ends) = ([low, -high], [0.0; 2]);
+        let own_ends = [low, -high];
+        let mut ends = [0.0; 2];
         world.all_reduce_into(&own_ends[..], &mut ends[..], SystemOperation::min());
         traffic.sent(&ends);
-        let (bottom, top) = (ends[0], -ends[1]);
+        let bottom = ends[0];
+        let top = -ends[1];
         let ranks = world.size() as usize;
         let rows = if top > bottom { ROWS_PER_RANK * ranks } else { 1 };
         let whole = Cuts { starts: vec![0, rows] };
         let mut strips = Self { bottom, height: (top - bottom) / rows as f64, cuts: whole };
-        let (mut counts, mut all) = (vec![0_u64; rows], vec![0_u64; rows]);
+        let mut counts = vec![0_u64; rows];
+        let mut all = vec![0_u64; rows];
         own.iter().for_each(|disc| counts[strips.row(disc.y)] += 1);
         world.all_reduce_into(&counts[..], &mut all[..], SystemOperation::sum());
         traffic.sent(&counts);
@@ -88,15 +91,18 @@ impl Strips {
     /// further than `range` from its own. If a is a partner of b then b is one of a. A rank with an empty
     /// strip has none.
     pub fn partners(&self, rank: usize, range: f64) -> Vec<usize> {
-        let block = |rank: usize| self.cuts.block(rank);
-        let near = |&other: &usize| {
-            let (low, high) = (rank.min(other), rank.max(other));
-            let between = block(high).start.saturating_sub(block(low).end);
-            other != rank && !block(other).is_empty() && between as f64 * self.height <= range
-        };
-        if block(rank).is_empty() {
+        if self.cuts.block(rank).is_empty() {
             return Vec::new();
         }
-        (0..self.cuts.starts.len() - 1).filter(near).collect()
+        let mut partners = Vec::new();
+        for other in 0..self.cuts.starts.len() - 1 {
+            let below = self.cuts.block(rank.min(other));
+            let above = self.cuts.block(rank.max(other));
+            let between = above.start.saturating_sub(below.end) as f64 * self.height;
+            if other != rank && !self.cuts.block(other).is_empty() && between <= range {
+                partners.push(other);
+            }
+        }
+        partners
     }
 }

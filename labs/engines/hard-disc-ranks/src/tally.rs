@@ -33,7 +33,8 @@ impl Tally {
         traffic: &Traffic,
     ) -> Vec<(&'static str, f64)> {
         let own = [self.pair_tests, self.candidates, self.pairs, self.walls];
-        let (mut all, mut most) = ([0_u64; 4], [0_u64; 4]);
+        let mut all = [0_u64; 4];
+        let mut most = [0_u64; 4];
         world.all_reduce_into(&own[..], &mut all[..], SystemOperation::sum());
         world.all_reduce_into(&own[..], &mut most[..], SystemOperation::max());
         let mut counters = vec![

@@ -45,9 +45,8 @@ impl Window {
 
     /// Window `k` of `count` equal ones. The last one includes the end of the step.
     pub fn part(k: usize, count: usize) -> Self {
-        let at = |k: usize| k as f64 / count as f64;
-        let to = if k + 1 == count { f64::INFINITY } else { at(k + 1) };
-        Self { from: at(k), to }
+        let to = if k + 1 == count { f64::INFINITY } else { (k + 1) as f64 / count as f64 };
+        Self { from: k as f64 / count as f64, to }
     }
 
     /// Whether a time lies in it.

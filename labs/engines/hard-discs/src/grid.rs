@@ -46,8 +46,8 @@ impl<C: BroadPhase> Grid<C> {
         let reach = reach(square, Survey::of(discs, square).fastest);
         self.blocks.iter_mut().for_each(Vec::clear);
         for (number, disc) in discs.iter().enumerate() {
-            let (x, y) =
-                (C::span(disc.x, disc.vx, window, reach), C::span(disc.y, disc.vy, window, reach));
+            let x = C::span(disc.x, disc.vx, window, reach);
+            let y = C::span(disc.y, disc.vy, window, reach);
             self.blocks[C::block_of(x, y, square.side)].push(number as u32);
         }
     }
@@ -69,8 +69,8 @@ impl<C: Collisions + BroadPhase + ParallelLoops> Find for Grid<C> {
         let (iterations, chunk): (Vec<(usize, Range<usize>)>, _) = match self.deal {
             Deal::Blocks => (whole.collect(), 1),
             Deal::Discs(chunk) => {
-                let each = |(block, all): (_, Range<usize>)| all.map(move |k| (block, k..k + 1));
-                (whole.flat_map(each).collect(), chunk)
+                let discs = whole.flat_map(|(block, all)| all.map(move |k| (block, k..k + 1)));
+                (discs.collect(), chunk)
             }
         };
         let team = Team::Standing(&self.workers);
@@ -83,7 +83,8 @@ impl<C: Collisions + BroadPhase + ParallelLoops> Find for Grid<C> {
                     C::look_around(blocks, *block, index, |partners| {
                         *tests += partners.len() as u64;
                         for &partner in partners {
-                            let (a, b) = (disc.min(partner), disc.max(partner));
+                            let a = disc.min(partner);
+                            let b = disc.max(partner);
                             if let Some(hit) = C::pair_hit(discs, a, b, square.radius) {
                                 list.push(hit);
                             }

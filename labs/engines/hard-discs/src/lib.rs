@@ -37,7 +37,8 @@
 //!
 //! impl Collisions for Marbles {
 //!     fn pair_hit(discs: &[Disc], a: u32, b: u32, radius: f64) -> Option<Candidate> {
-//!         let (left, right) = (&discs[a as usize], &discs[b as usize]);
+//!         let left = &discs[a as usize];
+//!         let right = &discs[b as usize];
 //!         let time = (right.x - left.x - 2.0 * radius) / (left.vx - right.vx);
 //!         (0.0..1.0).contains(&time).then_some(Candidate { time, hit: Hit::Pair(a, b) })
 //!     }

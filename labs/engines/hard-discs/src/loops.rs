@@ -63,12 +63,13 @@ impl<C> Loops<C> {
 
 impl<C: Collisions + ParallelLoops> Find for Loops<C> {
     fn find(&mut self, discs: &[Disc], _: &[bool], square: Square, _: Window, found: &mut Found) {
-        let (n, schedule, radius) = (discs.len(), self.schedule, square.radius);
+        let radius = square.radius;
         let team = Team::Standing(&self.workers);
         // A list for each worker; in nested loops for each of each worker's team.
         let lists = Lists::take(found, team.count() * team.count());
-        let (shared, locked, atomic) =
-            (&self.shared, LockedCount::default(), SharedCount::default());
+        let shared = &self.shared;
+        let locked = LockedCount::default();
+        let atomic = SharedCount::default();
         let look = |list: usize, a: usize, partners: Range<usize>| {
             let (list, tests) = &mut *lists.of(list);
             *tests += partners.len() as u64;
@@ -82,7 +83,7 @@ impl<C: Collisions + ParallelLoops> Find for Loops<C> {
                 }),
             }
         };
-        C::all_pairs(self.which, n, team, schedule, look);
+        C::all_pairs(self.which, discs.len(), team, self.schedule, look);
         lists.write_back(found);
         let count = locked.locked(|count| *count) + atomic.load();
         found.lists[0].extend(shared.first(count));

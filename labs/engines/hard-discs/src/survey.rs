@@ -50,15 +50,11 @@ impl Survey {
 
     /// A survey with the sums of |vx| and |vy| instead of their means.
     fn sums(discs: &[Disc], square: Square) -> Self {
-        let everywhere = (f64::INFINITY, f64::NEG_INFINITY);
-        let mut survey = Self { n: discs.len(), x: everywhere, y: everywhere, ..Self::default() };
-        let widen = |(low, high): (f64, f64), x: f64, v: f64| {
-            let end = (x + v).clamp(0.0, square.side);
-            (low.min(x).min(end), high.max(x).max(end))
-        };
+        let nowhere = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut survey = Self { n: discs.len(), x: nowhere, y: nowhere, ..Self::default() };
         for disc in discs {
-            survey.x = widen(survey.x, disc.x, disc.vx);
-            survey.y = widen(survey.y, disc.y, disc.vy);
+            survey.x = widened(survey.x, disc.x, (disc.x + disc.vx).clamp(0.0, square.side));
+            survey.y = widened(survey.y, disc.y, (disc.y + disc.vy).clamp(0.0, square.side));
             survey.speed.0 += disc.vx.abs();
             survey.speed.1 += disc.vy.abs();
             survey.fastest = survey.fastest.max(disc.vx.abs()).max(disc.vy.abs());
@@ -68,14 +64,18 @@ impl Survey {
 
     /// The sums of two pieces.
     fn and(self, other: Self) -> Self {
-        let wider = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
         Self {
             n: self.n + other.n,
             speed: (self.speed.0 + other.speed.0, self.speed.1 + other.speed.1),
             fastest: self.fastest.max(other.fastest),
-            x: wider(self.x, other.x),
-            y: wider(self.y, other.y),
+            x: widened(self.x, other.x.0, other.x.1),
+            y: widened(self.y, other.y.0, other.y.1),
             meetings: 0.0,
         }
     }
+}
+
+/// The least and the greatest coordinate of a range, and of `a` and `b`.
+fn widened((low, high): (f64, f64), a: f64, b: f64) -> (f64, f64) {
+    (low.min(a).min(b), high.max(a).max(b))
 }

@@ -28,10 +28,7 @@ impl State {
     /// The state that a straight line along `slope`, which is as long, leads to within a time `h`:
     /// `at + h * slope.at`, and `v + h * slope.v`.
     pub fn along(&self, slope: &Self, h: f64) -> Self {
-        let line = |from: &[Vec2], slope: &[Vec2]| -> Vec<Vec2> {
-            from.iter().zip(slope).map(|(&from, &slope)| from + h * slope).collect()
-        };
-        Self { at: line(&self.at, &slope.at), v: line(&self.v, &slope.v) }
+        Self { at: along(&self.at, &slope.at, h), v: along(&self.v, &slope.v, h) }
     }
 
     /// Writes the particles with ids `first .. first + out.len()` into `out`.
@@ -41,4 +38,9 @@ impl State {
             *slot = Particle { x: at.x, y: at.y, vx: v.x, vy: v.y, id: id as u32 };
         }
     }
+}
+
+/// `from + h * slope`.
+fn along(from: &[Vec2], slope: &[Vec2], h: f64) -> Vec<Vec2> {
+    from.iter().zip(slope).map(|(&from, &slope)| from + h * slope).collect()
 }

@@ -8,12 +8,13 @@ use oracle::{Model, Random};
 fn error(size: f64, offset: f64) -> f64 {
     let mut random = Random::new(4);
     let particles = (0..64_u32).map(|id| {
-        let at = |k: u32| (1.0 + 0.9 * f64::from(k)) * CUTOFF + offset;
-        let (vx, vy) = (random.between(-1.0, 1.0), random.between(-1.0, 1.0));
-        Particle { x: at(id % 8), y: at(id / 8), vx, vy, id }
+        let [x, y] = [id % 8, id / 8].map(|k| (1.0 + 0.9 * f64::from(k)) * CUTOFF + offset);
+        let vx = random.between(-1.0, 1.0);
+        Particle { x, y, vx, vy: random.between(-1.0, 1.0), id }
     });
     let scene = Scene::new(size, particles.collect()).expect("a scene");
-    let (mut mixed, mut model) = (Mixed::new(1, 1), Model::new(&scene));
+    let mut mixed = Mixed::new(1, 1);
+    let mut model = Model::new(&scene);
     mixed.load(&scene);
     for _ in 0..3 {
         mixed.step();

@@ -30,11 +30,12 @@
 //! // Or a list alone: whose pairs are near?
 //! use neighbour_list::{Bodies, list::Neighbours};
 //!
-//! let (mut bodies, skin) = (Bodies::of(&scene), 0.5 * CUTOFF);
+//! let mut bodies = Bodies::of(&scene);
+//! let skin = 0.5 * CUTOFF;
 //! let mut list = Neighbours::default();
 //! list.rebuild(&mut bodies, skin, scene.size(), &Workers::default());
 //! for [i, j] in list.blocks.iter().flat_map(|block| &block.outer.inside) {
-//!     let (i, j) = (*i as usize, *j as usize);
+//!     let [i, j] = [*i, *j].map(|k| k as usize);
 //!     let distance = (bodies.x[i] - bodies.x[j]).hypot(bodies.y[i] - bodies.y[j]);
 //!     assert!(distance < 1.001 * (CUTOFF + skin));
 //! }

@@ -105,7 +105,8 @@ impl<O: Observer> OwnerLists<O> {
         let share = self.particles.len().div_ceil(sums.len()).max(1);
         self.particles.par_chunks_mut(share).for_each(|own| {
             for particle in own {
-                let (row, i) = (grid.row(particle.y), particle.id as usize);
+                let row = grid.row(particle.y);
+                let i = particle.id as usize;
                 let owner = owner_of[row];
                 let mut a = sums[owner].accelerations[i];
                 if row > 0 && owner_of[row - 1] != owner {
@@ -171,8 +172,11 @@ impl<O: Observer> Simulation for OwnerLists<O> {
             let lists = BinLists::new(rows.len() * self.grid.columns(), scene.len());
             self.owners.push(Owner { rows, lists, fresh: Vec::new() });
         }
-        let sums = || Sums { accelerations: vec![Vec2::ZERO; scene.len()], observer: O::default() };
-        self.sums = self.owners.iter().map(|_| sums()).collect();
+        self.sums.clear();
+        for _ in &self.owners {
+            let accelerations = vec![Vec2::ZERO; scene.len()];
+            self.sums.push(Sums { accelerations, observer: O::default() });
+        }
     }
 
     fn step(&mut self) {

@@ -1,13 +1,12 @@
 //! The border of a rank: own particles that are ghosts elsewhere, ghosts that are here, and the
 //! pairs of both.
 
-use std::ops::Range;
-
 use common::soft::Observer;
 use mpi::Rank;
 use neighbour_list::kernels::{Pair, Positions};
 use neighbour_list::{Bodies, Contacts, External};
 
+use crate::partition::Strips;
 use crate::sent_halo::Halo;
 
 /// What was chosen when the list was rebuilt, and the positions of the step.
@@ -34,16 +33,16 @@ pub(crate) struct Border {
 }
 
 impl Border {
-    /// Chooses the ghosts of all `partners`, which have these `strips`.
+    /// Chooses the ghosts of all `partners`.
     pub(crate) fn choose<T: Halo>(
         &mut self,
         bodies: &Bodies,
         partners: Vec<Rank>,
-        strips: impl Fn(Rank) -> Range<f64>,
+        strips: &Strips,
         width: f64,
     ) {
-        self.chosen =
-            partners.iter().map(|rank| T::choose(&bodies.y, &strips(*rank), width)).collect();
+        let strips_of = partners.iter().map(|rank| strips.strip(*rank as usize));
+        self.chosen = strips_of.map(|strip| T::choose(&bodies.y, &strip, width)).collect();
         self.sent.resize_with(partners.len(), Vec::new);
         self.partners = partners;
         self.affected.clear();
@@ -61,8 +60,9 @@ impl Border {
         self.received = received;
         self.pairs.clear();
         let mut ghosts = 0;
-        for ((chosen, own), theirs) in self.chosen.iter().zip(&self.sent).zip(&self.received) {
-            let pairs = T::pairs_across(halves(own), halves(theirs), reach);
+        for (k, chosen) in self.chosen.iter().enumerate() {
+            let theirs = &self.received[k];
+            let pairs = T::pairs_across(halves(&self.sent[k]), halves(theirs), reach);
             let named = pairs.iter().map(|[own, ghost]| [chosen[*own as usize], ghosts + ghost]);
             self.pairs.extend(named);
             ghosts += theirs.len() as u32 / 2;
@@ -79,9 +79,6 @@ impl Border {
     /// Looks where the own particles of the border are now.
     #[inline]
     pub(crate) fn pack(&mut self, bodies: &Bodies) {
-        let fetch = |to: &mut Vec<f64>, from: &[f64], indices: &[u32]| {
-            to.extend(indices.iter().map(|index| from[*index as usize]));
-        };
         for (to, chosen) in self.sent.iter_mut().zip(&self.chosen) {
             to.clear();
             fetch(to, &bodies.x, chosen);
@@ -113,6 +110,12 @@ impl Border {
         });
         External { indices: affected, x: ax, y: ay }
     }
+}
+
+/// Appends the numbers with these indices in `from`.
+#[inline]
+fn fetch(to: &mut Vec<f64>, from: &[f64], indices: &[u32]) {
+    to.extend(indices.iter().map(|index| from[*index as usize]));
 }
 
 /// Positions as they are sent.

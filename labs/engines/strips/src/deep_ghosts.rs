@@ -46,9 +46,10 @@ impl<T: DeepHalo> Deep<T> {
         let strips = &self.domain.strips;
         let partners = T::partners(strips, rank, reach + self.gone);
         let own = strips.strip(rank);
-        let needs = |rank: &Rank| widened(strips.strip(*rank as usize), reach);
-        let needs: Vec<_> = partners.iter().map(needs).collect();
-        let (alone, keeps) = (widened(own.clone(), -reach), widened(own.clone(), reach));
+        let strips_of = partners.iter().map(|rank| strips.strip(*rank as usize));
+        let needs: Vec<_> = strips_of.map(|strip| widened(strip, reach)).collect();
+        let alone = widened(own.clone(), -reach);
+        let keeps = widened(own.clone(), reach);
         let mut outgoing = vec![Vec::new(); partners.len()];
         self.ghosts.clear();
         let bodies = self.domain.engine.bodies_mut();
@@ -101,8 +102,8 @@ fn exchange_whole(
         for (rank, list) in partners.iter().zip(outgoing) {
             sends.push(world.process_at_rank(*rank).immediate_send(scope, &list[..]));
         }
-        let receive = |rank: &Rank| world.process_at_rank(*rank).receive_vec().0;
-        let incoming = partners.iter().flat_map(receive).collect();
+        let incoming =
+            partners.iter().flat_map(|rank| world.process_at_rank(*rank).receive_vec().0).collect();
         sends.into_iter().for_each(|send| send.wait_without_status());
         incoming
     })

@@ -40,7 +40,8 @@ impl<O: Observer, T: Halo> Distributed<O, T> {
         self.fastest = self.domain.fastest();
         self.border = Border::default();
         // There are no ghosts yet.
-        (self.width, self.moved) = (0.0, f64::INFINITY);
+        self.width = 0.0;
+        self.moved = f64::INFINITY;
     }
 }
 

@@ -81,17 +81,16 @@ impl<O: Observer> Domain<O> {
 
     /// Starts over from a scene that all ranks hold.
     pub(crate) fn load(&mut self, scene: &Scene) {
-        let replay =
-            |keep: &mut dyn FnMut(Particle)| scene.particles().iter().for_each(|p| keep(*p));
-        self.start(scene.len(), scene.size(), &replay);
+        self.start(scene.len(), scene.size(), &|keep| {
+            scene.particles().iter().for_each(|particle| keep(*particle));
+        });
     }
 
     /// Starts over from the official scene, of which no rank holds more than its share.
     pub(crate) fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         let generator = OfficialParticles::new(n, seed)?;
         let n = n as usize;
-        let replay = |keep: &mut dyn FnMut(Particle)| generator.clone().for_each(keep);
-        self.start(n, official_size(n), &replay);
+        self.start(n, official_size(n), &|keep| generator.clone().for_each(keep));
         Ok(())
     }
 
@@ -116,7 +115,8 @@ impl<O: Observer> Domain<O> {
         let mut bodies = Bodies::default();
         share.iter().for_each(|particle| bodies.push(*particle));
         self.engine.start(bodies, grid.size());
-        (self.grid, self.strips) = (grid, Strips::of(&grid, cuts));
+        self.grid = grid;
+        self.strips = Strips::of(&grid, cuts);
         self.traffic = Traffic::default();
         self.counts = Counts::default();
     }
@@ -132,8 +132,8 @@ impl<O: Observer> Domain<O> {
         if self.engine.bodies().is_empty() {
             return 0.0;
         }
-        let (list, limits) = (self.engine.list(), self.engine.limits());
-        1.0 / ((0.5 * list.budget.skin / limits.displacement()).floor() + 1.0)
+        let skin = self.engine.list().budget.skin;
+        1.0 / ((0.5 * skin / self.engine.limits().displacement()).floor() + 1.0)
     }
 
     /// The rounding of a position in a step.

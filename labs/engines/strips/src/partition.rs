@@ -34,12 +34,12 @@ pub struct Strips {
 impl Strips {
     /// The strips of blocks of rows.
     pub fn of(grid: &Grid, cuts: &Cuts) -> Self {
-        let edge = |row: usize| match row {
+        let edges = cuts.starts.iter().map(|&row| match row {
             0 => f64::NEG_INFINITY,
             row if row == grid.rows() => f64::INFINITY,
             row => row as f64 * grid.bin_side(),
-        };
-        Self { edges: cuts.starts.iter().map(|row| edge(*row)).collect() }
+        });
+        Self { edges: edges.collect() }
     }
 
     /// How many strips there are.

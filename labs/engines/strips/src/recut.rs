@@ -23,9 +23,9 @@ impl<O: Observer> Domain<O> {
         if most <= TOLERANCE * all / self.ranks() as f64 {
             return;
         }
-        let (grid, bodies) = (self.grid, self.engine.bodies());
+        let grid = self.grid;
         let mut counts = vec![0; grid.rows()];
-        bodies.y.iter().for_each(|y| counts[grid.row(*y)] += 1);
+        self.engine.bodies().y.iter().for_each(|y| counts[grid.row(*y)] += 1);
         let loads = self.sum(&T::weigh_rows(&counts, load));
         let strips = Strips::of(&grid, &balanced(&loads, self.ranks()));
         if strips == self.strips {

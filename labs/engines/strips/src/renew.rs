@@ -71,8 +71,7 @@ impl<O: Observer, T: Halo> Distributed<O, T> {
         let reach = self.domain.reach(self.width);
         let strips = &self.domain.strips;
         let partners = T::partners(strips, self.domain.rank(), reach);
-        let strip = |rank: Rank| strips.strip(rank as usize);
-        self.border.choose::<T>(self.domain.engine.bodies(), partners, strip, reach);
+        self.border.choose::<T>(self.domain.engine.bodies(), partners, strips, reach);
         let partners = self.border.partners.iter().copied();
         let outgoing: Vec<_> = partners.zip(self.border.sent.iter().cloned()).collect();
         let received = self.exchange(&outgoing);

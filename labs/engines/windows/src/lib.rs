@@ -42,7 +42,7 @@
 //!         parent[k as usize]
 //!     }
 //!     fn join(parent: &mut [u32], a: u32, b: u32) {
-//!         let (a, b) = (parent[a as usize], parent[b as usize]);
+//!         let [a, b] = [a, b].map(|k| parent[k as usize]);
 //!         parent.iter_mut().filter(|root| **root == a.max(b)).for_each(|root| *root = a.min(b));
 //!     }
 //!     fn window_length(_: f64, _: f64) -> u32 {

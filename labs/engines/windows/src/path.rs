@@ -38,7 +38,8 @@ impl Path {
     /// Whether two particles could touch within time `span`, if each of them leaves its reference
     /// by no more than its spread and both together by `slack` beyond.
     pub(crate) fn may_touch<R: Rules>(&self, other: &Self, span: f64, slack: f64) -> bool {
-        let (dx, dy) = (other.x - self.x, other.y - self.y);
+        let dx = other.x - self.x;
+        let dy = other.y - self.y;
         let reach = CUTOFF + self.spread + other.spread + slack;
         R::closest_squared(dx, dy, other.wx - self.wx, other.wy - self.wy, span) <= reach * reach
     }

@@ -14,7 +14,7 @@ use lab_kit::starter::{Files, GIVEN, Record, generate};
 use lab_kit::{Facts, Kit, Lab, Workers};
 
 /// Files at the top that go along as they are. README is the students' own.
-const TOP: [&str; 11] = [
+const TOP: [&str; 10] = [
     ".cargo/config.toml",
     ".devcontainer/devcontainer.json",
     ".gitignore",
@@ -23,7 +23,6 @@ const TOP: [&str; 11] = [
     ".zed/settings.json",
     "LICENSE-APACHE",
     "LICENSE-MIT",
-    "rust-analyzer.toml",
     "rust-toolchain.toml",
     "rustfmt.toml",
 ];

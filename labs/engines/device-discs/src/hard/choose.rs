@@ -108,11 +108,16 @@ impl<K: HardKernels> Chooser<K> {
     ) -> Result<Self, GpuError> {
         K::launch(1, threads, &gpu.limits())?;
         let source = [K::choose()];
-        let kernel = |name| K::checked(gpu, name, || Kernel::new(gpu, name, &source, threads, &[]));
-        let kernels = KERNELS.into_iter().map(kernel).collect::<Result<_, _>>()?;
-        let readback = Readback::default();
-        let kernels_of = PhantomData;
-        Ok(Self { gpu, kernels, threads, stopwatch, readback, memory: None, kernels_of })
+        let kernels = KERNELS.map(|name| K::compiled(gpu, name, &source, threads, &[]));
+        Ok(Self {
+            gpu,
+            kernels: kernels.into_iter().collect::<Result<_, _>>()?,
+            threads,
+            stopwatch,
+            readback: Readback::default(),
+            memory: None,
+            kernels_of: PhantomData,
+        })
     }
 
     /// For each candidate 1 if it happens, else 0. All `discs` discs are free at the start.
@@ -178,13 +183,15 @@ impl<K: HardKernels> Chooser<K> {
 impl Memory {
     fn new(gpu: &Gpu, kernels: &[Kernel], candidates: u32, discs: u32) -> Result<Self, GpuError> {
         let candidates = candidates.next_power_of_two();
-        let words = |count: u32| u64::from(count) * 4;
+        let word = size_of::<u32>() as u64;
+        let of_candidates = word * u64::from(candidates);
+        let of_discs = word * u64::from(discs);
         let numbers = gpu.uniform(&[0; 8]);
-        let keys = gpu.storage("the candidates' keys", 4 * words(candidates))?;
-        let taken = gpu.storage("the taken candidates", words(candidates))?;
-        let busy = gpu.storage("the busy discs", words(discs))?;
-        let firsts = gpu.storage("the discs' first candidates", 3 * words(discs))?;
-        let left = gpu.storage("the candidates left", 4)?;
+        let keys = gpu.storage("the candidates' keys", 4 * of_candidates)?;
+        let taken = gpu.storage("the taken candidates", of_candidates)?;
+        let busy = gpu.storage("the busy discs", of_discs)?;
+        let firsts = gpu.storage("the discs' first candidates", 3 * of_discs)?;
+        let left = gpu.storage("the candidates left", word)?;
         let all = [&numbers, &keys, &taken, &busy, &firsts, &left];
         // Which of them each kernel uses, in the order of `KERNELS`.
         let used: [&[u32]; 5] =

@@ -64,13 +64,11 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
             Deal::Pairs => (K::balanced(), &["find_walls", "find_pairs"]),
         };
         let sources = [source, K::filter(), R::ALIAS];
-        let kernel = |name: &&'static str| {
-            K::checked(gpu, name, || Kernel::new(gpu, name, &sources, launch.threads, &[]))
-        };
-        let kernels = names.iter().map(kernel).collect::<Result<_, _>>()?;
+        let kernels =
+            names.iter().map(|name| K::compiled(gpu, name, &sources, launch.threads, &[]));
         let mut finder = Self {
             gpu,
-            kernels,
+            kernels: kernels.collect::<Result<_, _>>()?,
             launch,
             stopwatch,
             readback: Readback::default(),
@@ -114,13 +112,14 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
             self.discs = self.gpu.storage("the discs", bytes)?;
             self.bind();
         }
-        let number = |value: f64| R::of(value / square.side);
-        let numbers: Vec<[R; 4]> =
-            discs.iter().map(|d| [d.x, d.y, d.vx, d.vy].map(number)).collect();
-        self.gpu.upload(&self.discs, &numbers);
+        let numbers = discs.iter().map(|disc| {
+            [disc.x, disc.y, disc.vx, disc.vy].map(|number| R::of(number / square.side))
+        });
+        self.gpu.upload(&self.discs, &numbers.collect::<Vec<_>>());
         // A launch must not count beyond 32 bits, so it may look at that many pairs at most.
         let n = discs.len() as u32;
-        (self.n, self.margins) = (n, margins);
+        self.n = n;
+        self.margins = margins;
         let rows = ((1_u64 << 32) / u64::from(n) - 1).clamp(1, u64::from(n)) as u32;
         for first in (0..n).step_by(rows as usize) {
             K::collect(self, first..n.min(first.saturating_add(rows)), found)?;

@@ -34,8 +34,8 @@ const TOO_FAST: f64 = (1_u64 << 40) as f64;
 impl Margins {
     /// The bounds for these discs, on a device that computes with `R`.
     pub fn of<R: Real>(discs: &[Disc], square: Square) -> Self {
-        let component = |disc: &Disc| disc.vx.abs().max(disc.vy.abs());
-        let fastest = discs.iter().map(component).fold(square.side, f64::max) / square.side;
+        let components = discs.iter().map(|disc| disc.vx.abs().max(disc.vy.abs()));
+        let fastest = components.fold(square.side, f64::max) / square.side;
         let margin = 128.0 * R::ROUNDING * fastest;
         let radius = square.radius / square.side;
         Self {

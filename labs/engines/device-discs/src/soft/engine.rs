@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use std::time::Instant;
 
 use common::soft::{CUTOFF, Particle, Scene, SceneError, Simulation, Statistics};
-use device::{Gpu, GpuError, Kernel, Readback, Real, Stopwatch, Work};
+use device::{Gpu, GpuError, Readback, Real, Stopwatch, Work};
 
 use super::kernels::SoftKernels;
 use super::positions::{CONSTANTS, Grid, Precision};
@@ -52,14 +52,12 @@ impl<K: SoftKernels, P: Precision> SoftDiscs<K, P> {
         let sort = [K::sort(), K::discs(), alias];
         let step = [K::forces(), P::source::<K>(), K::discs(), CONSTANTS, alias];
         let looks = [("STATISTICS", f64::from(u8::from(options.statistics)))];
-        let kernel = |name, sources: &[&str], constants: &[(&str, f64)]| {
-            K::checked(gpu, name, || Kernel::new(gpu, name, sources, options.threads, constants))
-        };
+        let threads = options.threads;
         let kernels = Kernels {
-            count: kernel("count", &sort, &[])?,
-            scatter: kernel("scatter", &sort, &[])?,
-            order: kernel("order", &sort, &[])?,
-            step: kernel("step", &step, &looks)?,
+            count: K::compiled(gpu, "count", &sort, threads, &[])?,
+            scatter: K::compiled(gpu, "scatter", &sort, threads, &[])?,
+            order: K::compiled(gpu, "order", &sort, threads, &[])?,
+            step: K::compiled(gpu, "step", &step, threads, &looks)?,
         };
         Ok(Self {
             gpu,
@@ -163,12 +161,11 @@ impl<K: SoftKernels, P: Precision> Simulation for SoftDiscs<K, P> {
             self.readback.borrow_mut().read::<u8, 1>(self.gpu, work, [(&scene.tallies, 0..bytes)]);
         let mut all = Statistics::default();
         for tally in tallies.chunks_exact(tally) {
-            let number = |k: usize| -> f64 {
-                bytemuck::pod_read_unaligned::<P::Real>(&tally[k * real..(k + 1) * real]).into()
-            };
-            let counts: [u32; 2] = bytemuck::pod_read_unaligned(&tally[2 * real..]);
-            all.dmin = all.dmin.min(number(0).sqrt() / CUTOFF);
-            all.davg += number(1) / CUTOFF;
+            let (sums, counts) = tally.split_at(2 * real);
+            let [least, sum]: [P::Real; 2] = bytemuck::pod_read_unaligned(sums);
+            let counts: [u32; 2] = bytemuck::pod_read_unaligned(counts);
+            all.dmin = all.dmin.min(least.into().sqrt() / CUTOFF);
+            all.davg += sum.into() / CUTOFF;
             all.navg += u64::from(counts[0]);
             all.pair_tests += u64::from(counts[1]);
         }

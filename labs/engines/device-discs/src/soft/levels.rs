@@ -1,6 +1,6 @@
 //! The levels of a prefix sum, from the numbers themselves up to a level of a single block.
 
-use device::{Gpu, GpuError, Kernel};
+use device::{Gpu, GpuError};
 use wgpu::Buffer;
 
 use super::kernels::SoftKernels;
@@ -21,10 +21,8 @@ impl Scan {
         let limits = gpu.limits();
         // Blocks of one number would never become fewer.
         let threads = threads.max(2);
-        let kernel =
-            |name| K::checked(gpu, name, || Kernel::new(gpu, name, &sources, threads, &[]));
-        let scan_blocks = kernel("scan_blocks")?;
-        let add_sums = kernel("add_sums")?;
+        let scan_blocks = K::compiled(gpu, "scan_blocks", &sources, threads, &[])?;
+        let add_sums = K::compiled(gpu, "add_sums", &sources, threads, &[])?;
         let mut levels = Vec::new();
         let mut values = values.clone();
         let mut len = len;

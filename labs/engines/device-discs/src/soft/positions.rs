@@ -95,16 +95,15 @@ impl Precision for Single {
     }
 
     fn write(particle: &Particle, grid: &Grid) -> (u32, [f32; 2]) {
-        let (column, row) = (grid.column(particle.x), grid.column(particle.y));
-        let offset = |x: f64, column: u32| (x / grid.side - f64::from(column)) as f32;
-        (row * grid.columns + column, [offset(particle.x, column), offset(particle.y, row)])
+        let place = [particle.x, particle.y];
+        let [column, row] = place.map(|x| grid.column(x));
+        let offset = place.map(|x| (x / grid.side - f64::from(grid.column(x))) as f32);
+        (row * grid.columns + column, offset)
     }
 
     fn read(bin: u32, position: [f32; 2], grid: &Grid) -> [f64; 2] {
-        let coordinate = |column: u32, offset: f32| {
-            ((f64::from(column) + f64::from(offset)) * grid.side).min(grid.size)
-        };
-        let (column, row) = (bin % grid.columns, bin / grid.columns);
-        [coordinate(column, position[0]), coordinate(row, position[1])]
+        let column = f64::from(bin % grid.columns) + f64::from(position[0]);
+        let row = f64::from(bin / grid.columns) + f64::from(position[1]);
+        [column, row].map(|x| (x * grid.side).min(grid.size))
     }
 }

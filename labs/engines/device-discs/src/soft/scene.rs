@@ -91,7 +91,6 @@ impl<P: Precision> Loaded<P> {
             launch,
         };
         let step = kernels.step.bind(gpu, &with((8, &tallies)));
-        let (host_copy, precision) = (RefCell::default(), PhantomData);
         let loaded = Self {
             n,
             grid,
@@ -102,8 +101,8 @@ impl<P: Precision> Loaded<P> {
             velocities,
             sorted_tags,
             tallies,
-            host_copy,
-            precision,
+            host_copy: RefCell::default(),
+            precision: PhantomData,
         };
         loaded.upload(gpu, scene.particles());
         Ok(loaded)
@@ -129,8 +128,8 @@ impl<P: Precision> Loaded<P> {
         let mut particles = vec![Particle::default(); self.n];
         for ((&[bin, id], position), velocity) in unsorted {
             let [x, y] = P::read(bin, [position[0], position[1]], &self.grid);
-            let (vx, vy) = (velocity[0].into(), velocity[1].into());
-            particles[id as usize] = Particle { x, y, vx, vy, id };
+            particles[id as usize] =
+                Particle { x, y, vx: velocity[0].into(), vy: velocity[1].into(), id };
         }
         particles
     }

@@ -40,17 +40,19 @@ impl Cut {
         while lattice.rows() >> shift >= MOST_SLICES {
             shift += 1;
         }
-        let slice = |row: u32| (row >> shift) as usize;
         // Without discs there are no rows.
-        let mut sampled = vec![0_usize; slice(lattice.rows().saturating_sub(1)) + 1];
+        let slices = (lattice.rows().saturating_sub(1) >> shift) + 1;
+        let mut sampled = vec![0_usize; slices as usize];
         for disc in discs.iter().step_by(discs.len().div_ceil(SAMPLE).max(1)) {
-            sampled[slice(lattice.row(disc.y))] += 1;
+            sampled[(lattice.row(disc.y) >> shift) as usize] += 1;
         }
 
         let wanted = (discs.len() / DISCS).clamp(1, MOST_STRIPS);
         let all: usize = sampled.iter().sum();
-        let (mut strips, mut rows) = (Vec::with_capacity(sampled.len()), Vec::new());
-        let (mut below, mut start) = (0, 0);
+        let mut strips = Vec::with_capacity(sampled.len());
+        let mut rows = Vec::new();
+        let mut below = 0;
+        let mut start = 0;
         for (slice, discs) in sampled.into_iter().enumerate() {
             strips.push(rows.len() as u32);
             below += discs;

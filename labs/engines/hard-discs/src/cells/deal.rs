@@ -31,7 +31,8 @@ impl Deal {
         window: Window,
         cut: &Cut,
     ) {
-        let (lattice, nowhere) = (&cut.lattice, cut.strips());
+        let lattice = &cut.lattice;
+        let nowhere = cut.strips();
         self.lists.iter_mut().for_each(Vec::clear);
         self.lists.resize_with(nowhere + 1, Vec::new);
         let reach = reach(square, lattice.fastest);
@@ -40,11 +41,10 @@ impl Deal {
                 if !free {
                     continue;
                 }
-                let (x, y) = (
-                    C::span(disc.x, disc.vx, window, reach),
-                    C::span(disc.y, disc.vy, window, reach),
-                );
-                let (lowest, highest) = (lattice.row(y.low), lattice.row(y.high));
+                let x = C::span(disc.x, disc.vx, window, reach);
+                let y = C::span(disc.y, disc.vy, window, reach);
+                let lowest = lattice.row(y.low);
+                let highest = lattice.row(y.high);
                 let column = lattice.column(x.low);
                 let further = lattice.column(x.high) - column;
                 let mut enter = |strip: usize, row: u32| {

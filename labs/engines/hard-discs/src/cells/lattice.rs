@@ -23,6 +23,15 @@ pub(super) struct Lattice {
     pub(super) in_lanes: bool,
 }
 
+/// How many cells of about this length there are between two coordinates.
+fn cells_along((low, high): (f64, f64), length: f64) -> f64 {
+    ((high - low) / length).ceil().clamp(1.0, MOST)
+}
+
+fn cells_per_length((low, high): (f64, f64), cells: f64) -> f64 {
+    if high > low { cells / (high - low) } else { 0.0 }
+}
+
 /// More columns or rows than this are not told apart.
 const MOST: f64 = (1 << 30) as f64;
 
@@ -31,18 +40,13 @@ impl Lattice {
     pub(super) fn new(survey: &Survey, square: Square, windows: usize) -> Self {
         let (width, height) = mean_box(survey, square, windows);
         let work = expected_work(survey, square, windows);
-        let count =
-            |(low, high): (f64, f64), cell: f64| ((high - low) / cell).ceil().clamp(1.0, MOST);
-        let columns = count(survey.x, WIDTH * width);
-        let rows = count(survey.y, HEIGHT * height);
-        let per = |(low, high): (f64, f64), cells: f64| {
-            if high > low { cells / (high - low) } else { 0.0 }
-        };
+        let columns = cells_along(survey.x, WIDTH * width);
+        let rows = cells_along(survey.y, HEIGHT * height);
         Self {
             left: survey.x.0,
             bottom: survey.y.0,
-            per_width: per(survey.x, columns),
-            per_height: per(survey.y, rows),
+            per_width: cells_per_length(survey.x, columns),
+            per_height: cells_per_length(survey.y, rows),
             columns: columns as u32,
             rows: rows as u32,
             fastest: survey.fastest,

@@ -24,8 +24,11 @@ impl Paths {
         for array in [&mut *x, y, vx, vy] {
             array.resize(discs.len() + LANES, 0.0);
         }
-        for ((((disc, x), y), vx), vy) in discs.zip(x).zip(y).zip(vx).zip(vy) {
-            (*x, *y, *vx, *vy) = (disc.x, disc.y, disc.vx, disc.vy);
+        for (k, disc) in discs.enumerate() {
+            x[k] = disc.x;
+            y[k] = disc.y;
+            vx[k] = disc.vx;
+            vy[k] = disc.vy;
         }
     }
 
@@ -40,16 +43,12 @@ impl Paths {
     ) -> Option<usize> {
         let limit = 4.000_001 * radius * radius;
         // All of the length of x: the compiler asks once whether the lanes are inside.
-        let x = &self.x[..];
-        let (y, vx, vy) = (&self.y[..x.len()], &self.vx[..x.len()], &self.vy[..x.len()]);
-        let from = [x, y, vx, vy].map(|of| of[a]);
+        let n = self.x.len();
+        let all = [&self.x[..n], &self.y[..n], &self.vx[..n], &self.vy[..n]];
+        let from = all.map(|of| of[a]);
         let mut first = others.start;
         while first < others.end {
-            let d = |of: &[f64], from: f64| -> [f64; LANES] {
-                let to = &of[first..first + LANES];
-                from_fn(|lane| to[lane] - from)
-            };
-            let (x, y, vx, vy) = (d(x, from[0]), d(y, from[1]), d(vx, from[2]), d(vy, from[3]));
+            let [x, y, vx, vy] = from_fn(|k| differences(all[k], first, from[k]));
             let mut any = false;
             for lane in 0..LANES {
                 let cross = x[lane] * vy[lane] - y[lane] * vx[lane];
@@ -63,4 +62,11 @@ impl Paths {
         }
         None
     }
+}
+
+/// The differences of [`LANES`] numbers from index `first` on to the number `from`.
+#[inline(always)]
+fn differences(numbers: &[f64], first: usize, from: f64) -> [f64; LANES] {
+    let to = &numbers[first..first + LANES];
+    from_fn(|lane| to[lane] - from)
 }

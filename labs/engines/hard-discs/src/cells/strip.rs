@@ -107,11 +107,12 @@ impl<C: Collisions> Meeting<'_, C> {
     /// Adds the candidate of entries `k` and `l`, if there is one.
     #[inline]
     fn ask(&mut self, k: usize, l: usize) {
-        let (p, q) = (&self.entries[k], &self.entries[l]);
-        let (a, b) = (p.disc().min(q.disc()), p.disc().max(q.disc()));
-        let (a_disc, b_disc) = (&self.discs[a as usize], &self.discs[b as usize]);
+        let p = &self.entries[k];
+        let q = &self.entries[l];
+        let a = p.disc().min(q.disc());
+        let b = p.disc().max(q.disc());
         // Nearly always no, and so foreseen by the processor. What it cannot foresee is asked later.
-        if !may_touch(a_disc, b_disc, self.square.radius) {
+        if !may_touch(&self.discs[a as usize], &self.discs[b as usize], self.square.radius) {
             return;
         }
         if let Some(hit) = C::pair_hit(self.discs, a, b, self.square.radius)

@@ -13,8 +13,9 @@ pub(super) const WIDTH: f64 = 0.5;
 
 /// Mean width and height of a box, if the step is cut into `windows` windows.
 pub(super) fn mean_box(survey: &Survey, square: Square, windows: usize) -> (f64, f64) {
-    let side = |speed: f64| speed / windows as f64 + 2.0 * square.radius;
-    (side(survey.speed.0), side(survey.speed.1))
+    let windows = windows as f64;
+    let least = 2.0 * square.radius;
+    (survey.speed.0 / windows + least, survey.speed.1 / windows + least)
 }
 
 /// Work that a step is expected to make, all its windows together.
@@ -37,8 +38,8 @@ pub struct Work {
 /// ([`still_free`]).
 pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
     let (width, height) = mean_box(survey, square, windows);
-    let extent = |(low, high): (f64, f64), least: f64| (high - low).max(least);
-    let (wide, high) = (extent(survey.x, width), extent(survey.y, height));
+    let wide = (survey.x.1 - survey.x.0).max(width);
+    let high = (survey.y.1 - survey.y.0).max(height);
     let (free, both_free) = still_free(survey.meetings, windows);
 
     let entries = survey.n as f64 * (1.0 + 1.0 / HEIGHT);

@@ -15,8 +15,8 @@ pub(crate) fn for_each<T: Send>(
     act: impl Fn(usize, &mut T) + Send + Sync,
 ) {
     workers.map(items.chunks_mut(PIECE).enumerate().collect(), |(k, piece): (usize, &mut [T])| {
-        for (i, item) in (k * PIECE..).zip(piece) {
-            act(i, item);
+        for (i, item) in piece.iter_mut().enumerate() {
+            act(k * PIECE + i, item);
         }
     });
 }
@@ -39,7 +39,7 @@ pub(crate) fn collect<T: Sync, U: Send>(
     find: impl Fn(usize, &T) -> Option<U> + Send + Sync,
 ) {
     let found = map_pieces(workers, items, |first, piece| -> Vec<U> {
-        (first..).zip(piece).filter_map(|(i, item)| find(i, item)).collect()
+        piece.iter().enumerate().filter_map(|(k, item)| find(first + k, item)).collect()
     });
     out.extend(found.into_iter().flatten());
 }

@@ -30,8 +30,8 @@ impl Default for Slots {
 impl Slots {
     fn at(&self, slot: usize) -> &Slot {
         let k = (slot / FIRST + 1).ilog2() as usize;
-        let slots = || (0..FIRST << k).map(|_| Slot::default()).collect();
-        &self.0[k].get_or_init(slots)[slot + FIRST - (FIRST << k)]
+        let segment = self.0[k].get_or_init(|| (0..FIRST << k).map(|_| Slot::default()).collect());
+        &segment[slot + FIRST - (FIRST << k)]
     }
 
     // Relaxed is enough: slots are read when all threads have ended the loop.

@@ -49,7 +49,7 @@ impl<'a> Corners<'a> {
     pub(super) fn accelerations(&self, at: &[Vec2], a: &mut [Vec2]) {
         a.fill(Vec2::ZERO);
         for (&(i, j), _) in self.pairs.iter().zip(&self.touching).filter(|(_, touch)| **touch) {
-            let (i, j) = (i as usize, j as usize);
+            let [i, j] = [i, j].map(|k| k as usize);
             let d = at[j] - at[i];
             let squared = d.norm_squared().max(MIN_R * MIN_R);
             let pair = ((1.0 - CUTOFF / squared.sqrt()) / squared / MASS) * d;
@@ -73,7 +73,8 @@ impl<'a> Corners<'a> {
         });
         let mut first: Option<(f64, Event)> = None;
         for event in (0..self.pairs.len()).map(Event::Pair).chain(walls) {
-            let (start, end) = (self.watch(event, start), self.watch(event, end));
+            let start = self.watch(event, start);
+            let end = self.watch(event, end);
             let found = R::first_fall(start, end, h, &mut |t| match t {
                 0.0 => start,
                 t if t == h => end,
@@ -92,14 +93,16 @@ impl<'a> Corners<'a> {
     fn watch(&self, event: Event, State { at, v }: &State) -> Watched {
         match event {
             Event::Pair(k) => {
-                let (a, b) = (self.pairs[k].0 as usize, self.pairs[k].1 as usize);
-                let (d, w) = (at[b] - at[a], v[b] - v[a]);
+                let (a, b) = self.pairs[k];
+                let d = at[b as usize] - at[a as usize];
+                let w = v[b as usize] - v[a as usize];
                 let sign = if self.touching[k] { -1.0 } else { 1.0 };
                 let value = sign * (d.norm_squared() - CUTOFF * CUTOFF);
                 Watched { value, slope: sign * 2.0 * d.dot(w) }
             }
             Event::Wall { particle, along_x, far } => {
-                let (at, v) = (at[particle], v[particle]);
+                let at = at[particle];
+                let v = v[particle];
                 let (x, v) = if along_x { (at.x, v.x) } else { (at.y, v.y) };
                 if far {
                     Watched { value: self.size - x, slope: -v }
@@ -116,11 +119,14 @@ impl<'a> Corners<'a> {
             Event::Pair(k) => self.touching[k] = !self.touching[k],
             Event::Wall { particle, along_x, far } => {
                 let wall = if far { self.size } else { 0.0 };
-                let (at, v) = (&mut state.at[particle], &mut state.v[particle]);
+                let at = &mut state.at[particle];
+                let v = &mut state.v[particle];
                 if along_x {
-                    (at.x, v.x) = (wall, -v.x);
+                    at.x = wall;
+                    v.x = -v.x;
                 } else {
-                    (at.y, v.y) = (wall, -v.y);
+                    at.y = wall;
+                    v.y = -v.y;
                 }
             }
         }

@@ -45,7 +45,8 @@ impl<'a> Group<'a> {
             for _ in 0..MOST_EVENTS {
                 let end = self.step::<R>(left);
                 let Some((time, event)) = self.first_event::<R>(&end, left) else {
-                    (self.state, left) = (end, 0.0);
+                    self.state = end;
+                    left = 0.0;
                     break;
                 };
                 if time > 0.0 {

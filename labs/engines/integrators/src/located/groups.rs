@@ -19,18 +19,22 @@ impl Groups {
     /// entry of `fastest`: it sweeps at most its speed times `dt`, reflected or not.
     pub(super) fn new(at: &[Vec2], fastest: &[f64], dt: f64) -> Self {
         let n = at.len();
-        let disc = |i: u32| {
-            let (at, radius) = (at[i as usize], reach(fastest[i as usize], dt));
-            Disc { x: at.x, y: at.y, radius, index: i }
-        };
-        let (mut found, _) = overlapping((0..n as u32).map(disc).collect());
+        let discs = at.iter().zip(fastest).zip(0..).map(|((at, fastest), index)| Disc {
+            x: at.x,
+            y: at.y,
+            radius: reach(*fastest, dt),
+            index,
+        });
+        let (mut found, _) = overlapping(discs.collect());
         // A group is called by its least member.
         let name = least_members(n, &found);
         let mut members: Vec<u32> = (0..n as u32).collect();
         members.sort_by_key(|&i| (name[i as usize], i));
         found.sort_by_key(|&[a, b]| (name[a as usize], a, b));
         let mut local = vec![0; n];
-        let (mut ends, mut pairs, mut k) = (vec![(0, 0)], Vec::with_capacity(found.len()), 0);
+        let mut ends = vec![(0, 0)];
+        let mut pairs = Vec::with_capacity(found.len());
+        let mut k = 0;
         for group in members.chunk_by(|&a, &b| name[a as usize] == name[b as usize]) {
             for (at, &i) in group.iter().enumerate() {
                 local[i as usize] = at as u32;
@@ -52,7 +56,8 @@ impl Groups {
 
     /// Members and pairs of a group; pairs hold indices of members.
     pub(super) fn group(&self, k: usize) -> (&[u32], &[(u32, u32)]) {
-        let (from, to) = (self.ends[k], self.ends[k + 1]);
+        let from = self.ends[k];
+        let to = self.ends[k + 1];
         (&self.members[from.0 as usize..to.0 as usize], &self.pairs[from.1 as usize..to.1 as usize])
     }
 }
@@ -65,16 +70,18 @@ fn reach(fastest: f64, dt: f64) -> f64 {
 /// The least member of each particle's group: union-find, in which no parent is greater than its child.
 fn least_members(n: usize, pairs: &[[u32; 2]]) -> Vec<u32> {
     let mut parent: Vec<usize> = (0..n).collect();
-    let root = |parent: &mut [usize], mut k: usize| {
-        while parent[k] != k {
-            parent[k] = parent[parent[k]];
-            k = parent[k];
-        }
-        k
-    };
     for &[a, b] in pairs {
-        let (a, b) = (root(&mut parent, a as usize), root(&mut parent, b as usize));
+        let a = root(&mut parent, a as usize);
+        let b = root(&mut parent, b as usize);
         parent[a.max(b)] = a.min(b);
     }
     (0..n).map(|k| root(&mut parent, k) as u32).collect()
+}
+
+fn root(parent: &mut [usize], mut k: usize) -> usize {
+    while parent[k] != k {
+        parent[k] = parent[parent[k]];
+        k = parent[k];
+    }
+    k
 }

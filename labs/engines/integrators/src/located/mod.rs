@@ -70,7 +70,8 @@ impl<R: Rules> Located<R> {
                 self.events += group.events;
                 let moved = group.state.at.iter().zip(&group.state.v);
                 for (&i, (&at, &v)) in groups.group(k).0.iter().zip(moved) {
-                    (self.state.at[i as usize], self.state.v[i as usize]) = (at, v);
+                    self.state.at[i as usize] = at;
+                    self.state.v[i as usize] = v;
                 }
             }
             return;
@@ -111,8 +112,10 @@ impl<R: Rules> Located<R> {
 
 impl<R: Rules> Simulation for Located<R> {
     fn load(&mut self, scene: &Scene) {
-        (self.size, self.state) = (scene.size(), State::of(scene));
-        (self.asked, self.events) = (0, 0);
+        self.size = scene.size();
+        self.state = State::of(scene);
+        self.asked = 0;
+        self.events = 0;
     }
 
     fn step(&mut self) {

@@ -37,18 +37,15 @@ impl CellBox {
 
     /// A particle of the scene.
     pub(super) fn enter(&self, p: &Particle) -> Body {
-        let ((column, x), (row, y)) = (self.split(p.x), self.split(p.y));
+        let (column, x) = self.split(p.x);
+        let (row, y) = self.split(p.y);
         Body { position: Position { column, row, x, y }, vx: p.vx, vy: p.vy, id: p.id }
     }
 
     /// What [`enter`](Self::enter) was given.
     pub(super) fn leave(&self, body: &Body) -> Particle {
-        // Rounding may put a particle at the wall beyond it.
-        let at = |cell: u32, x: f32| {
-            (f64::from(cell) * self.grid.side() + f64::from(x)).clamp(0.0, self.size)
-        };
         let Body { position: Position { column, row, x, y }, vx, vy, id } = *body;
-        Particle { x: at(column, x), y: at(row, y), vx, vy, id }
+        Particle { x: self.join(column, x), y: self.join(row, y), vx, vy, id }
     }
 
     /// The particle after a kick by the acceleration (`ax`, `ay`) and a drift, both for a time
@@ -81,6 +78,12 @@ impl CellBox {
         (cell, single(x - f64::from(cell) * side))
     }
 
+    /// One coordinate, from the cell and the rest.
+    fn join(&self, cell: u32, x: f32) -> f64 {
+        // Rounding may put a particle at the wall beyond it.
+        (f64::from(cell) * self.grid.side() + f64::from(x)).clamp(0.0, self.size)
+    }
+
     /// Sorts particles by cell, rows first.
     pub(super) fn sort(&self, bodies: &mut [Body]) -> Cells {
         let columns = u64::from(self.grid.columns);
@@ -94,7 +97,8 @@ impl CellBox {
             (1..starts.len()).for_each(|k| starts[k] += starts[k - 1]);
             Kind::Dense { starts }
         } else {
-            let (mut keys, mut starts) = (Vec::new(), Vec::new());
+            let mut keys = Vec::new();
+            let mut starts = Vec::new();
             for (i, body) in bodies.iter().enumerate() {
                 if keys.last() != Some(&key(body)) {
                     keys.push(key(body));

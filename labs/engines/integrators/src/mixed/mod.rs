@@ -37,13 +37,15 @@ impl Mixed {
 
     fn one_step(&mut self, dt: f64) {
         let sorted = self.cells.sort(&mut self.bodies);
-        let (bodies, cells, side) = (&self.bodies, &self.cells, self.cells.side());
+        let Self { bodies, cells, .. } = self;
+        let side = cells.side();
         let moved = self.workers.map(sorted.pieces(PIECE), |piece| {
             let mut moved = Vec::with_capacity(sorted.particles(&piece).len());
             for k in piece.filter(|&k| !sorted.own(k).is_empty()) {
                 let rows = sorted.around(k);
                 for body in &bodies[sorted.own(k)] {
-                    let (mut ax, mut ay) = (0.0_f64, 0.0_f64);
+                    let mut ax = 0.0_f64;
+                    let mut ay = 0.0_f64;
                     for j in rows.iter().cloned().flatten() {
                         let (dx, dy) = vector(&body.position, &bodies[j].position, side);
                         let coef = coefficient(dx * dx + dy * dy);

@@ -32,7 +32,9 @@ impl Field {
         let Self { workers, sorter, sorted } = self;
         sorted.resize(at.len());
         for (i, at) in at.iter().enumerate() {
-            (sorted.x[i], sorted.y[i], sorted.id[i]) = (at.x, at.y, i as u32);
+            sorted.x[i] = at.x;
+            sorted.y[i] = at.y;
+            sorted.id[i] = i as u32;
         }
         let grid = Grid::new(&Extent::of(sorted), CUTOFF);
         let cells = sorter.sort(sorted, grid, workers);
@@ -61,7 +63,9 @@ impl Kernel for Gather<'_> {
     fn run(self, signs: impl Signs) -> Self::Output {
         let Self { bodies, cells, piece } = self;
         let particles = cells.particles(&piece);
-        let (positions, mut pairs, mut len) = (bodies.positions(), Vec::new(), 0);
+        let positions = bodies.positions();
+        let mut pairs = Vec::new();
+        let mut len = 0;
         for k in piece.filter(|&k| !cells.own(k).is_empty()) {
             let rows = cells.around(k);
             for i in cells.own(k) {
@@ -71,7 +75,8 @@ impl Kernel for Gather<'_> {
                 }
             }
         }
-        let (mut ax, mut ay) = (vec![0.0; particles.len()], vec![0.0; particles.len()]);
+        let mut ax = vec![0.0; particles.len()];
+        let mut ay = vec![0.0; particles.len()];
         Contacts::default().for_each(&pairs[..len], positions, |[i, _], a, _| {
             let i = i as usize - particles.start;
             ax[i] += a[0];

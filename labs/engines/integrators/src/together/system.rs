@@ -28,14 +28,21 @@ pub struct System {
 impl System {
     /// An empty system for `threads` threads.
     pub(super) fn new(threads: usize) -> Self {
-        let (state, field) = (State::default(), Field::new(threads));
-        Self { state, evaluations: 0, size: 0.0, field, a: Vec::new() }
+        Self {
+            state: State::default(),
+            evaluations: 0,
+            size: 0.0,
+            field: Field::new(threads),
+            a: Vec::new(),
+        }
     }
 
     /// Takes the particles in `state` instead, in a box of side `size`.
     pub(super) fn start(&mut self, state: State, size: f64) {
         self.a = vec![Vec2::ZERO; state.at.len()];
-        (self.state, self.size, self.evaluations) = (state, size, 0);
+        self.state = state;
+        self.size = size;
+        self.evaluations = 0;
     }
 
     /// Moves all positions with their velocities for a time `dt`: x += v dt, with the walls.

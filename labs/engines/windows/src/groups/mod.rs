@@ -1,12 +1,17 @@
 //! Groups that are computed at the same time.
 
+mod arrangement;
 mod grouper;
+mod numbering;
 mod run;
 mod slots;
+mod task;
 mod together;
+mod union;
 
-pub(crate) use grouper::{Grouper, Task};
+pub(crate) use grouper::Grouper;
 pub(crate) use slots::{Groups, Record};
+pub(crate) use task::Task;
 
 use common::soft::Particle;
 
@@ -42,15 +47,15 @@ impl Batch {
         slots: &mut [u32],
         deviation: &mut [f64],
     ) {
-        let Self { groups, record, .. } = self;
-        let (mut most, mut new) = (0.0, 0);
+        let Self { groups, record, new, greatest_deviation, .. } = self;
+        *new = 0;
+        *greatest_deviation = 0.0;
         groups.for_each_member(|slot, i| {
             let noted = &mut slots[i as usize - first];
-            new += usize::from(*noted == FREE);
+            *new += usize::from(*noted == FREE);
             *noted = flag + slot as u32;
             deviation[i as usize - first] = record.deviation[slot];
-            most = record.deviation[slot].max(most);
+            *greatest_deviation = record.deviation[slot].max(*greatest_deviation);
         });
-        (self.greatest_deviation, self.new) = (most, new);
     }
 }

@@ -35,11 +35,15 @@ impl Group<'_> {
         observers: &mut [O],
         out: &mut Slice<'_>,
     ) {
-        let (n, dt) = (self.members.len(), span.dt);
+        let n = self.members.len();
+        let dt = span.dt;
         scratch.paths.clear();
         for (k, &i) in self.members.iter().enumerate() {
             let p = start.get(i as usize);
-            (out.x[k], out.y[k], out.vx[k], out.vy[k]) = (p.x, p.y, p.vx, p.vy);
+            out.x[k] = p.x;
+            out.y[k] = p.y;
+            out.vx[k] = p.vx;
+            out.vy[k] = p.vy;
             out.deviation[k] = 0.0;
             scratch.paths.push(span.path::<R>(&p));
         }
@@ -77,7 +81,8 @@ impl Group<'_> {
         ay[..self.members.len()].fill(0.0);
         for &[a, b] in self.pairs {
             let [a, b] = [a as usize, b as usize];
-            let (dx, dy) = (at.x[b] - at.x[a], at.y[b] - at.y[a]);
+            let dx = at.x[b] - at.x[a];
+            let dy = at.y[b] - at.y[a];
             let r2 = dx * dx + dy * dy;
             if r2 <= CUTOFF * CUTOFF {
                 let coef = coefficient(r2);
@@ -106,8 +111,8 @@ impl Group<'_> {
     ) {
         let n = self.members.len();
         record.resize(n, span.steps);
-        let (mut scratch, mut out) = (Scratch::default(), record.slice(0..n));
-        self.run::<R, O>(start, span, &mut scratch, observers, &mut out);
+        let mut scratch = Scratch::default();
+        self.run::<R, O>(start, span, &mut scratch, observers, &mut record.slice(0..n));
     }
 }
 
@@ -115,13 +120,14 @@ impl Groups {
     /// Takes all groups through the steps of `span`.
     pub(crate) fn run<R: Rules>(&self, bodies: &Bodies, span: &Span, record: &mut Record) {
         record.resize(self.slots(), span.steps);
-        let (arch, rules) = (Arch::new(), PhantomData::<R>);
-        arch.dispatch(RunSmall { groups: self, bodies, span, record, rules });
-        let (mut scratch, nobody): (_, &mut [NoStatistics]) = (Scratch::default(), &mut []);
+        let rules = PhantomData::<R>;
+        Arch::new().dispatch(RunSmall { groups: self, bodies, span, record, rules });
+        let mut scratch = Scratch::default();
+        let nobody: &mut [NoStatistics] = &mut [];
         for g in 0..self.ends.len() {
-            let (crowd, scratch) = (self.crowd(g), &mut scratch);
+            let crowd = self.crowd(g);
             let mut out = record.slice(crowd.block.clone());
-            crowd.run::<R, _>(bodies, span, scratch, nobody, &mut out);
+            crowd.run::<R, _>(bodies, span, &mut scratch, nobody, &mut out);
         }
     }
 
@@ -168,7 +174,8 @@ impl<R: Rules> RunSmall<'_, R> {
     /// Runs those of size `M`, number `k` of all sizes.
     #[inline(always)]
     fn of_size<const M: usize>(&mut self, k: usize) {
-        let (first, (all, _)) = (self.groups.begins()[k], self.groups.small[k].as_chunks::<M>());
+        let first = self.groups.begins()[k];
+        let (all, _) = self.groups.small[k].as_chunks::<M>();
         for (slots, some) in (first..).step_by(LANES * M).zip(all.chunks(LANES)) {
             let mut out = self.record.slice(slots..slots + LANES * M);
             if !run_together(self.bodies, some, self.span, &mut out) {
@@ -188,8 +195,10 @@ impl<R: Rules> RunSmall<'_, R> {
             group.run_alone::<R, _>(bodies, span, nobody, &mut one);
             let block = group.block;
             for (m, slot) in (first..).step_by(LANES).take(size).enumerate() {
-                (record.x[slot], record.y[slot]) = (one.x[m], one.y[m]);
-                (record.vx[slot], record.vy[slot]) = (one.vx[m], one.vy[m]);
+                record.x[slot] = one.x[m];
+                record.y[slot] = one.y[m];
+                record.vx[slot] = one.vx[m];
+                record.vy[slot] = one.vy[m];
                 record.deviation[slot] = one.deviation[m];
                 for step in 0..span.steps.saturating_sub(1) as usize {
                     let off = &mut record.slice(block.clone()).off[step * block.len()..];

@@ -80,7 +80,8 @@ impl Groups {
 
     /// Crowd `g`.
     pub(crate) fn crowd(&self, g: usize) -> Group<'_> {
-        let (range, begin) = (part(&self.ends, g), self.crowds_begin());
+        let range = part(&self.ends, g);
+        let begin = self.crowds_begin();
         let block = begin + range.start..begin + range.end;
         Group { members: &self.members[range], pairs: &self.pairs[part(&self.pair_ends, g)], block }
     }
@@ -112,7 +113,9 @@ impl Groups {
             return self.crowd(self.crowd_of[member] as usize);
         }
         let k = begins[1..].partition_point(|end| *end <= p);
-        let (p, size, width) = (p - begins[k], SMALL[k], SMALL[k] * LANES);
+        let p = p - begins[k];
+        let size = SMALL[k];
+        let width = size * LANES;
         let before = p / width * width;
         let first = before + p % LANES * size;
         let block = begins[k] + before..begins[k] + before + width;
@@ -123,8 +126,10 @@ impl Groups {
 impl Group<'_> {
     /// Whether the pair of particles `i` and `k` is computed.
     pub(crate) fn computes(&self, i: u32, k: u32) -> bool {
-        let local = |index| self.members.iter().position(|&member| member == index);
-        let (Some(a), Some(b)) = (local(i), local(k)) else { return false };
+        let [Some(a), Some(b)] = [i, k].map(|index| self.members.iter().position(|&m| m == index))
+        else {
+            return false;
+        };
         self.pairs.binary_search(&[a.min(b) as u32, a.max(b) as u32]).is_ok()
     }
 }

@@ -25,20 +25,23 @@ pub(crate) fn run_together<const M: usize>(
         let group = &groups[l.min(groups.len() - 1)];
         for m in 0..M {
             let i = group[m] as usize;
-            (x[m][l], y[m][l]) = (start.x[i], start.y[i]);
-            (u[m][l], v[m][l]) = (start.vx[i], start.vy[i]);
+            x[m][l] = start.x[i];
+            y[m][l] = start.y[i];
+            u[m][l] = start.vx[i];
+            v[m][l] = start.vy[i];
         }
     }
-    let (x0, y0, u0, v0) = (x, y, u, v);
+    let [x0, y0, u0, v0] = [x, y, u, v];
     let mut deviation = [[0.0; LANES]; M];
     let mut outside = [0_u64; LANES];
     let Span { steps, dt, size } = *span;
     for step in 1..=steps {
-        let (mut ax, mut ay) = ([[0.0; LANES]; M], [[0.0; LANES]; M]);
+        let [mut ax, mut ay] = [[[0.0; LANES]; M]; 2];
         for a in 0..M {
             for b in a + 1..M {
                 for l in 0..LANES {
-                    let (dx, dy) = (x[b][l] - x[a][l], y[b][l] - y[a][l]);
+                    let dx = x[b][l] - x[a][l];
+                    let dy = y[b][l] - y[a][l];
                     let r2 = dx * dx + dy * dy;
                     let near = coefficient(r2);
                     let coef = if r2 <= CUTOFF * CUTOFF { near } else { 0.0 };

@@ -88,7 +88,8 @@ impl<R: Rules, O: Observer> Planned<R, O> {
         self.adopt(plan::<R>(self.plain.bodies(), self.fixed_steps, self.divide));
         if self.plan.strategy != Strategy::List {
             self.window = Window::of(self.plain.bodies().clone());
-            (self.span.steps, self.into) = (0, 0);
+            self.span.steps = 0;
+            self.into = 0;
         }
     }
 
@@ -172,7 +173,9 @@ impl<R: Rules, O: Observer> Simulation for Planned<R, O> {
         self.crew.engage(scene.len());
         self.plain = NeighbourList::new(self.crew.clone(), 0.0, self.divide);
         self.counts = WindowCounts::default();
-        (self.into, self.steps, self.span) = (0, 0, Span { steps: 0, dt: 0.0, size: self.size });
+        self.into = 0;
+        self.steps = 0;
+        self.span = Span { steps: 0, dt: 0.0, size: self.size };
         self.statistics = None;
         self.log.clear();
         self.seen.replace(None);

@@ -43,7 +43,8 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     let extent = Extent::of(bodies);
     let density = density(bodies, &extent);
     let neighbours = density * PI * CUTOFF * CUTOFF;
-    let (mean, fastest) = (Sample::of(bodies, 4096).mean(), bodies.fastest());
+    let mean = Sample::of(bodies, 4096).mean();
+    let fastest = bodies.fastest();
     let steps = if fixed > 0 { fixed } else { divided(R::window_length(density, mean), divide) };
     // The list of a window looks as far as the fastest goes; lab 10's leaves that one out.
     let far = CUTOFF + 2.0 * fastest * f64::from(steps) * DT;

@@ -34,11 +34,12 @@ impl<R: Rules> NullaryFnOnce for Approach<'_, R> {
         found.watched.clear();
         found.tested = pairs.iter().map(|pairs| pairs.len() as u64).sum();
         let n = bodies.len();
-        let (x, y) = (&bodies.x[..n], &bodies.y[..n]);
-        let (vx, vy) = (&bodies.vx[..n], &bodies.vy[..n]);
-        let (near, time) = (layout.near(), layout.span.forces());
-        let (near, aside) = (near * near, layout.watched() * layout.watched());
-        let (mut close, mut watched) = ([[0; 2]; ROOM], [[0; 2]; ROOM]);
+        let [x, y] = [&bodies.x[..n], &bodies.y[..n]];
+        let [vx, vy] = [&bodies.vx[..n], &bodies.vy[..n]];
+        let time = layout.span.forces();
+        let near = layout.near() * layout.near();
+        let aside = layout.watched() * layout.watched();
+        let [mut close, mut watched] = [[[0; 2]; ROOM]; 2];
         let [mut dx, mut dy, mut wx, mut wy, mut closest] = [[0.0; ROOM]; 5];
         let within = (CUTOFF + layout.skin(1.0)).powi(2) * (1.0 + 1e-9);
         let mut near_now = [[0; 2]; ROOM];
@@ -48,13 +49,16 @@ impl<R: Rules> NullaryFnOnce for Approach<'_, R> {
             let some = &near_now[..len];
             for (k, pair) in some.iter().enumerate() {
                 let [i, j] = pair.map(|i| i as usize);
-                (dx[k], dy[k]) = (x[j] - x[i], y[j] - y[i]);
-                (wx[k], wy[k]) = (vx[j] - vx[i], vy[j] - vy[i]);
+                dx[k] = x[j] - x[i];
+                dy[k] = y[j] - y[i];
+                wx[k] = vx[j] - vx[i];
+                wy[k] = vy[j] - vy[i];
             }
             for k in 0..some.len().next_multiple_of(8) {
                 closest[k] = R::closest_squared(dx[k], dy[k], wx[k], wy[k], time);
             }
-            let (mut closes, mut asides) = (0, 0);
+            let mut closes = 0;
+            let mut asides = 0;
             for (pair, &closest) in some.iter().zip(&closest) {
                 // Never beyond the end, and this way the compiler knows.
                 close[closes & (ROOM - 1)] = *pair;

@@ -38,11 +38,16 @@ impl Listed {
         }
         let skin = layout.skin(layout.lasting(density));
         let tested = list.rebuild(bodies, skin, layout.span.size, workers);
-        (*x, *y, *moved) = (bodies.x.clone(), bodies.y.clone(), 0.0);
-        let (least, most) = (0.5 * skin, layout.span.size - 0.5 * skin);
-        let is_near = |x: f64, y: f64| !(x >= least && x <= most && y >= least && y <= most);
+        x.clone_from(&bodies.x);
+        y.clone_from(&bodies.y);
+        *moved = 0.0;
+        let inside = 0.5 * skin..=layout.span.size - 0.5 * skin;
         by_walls.clear();
-        by_walls.extend((0..x.len()).filter(|&i| is_near(x[i], y[i])).map(|i| i as u32));
+        for (i, (x, y)) in (0..).zip(x.iter().zip(y)) {
+            if !(inside.contains(x) && inside.contains(y)) {
+                by_walls.push(i);
+            }
+        }
         Some(tested)
     }
 
@@ -55,16 +60,20 @@ impl Listed {
 
 /// How far one of `bodies` is from where it stood at (`x`, `y`), at most.
 fn farthest(bodies: &Bodies, x: &[f64], y: &[f64]) -> f64 {
-    let off = |now: &[f64], then: &[f64]| -> [f64; EIGHT] {
-        std::array::from_fn(|l| if l < now.len() { now[l] - then[l] } else { 0.0 })
-    };
     let mut most = [0.0; EIGHT];
     let now = bodies.x.chunks(EIGHT).zip(bodies.y.chunks(EIGHT));
     for ((now_x, now_y), (x, y)) in now.zip(x.chunks(EIGHT).zip(y.chunks(EIGHT))) {
-        let (dx, dy) = (off(now_x, x), off(now_y, y));
+        let dx = off(now_x, x);
+        let dy = off(now_y, y);
         for l in 0..EIGHT {
             most[l] = larger(dx[l] * dx[l] + dy[l] * dy[l], most[l]);
         }
     }
     most.into_iter().fold(0.0, f64::max).sqrt()
+}
+
+/// How far each of up to eight coordinates is off.
+#[inline(always)]
+fn off(now: &[f64], then: &[f64]) -> [f64; EIGHT] {
+    std::array::from_fn(|l| if l < now.len() { now[l] - then[l] } else { 0.0 })
 }

@@ -70,11 +70,13 @@ impl Search<'_> {
     ) -> u64 {
         let Self { bodies, listed, layout: Layout { span, reach, .. } } = *self;
         let Some(cells) = &listed.list.cells else { return 0 };
-        let (path, time) = (span.path::<R>(&bodies.get(i as usize)), span.forces());
+        let path = span.path::<R>(&bodies.get(i as usize));
+        let time = span.forces();
         // The cells know where a particle stood when it was listed.
         let pad = CUTOFF + path.spread + most + span.rounding() + reach + listed.moved;
         let far = CUTOFF + path.spread + most + span.rounding() + 2.0 * reach;
-        let (dx, dy) = (path.wx * time, path.wy * time);
+        let dx = path.wx * time;
+        let dy = path.wy * time;
         let mut rows = cells.rows_of(&[
             path.x + dx.min(0.0) - pad,
             path.x + dx.max(0.0) + pad,
@@ -85,7 +87,8 @@ impl Search<'_> {
         while let Some(range) = rows.next(cells) {
             tested += range.len() as u64;
             for k in range {
-                let (dx, dy) = (bodies.x[k] - path.x, bodies.y[k] - path.y);
+                let dx = bodies.x[k] - path.x;
+                let dy = bodies.y[k] - path.y;
                 if dx * dx + dy * dy > far * far {
                     continue;
                 }

@@ -33,12 +33,11 @@ impl Band {
         let Self { particles, found, across, walls, .. } = self;
         *particles = block.particles.clone();
         search.flights::<R>(block, found);
-        let meets = |i: &u32| {
-            let k = *i as usize;
-            R::meets_wall(span, bodies.x[k], bodies.y[k], bodies.vx[k], bodies.vy[k])
-        };
         walls.clear();
-        walls.extend(listed.by_walls(particles).iter().filter(|i| meets(i)));
+        walls.extend(listed.by_walls(particles).iter().filter(|&&i| {
+            let k = i as usize;
+            R::meets_wall(span, bodies.x[k], bodies.y[k], bodies.vx[k], bodies.vy[k])
+        }));
         if span.steps > 1 {
             walls.iter().for_each(|&i| search.at_wall::<R>(i, found));
         }

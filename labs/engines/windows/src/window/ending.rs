@@ -3,8 +3,7 @@
 use std::marker::PhantomData;
 
 use common::soft::Observer;
-use neighbour_list::threads::cut;
-use neighbour_list::{Bodies, Workers};
+use neighbour_list::{Bodies, Moving, Workers};
 use pulp::{Arch, NullaryFnOnce};
 
 use super::band::Band;
@@ -69,19 +68,18 @@ impl Window {
         }
         let arch = Arch::new();
         let ends: Vec<usize> = self.bands.iter().map(|band| band.particles.end).collect();
-        let bounds = || ends.iter().copied();
-        let Bodies { x, y, vx, vy, .. } = &mut self.bodies;
-        let axes = cut(x, bounds()).into_iter().zip(cut(vx, bounds()));
-        let axes = axes.zip(cut(y, bounds()).into_iter().zip(cut(vy, bounds())));
-        let work = self.bands.iter().zip(axes).collect();
-        workers.map(work, |(band, ((x, vx), (y, vy))): (&Band, ((&mut [f64], _), _))| {
+        let work = self.bands.iter().zip(self.bodies.split(&ends)).collect();
+        workers.map(work, |(band, moving): (&Band, Moving<'_>)| {
+            let Moving { x, y, vx, vy, .. } = moving;
             arch.dispatch(Fly::<R> { x, v: vx, span, rules: PhantomData });
             arch.dispatch(Fly::<R> { x: y, v: vy, span, rules: PhantomData });
-            let (first, record) = (band.particles.start, &band.batch.record);
+            let record = &band.batch.record;
             band.batch.groups.for_each_member(|slot, i| {
-                let i = i as usize - first;
-                (x[i], y[i]) = (record.x[slot], record.y[slot]);
-                (vx[i], vy[i]) = (record.vx[slot], record.vy[slot]);
+                let i = i as usize - band.particles.start;
+                x[i] = record.x[slot];
+                y[i] = record.y[slot];
+                vx[i] = record.vx[slot];
+                vy[i] = record.vy[slot];
             });
         });
         // A group that was repaired lives on in a later batch.

@@ -41,7 +41,8 @@ impl WindowCounts {
         steps: u64,
         plain: &engine::Counts,
     ) -> Vec<(&'static str, f64)> {
-        let (n, steps) = (n as f64, steps as f64);
+        let n = n as f64;
+        let steps = steps as f64;
         let touched = self.touched as f64 + plain.steps as f64 * n;
         let windows = (self.windows as f64).max(1.0);
         vec![

@@ -115,8 +115,8 @@ impl Window {
         elsewhere.dedup();
         let ends: Vec<usize> = self.bands.iter().map(|band| band.particles.end).collect();
         self.deviation.resize(n, 0.0);
-        let slots = cut(&mut self.slots, ends.iter().copied());
-        let deviations = cut(&mut self.deviation, ends.iter().copied());
+        let slots = cut(&mut self.slots, &ends);
+        let deviations = cut(&mut self.deviation, &ends);
         let mut rest = &elsewhere[..];
         let work = self
             .bands

@@ -45,9 +45,9 @@ impl Window {
 
     /// The watched pairs that touched.
     fn broken_watched<R: Rules>(&self, layout: &Layout, workers: &Workers) -> Vec<Pair> {
-        let off = |i: u32| self.deviation[i as usize];
         let is_broken = |pair: &Pair| {
-            R::too_far_off(0.5 * (off(pair[0]) + off(pair[1])), layout.margin)
+            let [a, b] = pair.map(|i| self.deviation[i as usize]);
+            R::too_far_off(0.5 * (a + b), layout.margin)
                 && !self.computes(*pair)
                 && self.touched::<R>(*pair, &layout.span)
         };
@@ -61,7 +61,8 @@ impl Window {
     /// member, or by no more than `other`. Returns how many were looked at, too.
     fn broken<R: Rules>(&self, batch: &Batch, other: f64, search: &Search<'_>) -> (Vec<Pair>, u64) {
         let Search { layout, .. } = search;
-        let (mut broken, mut tests) = (Vec::new(), 0);
+        let mut broken = Vec::new();
+        let mut tests = 0;
         batch.groups.for_each_member(|_, i| {
             let own = self.deviation[i as usize];
             let other = own.max(other);

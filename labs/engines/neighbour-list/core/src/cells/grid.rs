@@ -56,7 +56,8 @@ impl Extent {
 
 /// Eight at a time: one after another each comparison would wait for the one before.
 fn least_and_most(values: &[f64]) -> (f64, f64) {
-    let (mut least, mut most) = ([f64::MAX; 8], [f64::MIN; 8]);
+    let mut least = [f64::MAX; 8];
+    let mut most = [f64::MIN; 8];
     let eights = values.chunks_exact(8);
     let rest = eights.remainder().iter().enumerate();
     for eight in eights {
@@ -66,7 +67,8 @@ fn least_and_most(values: &[f64]) -> (f64, f64) {
         }
     }
     for (l, &value) in rest {
-        (least[l], most[l]) = (least[l].min(value), most[l].max(value));
+        least[l] = least[l].min(value);
+        most[l] = most[l].max(value);
     }
     (least.into_iter().fold(f64::MAX, f64::min), most.into_iter().fold(f64::MIN, f64::max))
 }

@@ -1,5 +1,6 @@
 //! A grid of cells over the particles, and particles sorted by cell.
 
+mod bands;
 mod grid;
 mod sort;
 mod table;

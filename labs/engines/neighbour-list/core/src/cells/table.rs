@@ -60,7 +60,8 @@ impl Cells {
     #[inline(always)]
     pub fn in_row(&self, row: u32, left: u32, right: u32) -> Range<usize> {
         let first = u64::from(row) * u64::from(self.grid.columns);
-        let (first, last) = (first + u64::from(left), first + u64::from(right));
+        let last = first + u64::from(right);
+        let first = first + u64::from(left);
         match &self.kind {
             Kind::Dense { starts } => {
                 starts[first as usize] as usize..starts[last as usize + 1] as usize
@@ -87,7 +88,8 @@ impl Cells {
     /// The particles of a cell's three rows of three: below, its own, above.
     pub fn around(&self, k: usize) -> [Range<usize>; 3] {
         let (row, column) = self.row_and_column(k);
-        let (left, right) = (column.saturating_sub(1), (column + 1).min(self.grid.columns - 1));
+        let left = column.saturating_sub(1);
+        let right = (column + 1).min(self.grid.columns - 1);
         let row_of = |row: Option<u32>| match row {
             Some(row) if row < self.grid.rows => self.in_row(row, left, right),
             _ => 0..0,
@@ -117,7 +119,8 @@ impl Cells {
     #[inline(never)]
     fn ahead_of(&self, key: u64, i: usize) -> [Range<usize>; 2] {
         let columns = u64::from(self.grid.columns);
-        let (row, column) = ((key / columns) as u32, (key % columns) as u32);
+        let row = (key / columns) as u32;
+        let column = (key % columns) as u32;
         let own = self.in_row(row, column, column + 1);
         [i + 1..own.end, self.in_row(row + 1, column.saturating_sub(1), column + 1)]
     }

@@ -11,7 +11,7 @@ use super::sweep::{Pass, Sweep};
 use crate::kernels::Primitives;
 use crate::list::{Block, Limits, Neighbours};
 use crate::particles::{Bodies, Moving};
-use crate::threads::{Crew, cut};
+use crate::threads::Crew;
 
 /// The engine: the primitives `P` on several threads, seen by an observer `O`.
 #[derive(Default)]
@@ -41,7 +41,8 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
 
     /// Goes on from particles in a box of side `size`.
     pub fn start(&mut self, bodies: Bodies, size: f64) {
-        (self.size, self.bodies) = (size, bodies);
+        self.size = size;
+        self.bodies = bodies;
         self.list.forget();
         self.limits = Limits::default();
     }
@@ -162,20 +163,18 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     }
 
     fn sweep(&mut self, external: External<'_>, is_chosen: impl Fn(&Block) -> bool) {
-        let (dt, size, arch) = (self.dt(), self.size, Arch::new());
+        let dt = self.dt();
+        let size = self.size;
+        let arch = Arch::new();
         let Self { crew, list, limits, bodies, passes, across, observer, .. } = self;
-        let ends = || list.blocks.iter().map(|block| block.particles.end);
-        let positions = cut(&mut bodies.x, ends()).into_iter().zip(cut(&mut bodies.y, ends()));
-        let velocities = cut(&mut bodies.vx, ends()).into_iter().zip(cut(&mut bodies.vy, ends()));
-        let work = list.blocks.iter().zip(passes).zip(positions.zip(velocities));
-        let work = work.filter(|((block, _), _)| is_chosen(block)).collect();
+        let ends: Vec<usize> = list.blocks.iter().map(|block| block.particles.end).collect();
+        let blocks = list.blocks.iter().zip(passes).zip(bodies.split(&ends));
+        let work = blocks.filter(|((block, _), _)| is_chosen(block)).collect();
         let observers = crew.workers().map(
             work,
-            |((block, pass), ((x, y), (vx, vy))): ((&Block, &mut Pass<P>), _)| {
-                let (moving, limit) =
-                    (Moving { x, y, vx, vy }, limits.speed_limit(&block.particles));
+            |((block, pass), moving): ((&Block, &mut Pass<P>), Moving<'_>)| {
+                let limit = limits.speed_limit(&block.particles);
                 let mut observer = O::default();
-                let seen = &mut observer;
                 arch.dispatch(Sweep {
                     block,
                     pass,
@@ -185,7 +184,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
                     dt,
                     size,
                     limit,
-                    observer: seen,
+                    observer: &mut observer,
                 });
                 observer
             },

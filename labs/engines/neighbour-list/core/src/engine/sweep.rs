@@ -42,7 +42,8 @@ impl<O: Observer, P: Primitives> NullaryFnOnce for Sweep<'_, O, P> {
     fn call(self) {
         let Self { block, pass, across, external, mut moving, dt, size, limit, observer } = self;
         let Pass { sums, contacts, fast } = pass;
-        let (start, list) = (block.particles.start, block.pairs());
+        let start = block.particles.start;
+        let list = block.pairs();
         sums.begin(start);
         across.into(&block.particles).for_each(|(j, [x, y])| {
             sums.extend_to(j as usize + 1);

@@ -18,9 +18,13 @@ pub struct Contacts<P> {
 
 impl<P> Default for Contacts<P> {
     fn default() -> Self {
-        let zeros = || Box::new([0.0; ROOM]);
-        let pairs = Box::new([[0; 2]; ROOM]);
-        Self { pairs, dx: zeros(), dy: zeros(), r2: zeros(), primitives: PhantomData }
+        Self {
+            pairs: Box::new([[0; 2]; ROOM]),
+            dx: Box::new([0.0; ROOM]),
+            dy: Box::new([0.0; ROOM]),
+            r2: Box::new([0.0; ROOM]),
+            primitives: PhantomData,
+        }
     }
 }
 
@@ -41,7 +45,8 @@ impl<P: Primitives> Contacts<P> {
             let len = P::filter(some, positions, CUTOFF * CUTOFF, near);
             for (k, pair) in near[..len].iter().enumerate() {
                 let [i, j] = pair.map(|i| i as usize - first);
-                (dx[k], dy[k]) = (x[j] - x[i], y[j] - y[i]);
+                dx[k] = x[j] - x[i];
+                dy[k] = y[j] - y[i];
                 r2[k] = dx[k] * dx[k] + dy[k] * dy[k];
             }
             for k in 0..len.next_multiple_of(EIGHT).min(ROOM) {

@@ -10,7 +10,8 @@ static LANES: [[u64; EIGHT]; 256] = {
     let mut lanes = [[0; EIGHT]; 256];
     let mut set = 0;
     while set < lanes.len() {
-        let (mut len, mut lane) = (0, 0);
+        let mut len = 0;
+        let mut lane = 0;
         while lane < EIGHT {
             if set >> lane & 1 == 1 {
                 lanes[set][len] = (lane as u64) << 32;

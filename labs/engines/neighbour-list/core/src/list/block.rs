@@ -103,12 +103,15 @@ impl<P: Primitives> Kernel for Collect<'_, P> {
     #[inline(always)]
     fn run(self, signs: impl Signs) {
         let Self { block, bodies, cells, reach, .. } = self;
-        (block.has_inner, block.tested) = (false, 0);
-        let (pieces, end) = (block.pieces(), block.particles.end);
+        block.has_inner = false;
+        block.tested = 0;
+        let pieces = block.pieces();
+        let end = block.particles.end;
         let Pairs { inside, pieces: lists, across } = &mut block.outer;
         lists.clear();
         across.clear();
-        let (positions, mut len) = (bodies.positions(), 0);
+        let positions = bodies.positions();
+        let mut len = 0;
         for piece in pieces {
             let mut ahead = piece.end;
             for i in piece {
@@ -151,8 +154,10 @@ impl<P: Primitives> NullaryFnOnce for Filter<'_, P> {
     #[inline(always)]
     fn call(self) {
         let Self { block, bodies, reach, more, .. } = self;
-        let (positions, squared) = (bodies.positions(), reach * reach);
-        let (pieces, end) = (block.pieces(), block.particles.end);
+        let positions = bodies.positions();
+        let squared = reach * reach;
+        let pieces = block.pieces();
+        let end = block.particles.end;
         let Block { outer, inner, .. } = block;
         let before = |end: usize| more.partition_point(|pair| (pair[0] as usize) < end);
         let mut from = 0;

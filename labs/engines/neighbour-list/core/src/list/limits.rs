@@ -56,7 +56,8 @@ impl Limits {
     /// returns the list's skin. If a step takes no particle further than `displacement`, then
     /// `skin(displacement)` is best.
     pub fn renew(&mut self, bodies: &Bodies, dt: f64, size: f64, skin: impl Fn(f64) -> f64) -> f64 {
-        (self.outliers, self.inner) = (Outliers::default(), Budget::default());
+        self.outliers = Outliers::default();
+        self.inner = Budget::default();
         let least = 1e-9 * size;
         self.set(Sample::of(bodies, SAMPLE).all_but_one_in(FEW).max(least), dt);
         let thick = skin(self.displacement);
@@ -69,7 +70,8 @@ impl Limits {
     }
 
     fn set(&mut self, usual: f64, dt: f64) {
-        (self.usual, self.displacement) = (usual, usual * dt);
+        self.usual = usual;
+        self.displacement = usual * dt;
     }
 
     /// Whether there is an inner list.
@@ -99,8 +101,11 @@ impl Limits {
 
     /// The speed limit of the particles in `range`.
     pub fn speed_limit(&self, range: &Range<usize>) -> SpeedLimit<'_> {
-        let (usual, noted) = (self.usual, self.have_inner());
-        SpeedLimit { usual, noted, outliers: self.outliers.among(range) }
+        SpeedLimit {
+            usual: self.usual,
+            noted: self.have_inner(),
+            outliers: self.outliers.among(range),
+        }
     }
 
     /// Notes the particles in `range` that are faster than usual, when a list is new. Without an
@@ -108,7 +113,8 @@ impl Limits {
     pub fn note_fast(&self, bodies: &Bodies, range: Range<usize>, fast: &mut Fast) {
         fast.indices.clear();
         if self.have_inner() {
-            let (vx, vy) = (&bodies.vx[range.clone()], &bodies.vy[range.clone()]);
+            let vx = &bodies.vx[range.clone()];
+            let vy = &bodies.vy[range.clone()];
             self.speed_limit(&range).watch(range.start, vx, vy, fast);
         }
     }
@@ -195,7 +201,8 @@ impl SpeedLimit<'_> {
     #[inline(never)]
     fn note(&self, first: usize, vx: &[f64], vy: &[f64], fast: &mut Fast) {
         for (k, (vx, vy)) in vx.iter().zip(vy).enumerate() {
-            let (index, square) = ((first + k) as u32, vx * vx + vy * vy);
+            let index = (first + k) as u32;
+            let square = vx * vx + vy * vy;
             if square > self.usual * self.usual {
                 let found = self.outliers.binary_search_by_key(&index, |outlier| outlier.index);
                 let ratio = found.map_or(1.0, |k| self.outliers[k].ratio);

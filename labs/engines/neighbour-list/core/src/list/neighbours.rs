@@ -103,7 +103,9 @@ impl<P: Primitives> Neighbours<P> {
         bodies: &Bodies,
         workers: &Workers,
     ) -> u64 {
-        let (reach, arch, primitives) = (self.reach(skin), Arch::new(), self.primitives);
+        let reach = self.reach(skin);
+        let arch = Arch::new();
+        let primitives = self.primitives;
         workers.map(self.blocks.iter_mut().collect(), |block: &mut Block| {
             arch.dispatch(Filter { block, bodies, reach, more, primitives });
         });

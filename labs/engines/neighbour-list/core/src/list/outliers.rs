@@ -66,8 +66,10 @@ impl Outliers {
         }
         for outlier in &mut self.all {
             let i = outlier.index as usize;
-            let (vx, vy) = (bodies.vx[i], bodies.vy[i]);
-            (outlier.x, outlier.y) = (bodies.x[i], bodies.y[i]);
+            let vx = bodies.vx[i];
+            let vy = bodies.vy[i];
+            outlier.x = bodies.x[i];
+            outlier.y = bodies.y[i];
             outlier.ratio = ((vx * vx + vy * vy).sqrt() / usual).max(1.0);
             bodies.x[i] = f64::NAN;
         }
@@ -129,9 +131,10 @@ impl Outlier {
         while let Some(range) = rows.next(cells) {
             *tested += range.len() as u64;
             for k in range {
-                let (dx, dy, k) = (bodies.x[k] - x, bodies.y[k] - y, k as u32);
+                let dx = bodies.x[k] - x;
+                let dy = bodies.y[k] - y;
                 if dx * dx + dy * dy <= reach * reach {
-                    found.push([index.min(k), index.max(k)]);
+                    found.push([index.min(k as u32), index.max(k as u32)]);
                 }
             }
         }
@@ -151,18 +154,27 @@ pub struct Disc {
     pub index: u32,
 }
 
+impl Disc {
+    /// The least x of the disc.
+    fn left(&self) -> f64 {
+        self.x - self.radius
+    }
+}
+
 /// The pairs of `discs` that overlap, the lower index first, and how many pairs were looked at.
 ///
 /// Along x a disc can only overlap discs that begin before it ends.
 pub fn overlapping(mut discs: Vec<Disc>) -> (Vec<[u32; 2]>, u64) {
-    let left = |disc: &Disc| disc.x - disc.radius;
-    discs.sort_unstable_by(|a, b| left(a).total_cmp(&left(b)).then(a.index.cmp(&b.index)));
-    let (mut found, mut tested) = (Vec::new(), 0);
+    discs.sort_unstable_by(|a, b| a.left().total_cmp(&b.left()).then(a.index.cmp(&b.index)));
+    let mut found = Vec::new();
+    let mut tested = 0;
     for (k, a) in discs.iter().enumerate() {
         let right = a.x + a.radius;
-        for b in discs[k + 1..].iter().take_while(|b| left(b) <= right) {
+        for b in discs[k + 1..].iter().take_while(|b| b.left() <= right) {
             tested += 1;
-            let (dx, dy, far) = (b.x - a.x, b.y - a.y, a.radius + b.radius);
+            let dx = b.x - a.x;
+            let dy = b.y - a.y;
+            let far = a.radius + b.radius;
             if dx * dx + dy * dy <= far * far {
                 found.push([a.index.min(b.index), a.index.max(b.index)]);
             }

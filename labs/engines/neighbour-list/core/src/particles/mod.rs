@@ -73,8 +73,10 @@ impl Bodies {
     /// Replaces particle number `i` of the arrays.
     #[inline]
     pub fn set(&mut self, i: usize, particle: Particle) {
-        (self.x[i], self.y[i]) = (particle.x, particle.y);
-        (self.vx[i], self.vy[i]) = (particle.vx, particle.vy);
+        self.x[i] = particle.x;
+        self.y[i] = particle.y;
+        self.vx[i] = particle.vx;
+        self.vy[i] = particle.vy;
         self.id[i] = particle.id;
     }
 
@@ -99,7 +101,25 @@ impl Bodies {
     /// All of them, to be moved.
     #[inline(always)]
     pub fn moving(&mut self) -> Moving<'_> {
-        Moving { x: &mut self.x, y: &mut self.y, vx: &mut self.vx, vy: &mut self.vy }
+        Moving {
+            x: &mut self.x,
+            y: &mut self.y,
+            vx: &mut self.vx,
+            vy: &mut self.vy,
+            id: &mut self.id,
+        }
+    }
+
+    /// Splits the particles at `ends`, ascending, of which the last is their number.
+    pub fn split(&mut self, ends: &[usize]) -> Vec<Moving<'_>> {
+        let mut rest = self.moving();
+        let mut pieces = Vec::with_capacity(ends.len());
+        let mut start = 0;
+        for &end in ends {
+            pieces.push(rest.split_off(end - start));
+            start = end;
+        }
+        pieces
     }
 
     /// Makes room for exactly `n` particles; new ones are zero.

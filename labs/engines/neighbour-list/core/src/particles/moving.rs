@@ -6,7 +6,8 @@ use solution1::bounce;
 
 use crate::kernels::Primitives;
 
-/// Positions and velocities of consecutive particles.
+/// Consecutive particles: a slice of each array of [`Bodies`](super::Bodies).
+#[derive(Default)]
 pub struct Moving<'a> {
     /// Positions along x.
     pub x: &'a mut [f64],
@@ -16,17 +17,31 @@ pub struct Moving<'a> {
     pub vx: &'a mut [f64],
     /// Velocities along y.
     pub vy: &'a mut [f64],
+    /// Their numbers in the scene.
+    pub id: &'a mut [u32],
 }
 
-impl Moving<'_> {
-    /// Those in `range`.
+impl<'a> Moving<'a> {
+    /// The particles in `range`.
     #[inline(always)]
     pub fn part(&mut self, range: Range<usize>) -> Moving<'_> {
         Moving {
             x: &mut self.x[range.clone()],
             y: &mut self.y[range.clone()],
             vx: &mut self.vx[range.clone()],
-            vy: &mut self.vy[range],
+            vy: &mut self.vy[range.clone()],
+            id: &mut self.id[range],
+        }
+    }
+
+    /// Takes the first `len` particles away, and returns them.
+    pub fn split_off(&mut self, len: usize) -> Moving<'a> {
+        Moving {
+            x: split_off(&mut self.x, len),
+            y: split_off(&mut self.y, len),
+            vx: split_off(&mut self.vx, len),
+            vy: split_off(&mut self.vy, len),
+            id: split_off(&mut self.id, len),
         }
     }
 
@@ -36,6 +51,10 @@ impl Moving<'_> {
         advance_along::<P>(self.x, self.vx, ax, dt, size);
         advance_along::<P>(self.y, self.vy, ay, dt, size);
     }
+}
+
+fn split_off<'a, T>(slice: &mut &'a mut [T], len: usize) -> &'a mut [T] {
+    slice.split_off_mut(..len).expect("there are as many")
 }
 
 /// Particles whose walls are tested together.

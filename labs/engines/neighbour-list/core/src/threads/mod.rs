@@ -56,13 +56,13 @@ pub fn pieces(n: usize, target: usize, most: usize) -> usize {
 }
 
 /// Cuts a slice at `ends`, ascending and ending with the slice's length.
-pub fn cut<T>(mut slice: &mut [T], ends: impl IntoIterator<Item = usize>) -> Vec<&mut [T]> {
+pub fn cut<'a, T>(slice: &'a mut [T], ends: &[usize]) -> Vec<&'a mut [T]> {
+    let mut rest = slice;
+    let mut pieces = Vec::with_capacity(ends.len());
     let mut start = 0;
-    ends.into_iter()
-        .map(|end| {
-            let (piece, rest) = std::mem::take(&mut slice).split_at_mut(end - start);
-            (slice, start) = (rest, end);
-            piece
-        })
-        .collect()
+    for &end in ends {
+        pieces.push(rest.split_off_mut(..end - start).expect("ends are in the slice"));
+        start = end;
+    }
+    pieces
 }

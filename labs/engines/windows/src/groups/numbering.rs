@@ -1,0 +1,82 @@
+//! The first step to groups: numbers for the particles, in the order in which they are found.
+
+use neighbour_list::kernels::Pair;
+
+use super::task::Task;
+
+/// A particle without a number.
+const NONE: u32 = u32::MAX;
+
+/// Numbers from 0 on for all particles of a task that are not simply in a couple.
+#[derive(Default)]
+pub(super) struct Numbering {
+    /// For each particle of the task's range the number of its pairs, as far as it matters: 0, 1, or more.
+    degree: Vec<u8>,
+    /// For each of them its number, if it has one.
+    number: Vec<u32>,
+    /// The particle of each number.
+    pub(super) particles: Vec<u32>,
+    /// The numbers below this one are those of particles in pairs that are grouped elsewhere.
+    pub(super) elsewhere: u32,
+    /// The numbers below this one are those of particles whose group is a crowd, or is grouped elsewhere.
+    pub(super) alone: u32,
+    /// The pairs that are no couples, as numbers of particles.
+    pub(super) pairs: Vec<Pair>,
+}
+
+impl Numbering {
+    /// Numbers the particles of a task, and writes its couples to `couples`: pairs whose particles are in no other pair.
+    pub(super) fn number(&mut self, task: &Task<'_>, couples: &mut Vec<u32>) {
+        let first = task.range.start as u32;
+        self.begin(task);
+        // Numbered first, so that the least number of a group tells whether it is grouped elsewhere.
+        self.number_all(task.elsewhere, first);
+        self.elsewhere = self.particles.len() as u32;
+        self.number_all(task.alone, first);
+        self.alone = self.particles.len() as u32;
+        for &pair in task.pairs {
+            let [a, b] = pair.map(|i| self.degree[(i - first) as usize]);
+            if a | b == 1 {
+                couples.extend(pair);
+            } else {
+                let numbers = pair.map(|i| self.number_of(i, first));
+                self.pairs.push(numbers);
+            }
+        }
+        for &i in task.pairs.iter().flatten().chain(task.elsewhere).chain(task.alone) {
+            self.degree[(i - first) as usize] = 0;
+            self.number[(i - first) as usize] = NONE;
+        }
+    }
+
+    /// Counts the pairs of each particle.
+    fn begin(&mut self, task: &Task<'_>) {
+        let n = task.range.len();
+        self.degree.resize(n.max(self.degree.len()), 0);
+        self.number.resize(n.max(self.number.len()), NONE);
+        self.particles.clear();
+        self.pairs.clear();
+        for &i in task.pairs.iter().flatten() {
+            let degree = &mut self.degree[i as usize - task.range.start];
+            *degree = degree.saturating_add(1);
+        }
+    }
+
+    /// Numbers these particles, none of which is in a couple.
+    fn number_all(&mut self, particles: &[u32], first: u32) {
+        for &i in particles {
+            self.degree[(i - first) as usize] = u8::MAX;
+            self.number_of(i, first);
+        }
+    }
+
+    /// The number of a particle, a new one if it has none.
+    fn number_of(&mut self, i: u32, first: u32) -> u32 {
+        let number = &mut self.number[(i - first) as usize];
+        if *number == NONE {
+            *number = self.particles.len() as u32;
+            self.particles.push(i);
+        }
+        *number
+    }
+}

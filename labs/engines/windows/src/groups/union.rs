@@ -1,0 +1,56 @@
+//! The second step to groups: union-find.
+
+use super::numbering::Numbering;
+use crate::rules::Rules;
+
+/// No group of this task: it is grouped elsewhere.
+pub(super) const NO_GROUP: u32 = u32::MAX;
+
+/// The groups that pairs of numbers join.
+#[derive(Default)]
+pub(super) struct Union {
+    /// For each number one of its group that is not greater; the least has itself.
+    parent: Vec<u32>,
+    /// For each number its group.
+    group: Vec<u32>,
+    /// For each group how many members it has. Groups are in the order of their least numbers.
+    pub(super) sizes: Vec<u32>,
+    /// The groups below this one are crowds, whatever their size.
+    pub(super) crowds: usize,
+}
+
+impl Union {
+    /// Joins the numbers of all pairs.
+    pub(super) fn unite<R: Rules>(&mut self, numbering: &Numbering) {
+        let count = numbering.particles.len() as u32;
+        self.parent.clear();
+        self.parent.extend(0..count);
+        for &[a, b] in &numbering.pairs {
+            R::join(&mut self.parent, a, b);
+        }
+        self.group.clear();
+        self.sizes.clear();
+        self.crowds = 0;
+        for number in 0..count {
+            let root = R::root(&mut self.parent, number);
+            let group = if root < numbering.elsewhere {
+                NO_GROUP
+            } else if root == number {
+                self.crowds += usize::from(number < numbering.alone);
+                self.sizes.push(0);
+                self.sizes.len() as u32 - 1
+            } else {
+                self.group[root as usize]
+            };
+            self.group.push(group);
+            if group != NO_GROUP {
+                self.sizes[group as usize] += 1;
+            }
+        }
+    }
+
+    /// The group of a number.
+    pub(super) fn group(&self, number: u32) -> u32 {
+        self.group[number as usize]
+    }
+}
