@@ -67,7 +67,7 @@ impl FromStr for Event {
 }
 
 impl Event {
-    /// Reads a line; `None` if it is no event.
+    /// Reads a line; `None` if it is not an event.
     fn read(line: &str) -> Option<Self> {
         let [rank, step, name, begin, end] = line.split(' ').collect::<Vec<_>>()[..] else {
             return None;

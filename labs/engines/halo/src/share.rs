@@ -25,7 +25,7 @@ pub fn make_share<T: Blocks>(
     (cuts, share)
 }
 
-/// How many of the scene's rows are below row `end` of bins. Both kinds of rows count from the bottom.
+/// The number of rows of the scene below row `end` of bins. Both kinds of rows count from the bottom.
 fn rows_below(grid: &Grid, scene: &CounterParticles, end: usize) -> usize {
     (0..scene.rows()).take_while(|&row| grid.row(scene.y(row)) < end).count()
 }

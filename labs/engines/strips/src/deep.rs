@@ -33,14 +33,14 @@ pub struct Deep<T> {
 }
 // ANCHOR_END: deep
 
-/// The steps for which ghosts were chosen.
+/// The steps that ghosts were chosen for.
 #[derive(Default)]
 pub(crate) struct Epoch {
-    /// How many there are to be; 0 when the epoch is over.
+    /// Number of steps of the epoch; 0 when it is over.
     pub(crate) planned: usize,
-    /// How deep the ghosts were chosen.
+    /// Depth of the ghosts.
     pub(crate) width: f64,
-    /// How far a particle of this rank went at most in each step that was taken.
+    /// The greatest distance that a particle of this rank went, for each step that was taken.
     pub(crate) moves: Vec<f64>,
     /// The share of its list's life that a step takes on this rank, and its own particles.
     pub(crate) own: [f64; 2],

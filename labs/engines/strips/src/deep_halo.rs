@@ -4,25 +4,25 @@ use mpi::topology::SimpleCommunicator;
 
 use crate::partition::Partition;
 
-/// How deep ghosts are chosen, for how many steps without a message, and whether these steps were right.
+/// The depth of ghosts for several steps without a message, and the check whether these steps were right.
 pub trait DeepHalo: Partition {
-    /// How far from a strip its ghosts come that are moved for `steps` steps without a message, if no particle goes
-    /// further than `fastest` in one.
+    /// The greatest distance of a ghost from the strip, if a rank is to take `steps` steps without a message and no
+    /// particle goes further than `fastest` in a step.
     fn deep_width(fastest: f64, steps: u32) -> f64;
 
-    /// How many steps an epoch should have: from 1 to `outlook.most`.
+    /// The number of steps that an epoch should have: from 1 to `outlook.most`.
     fn best_depth(outlook: Outlook) -> u32;
 
-    /// How many of the `steps` steps that all ranks have taken with ghosts `width` deep are right, at least 1 and on
-    /// all ranks the same. `said` begins with how far the furthest own particle went in each of them; afterwards each
-    /// of its numbers is the greatest that any rank said.
+    /// The number of steps that are right, of the `steps` that all ranks have taken with ghosts `width` deep. It is at
+    /// least 1 and the same on all ranks. `said` begins with the greatest distance that a particle of this rank went in
+    /// each step; afterwards each number of it is the greatest of all ranks.
     fn confirm(world: &SimpleCommunicator, said: &mut [f64], steps: usize, width: f64) -> usize;
 }
 
-/// The facts on which the cheapest length of an epoch depends.
+/// The facts that decide the cheapest length of an epoch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlook {
-    /// How far the fastest particle of all goes in a step.
+    /// Distance that the fastest particle of all goes in a step.
     pub fastest: f64,
     /// Height of a strip.
     pub height: f64,

@@ -1,4 +1,4 @@
-//! Ghosts for several steps, whose positions are sent in each of them.
+//! Ghosts that last several steps. Their positions are sent in each step.
 
 use std::ops::Range;
 
@@ -8,22 +8,24 @@ use neighbour_list::kernels::{Pair, Positions};
 
 use crate::partition::Partition;
 
-/// How ghosts are chosen for several steps, and how their positions are sent in each of them.
+/// The choice of ghosts for several steps, and the messages with their positions in each step.
 pub trait Halo: Partition {
-    /// How far from a strip its ghosts come that last `steps` steps, if no particle goes further than `fastest` in one.
+    /// The greatest distance of a ghost from the strip, if ghosts are to last `steps` steps and no particle goes further
+    /// than `fastest` in a step.
     fn ghost_width(fastest: f64, steps: u32) -> f64;
 
-    /// For how many steps ghosts should be chosen: from 1 to `scenery.most`.
+    /// The number of steps that ghosts should last: from 1 to `scenery.most`.
     fn best_steps(scenery: Scenery) -> u32;
 
     /// The particles that a partner needs: the indices in `y`, ascending, of all no further than `width` from its
     /// `strip`.
     fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32>;
 
-    /// The pairs within `reach` of an own particle and a ghost, ascending in the own particle.
+    /// The pairs of a particle of this rank and a ghost within `reach`, ascending in the first particle.
     fn pairs_across(own: Positions<'_>, ghosts: Positions<'_>, reach: f64) -> Vec<Pair>;
 
-    /// Sends `sent[k]` to rank `partners[k]`, fills `received[k]` with what that rank sends, and calls `meanwhile` once.
+    /// Sends `sent[k]` to rank `partners[k]`, fills `received[k]` with the positions from that rank, and calls `meanwhile`
+    /// once.
     fn exchange_positions(
         world: &SimpleCommunicator,
         partners: &[Rank],
@@ -32,9 +34,9 @@ pub trait Halo: Partition {
         meanwhile: impl FnOnce(),
     );
 
-    /// Whether all ranks rebuild their lists before the next forces, on all ranks the same: if on any of them its own
-    /// `list_has_expired`, or its ghosts have, which were chosen `width` wide, since when an own particle may have
-    /// `moved` so far.
+    /// Whether all ranks rebuild their lists before the next forces. The answer is the same on all ranks: yes, if on any of
+    /// them `list_has_expired`, or if ghosts have expired there. They were chosen `width` wide, and since then a particle of
+    /// that rank may have `moved` so far.
     fn must_renew(
         world: &SimpleCommunicator,
         list_has_expired: bool,
@@ -43,10 +45,10 @@ pub trait Halo: Partition {
     ) -> bool;
 }
 
-/// The facts on which the cheapest number of steps depends.
+/// The facts that decide the cheapest number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scenery {
-    /// How far the fastest particle of all goes in a step.
+    /// Distance that the fastest particle of all goes in a step.
     pub fastest: f64,
     /// Particles per area, where they stand closest.
     pub density: f64,

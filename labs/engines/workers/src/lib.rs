@@ -53,7 +53,7 @@ impl Workers {
         Self::new(threads).unwrap_or_default()
     }
 
-    /// How many threads there are.
+    /// The number of threads.
     pub fn count(&self) -> usize {
         match self {
             Self::One => 1,

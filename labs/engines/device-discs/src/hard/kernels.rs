@@ -9,16 +9,16 @@ use wgpu::Buffer;
 
 /// A search on the device whose list of candidates grows.
 pub trait Search {
-    /// Runs the kernels on some rows and returns how many candidates they found.
+    /// Runs the kernels on some rows and returns the number of candidates found.
     fn run(&mut self, rows: Range<u32>) -> u64;
 
-    /// How many candidates the list has room for.
+    /// The number of candidates that the list has room for.
     fn capacity(&self) -> u64;
 
     /// Makes room for at least `count` candidates. What the list held is lost.
     ///
     /// # Errors
-    /// The device has not the memory for them.
+    /// The device has too little memory for them.
     fn grow(&mut self, count: u64) -> Result<(), GpuError>;
 
     /// Adds the first `count` candidates of the list to `found`.
@@ -34,7 +34,7 @@ pub struct Launches<'a> {
 }
 
 impl<'a> Launches<'a> {
-    /// The kernels, bound to their buffers, in the order in which they run.
+    /// The kernels in their order, bound to their buffers.
     pub fn kernels(&self) -> &'a [Bound] {
         self.kernels
     }
@@ -44,7 +44,7 @@ impl<'a> Launches<'a> {
         self.launch
     }
 
-    /// The buffer in which the kernels count the candidates, one u32.
+    /// The buffer for the number of candidates, one u32.
     pub fn count(&self) -> &'a Buffer {
         self.count
     }

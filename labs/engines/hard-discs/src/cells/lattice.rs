@@ -23,7 +23,7 @@ pub(super) struct Lattice {
     pub(super) in_lanes: bool,
 }
 
-/// How many cells of about this length there are between two coordinates.
+/// The number of cells of about this length between two coordinates.
 fn cells_along((low, high): (f64, f64), length: f64) -> f64 {
     ((high - low) / length).ceil().clamp(1.0, MOST)
 }

@@ -1,7 +1,7 @@
 //! Simple loops over discs, cut into pieces of equal length that workers share.
 //!
-//! They are the loops (does a disc hit a wall, where does it go) that «do not allow much difference», as the CS3210 report
-//! says. The pieces are the same for any number of threads.
+//! The CS3210 report says of these loops (does a disc hit a wall, where does it go) that they «do not allow much
+//! difference». The pieces are the same for any number of threads.
 
 use workers::Workers;
 
@@ -21,7 +21,7 @@ pub(crate) fn for_each<T: Send>(
     });
 }
 
-/// What `work` makes of each piece of the items and the index of its first one.
+/// Calls `work` with each piece of the items and the index of its first item, and returns the results.
 pub(crate) fn map_pieces<T: Sync, U: Send>(
     workers: &Workers,
     items: &[T],
@@ -31,7 +31,7 @@ pub(crate) fn map_pieces<T: Sync, U: Send>(
     workers.map(pieces, |(k, piece): (usize, &[T])| work(k * PIECE, piece))
 }
 
-/// Appends to `out`, in order, what `find` makes of every item and its index.
+/// Appends to `out`, in order, the results of `find` for every item and its index.
 pub(crate) fn collect<T: Sync, U: Send>(
     workers: &Workers,
     items: &[T],

@@ -22,7 +22,7 @@ type Built = Result<Box<dyn Simulation>, BuildError>;
 /// Builds the program that moves particles at rest by [`Primitives::drift`].
 ///
 /// # Errors
-/// There are none.
+/// It never fails.
 pub fn drift<P: Primitives>(_: &Config) -> Built {
     of(|data| dispatch(Drift(data, PhantomData::<P>)), false)
 }
@@ -30,7 +30,7 @@ pub fn drift<P: Primitives>(_: &Config) -> Built {
 /// Builds the program that makes the same move without walls.
 ///
 /// # Errors
-/// There are none.
+/// It never fails.
 pub fn plain(_: &Config) -> Built {
     of(|data| dispatch(Plain(data)), false)
 }
@@ -38,7 +38,7 @@ pub fn plain(_: &Config) -> Built {
 /// Builds the program that lists pairs by [`Primitives::collect`], for the parameter [`DRAWN`].
 ///
 /// # Errors
-/// There are none.
+/// It never fails.
 pub fn collect<P: Primitives>(config: &Config) -> Built {
     of(|data| dispatch(Collect(data, PhantomData::<P>)), is_drawn(config))
 }
@@ -46,7 +46,7 @@ pub fn collect<P: Primitives>(config: &Config) -> Built {
 /// Builds the program that filters pairs by [`Primitives::filter`], for the parameter [`DRAWN`].
 ///
 /// # Errors
-/// There are none.
+/// It never fails.
 pub fn filter<P: Primitives>(config: &Config) -> Built {
     of(|data| dispatch(Filter(data, PhantomData::<P>)), is_drawn(config))
 }
@@ -71,20 +71,20 @@ fn is_drawn(config: &Config) -> bool {
 /// Particles that are moved by one call, as in the engines.
 const CHUNK: usize = 64;
 
-/// Passes until the same pairs are at the same distances again. A processor knows by heart what it has seen in the pass before.
+/// Passes until all pairs are at the same distances again. With fewer a processor learns the branches by heart.
 const SHIFTS: usize = 512;
 
-/// The data of a loop: particles at rest, on which no force acts, so that every step is alike.
+/// The data of a loop. The particles are at rest and no force acts, so every step does the same work.
 struct Loop {
     bodies: Bodies,
     size: f64,
     /// No acceleration.
     zeros: Vec<f64>,
     pairs: Vec<Pair>,
-    /// Whether chance decides what is near, and how many particles are compared.
+    /// Whether chance decides which particles are near, and how many are compared.
     drawn: bool,
     passes: usize,
-    /// Pairs that were near, and chunks with a particle outside, so that nobody can leave the work out.
+    /// Number of pairs that were near and of chunks with a particle outside. So the compiler cannot leave the work out.
     found: u64,
     pass: fn(&mut Self),
 }

@@ -1,4 +1,4 @@
-//! The third step to groups: their members and pairs in the order in which they are computed.
+//! The third step to groups: members and pairs in the order of the computation.
 
 use neighbour_list::Bodies;
 use neighbour_list::kernels::Pair;
@@ -119,7 +119,7 @@ fn sort_pairs(groups: &mut Groups, ends: &[u32]) {
     groups.pairs.truncate(kept);
 }
 
-/// Where each of several runs of the given lengths starts.
+/// The starts of several runs of these lengths, one behind the other.
 fn running_starts(lengths: &[u32]) -> Vec<u32> {
     let mut start = 0;
     let mut starts = Vec::with_capacity(lengths.len());

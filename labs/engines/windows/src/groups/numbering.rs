@@ -1,4 +1,4 @@
-//! The first step to groups: numbers for the particles, in the order in which they are found.
+//! The first step to groups: numbers for the particles, from 0 on, in the order of the task.
 
 use neighbour_list::kernels::Pair;
 
@@ -10,7 +10,7 @@ const NONE: u32 = u32::MAX;
 /// Numbers from 0 on for all particles of a task that are not simply in a couple.
 #[derive(Default)]
 pub(super) struct Numbering {
-    /// For each particle of the task's range the number of its pairs, as far as it matters: 0, 1, or more.
+    /// For each particle of the task's range the number of its pairs, up to 255.
     degree: Vec<u8>,
     /// For each of them its number, if it has one.
     number: Vec<u32>,
@@ -70,7 +70,7 @@ impl Numbering {
         }
     }
 
-    /// The number of a particle, a new one if it has none.
+    /// The number of a particle. A particle without a number gets the next one.
     fn number_of(&mut self, i: u32, first: u32) -> u32 {
         let number = &mut self.number[(i - first) as usize];
         if *number == NONE {

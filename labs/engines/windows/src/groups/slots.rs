@@ -88,15 +88,16 @@ impl Groups {
 
     /// Visits every member: its slot, its index in the sorted order.
     pub(crate) fn for_each_member(&self, mut visit: impl FnMut(usize, u32)) {
-        for ((size, small), begin) in SMALL.into_iter().zip(&self.small).zip(self.begins()) {
-            for (k, group) in small.chunks_exact(size).enumerate() {
-                let slot = begin + k / LANES * LANES * size + k % LANES;
+        let begins = self.begins();
+        for (s, size) in SMALL.into_iter().enumerate() {
+            for (k, group) in self.small[s].chunks_exact(size).enumerate() {
+                let slot = begins[s] + k / LANES * LANES * size + k % LANES;
                 for (m, &i) in group.iter().enumerate() {
                     visit(slot + m * LANES, i);
                 }
             }
         }
-        for (slot, &i) in (self.crowds_begin()..).zip(&self.members) {
+        for (slot, &i) in (begins[SMALL.len()]..).zip(&self.members) {
             visit(slot, i);
         }
     }

@@ -3,17 +3,17 @@
 use super::numbering::Numbering;
 use crate::rules::Rules;
 
-/// No group of this task: it is grouped elsewhere.
+/// The group of a number that is grouped elsewhere.
 pub(super) const NO_GROUP: u32 = u32::MAX;
 
 /// The groups that pairs of numbers join.
 #[derive(Default)]
 pub(super) struct Union {
-    /// For each number one of its group that is not greater; the least has itself.
+    /// For each number a number of its group that is not greater; for the least of a group the least itself.
     parent: Vec<u32>,
     /// For each number its group.
     group: Vec<u32>,
-    /// For each group how many members it has. Groups are in the order of their least numbers.
+    /// The number of members of each group. Groups are in the order of their least numbers.
     pub(super) sizes: Vec<u32>,
     /// The groups below this one are crowds, whatever their size.
     pub(super) crowds: usize,

@@ -26,6 +26,30 @@ pub(crate) struct Band {
     pub(crate) batch: Batch,
 }
 
+/// A band's part of the window's arrays.
+pub(crate) struct Part<'a> {
+    /// The band's particles that are in pairs across its borders.
+    pub(crate) elsewhere: &'a [u32],
+    /// The slot of each of the band's particles, [`FREE`] for a free one.
+    pub(crate) slots: &'a mut [u32],
+    /// How far each of them is off its path.
+    pub(crate) deviation: &'a mut [f64],
+}
+
+impl<'a> Part<'a> {
+    /// Takes away the part of the first particles, and returns it.
+    pub(crate) fn split_off(&mut self, particles: &Range<usize>) -> Self {
+        let count = self.elsewhere.partition_point(|&i| (i as usize) < particles.end);
+        let (elsewhere, rest) = self.elsewhere.split_at(count);
+        self.elsewhere = rest;
+        Self {
+            elsewhere,
+            slots: self.slots.split_off_mut(..particles.len()).expect("a slot for each"),
+            deviation: self.deviation.split_off_mut(..particles.len()).expect("one for each"),
+        }
+    }
+}
+
 impl Band {
     /// Finds all pairs that the band's particles have with particles behind them.
     pub(crate) fn search<R: Rules>(&mut self, search: &Search<'_>, block: &Block) {
@@ -52,16 +76,9 @@ impl Band {
         });
     }
 
-    /// Computes all groups that lie in the band. Particles `elsewhere` are in pairs across its
-    /// borders. `slots` are the slots of the band's particles, [`FREE`] for free ones.
-    pub(crate) fn run<R: Rules>(
-        &mut self,
-        bodies: &Bodies,
-        elsewhere: &[u32],
-        layout: &Layout,
-        slots: &mut [u32],
-        deviation: &mut [f64],
-    ) {
+    /// Computes all groups that lie in the band.
+    pub(crate) fn run<R: Rules>(&mut self, bodies: &Bodies, layout: &Layout, part: Part<'_>) {
+        let Part { elsewhere, slots, deviation } = part;
         let first = self.particles.start;
         let task = Task {
             range: self.particles.clone(),

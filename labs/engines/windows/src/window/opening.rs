@@ -2,11 +2,10 @@
 
 use neighbour_list::kernels::Pair;
 use neighbour_list::list::Block;
-use neighbour_list::threads::cut;
 use neighbour_list::{Bodies, Workers};
 
 use super::WindowCounts;
-use super::band::Band;
+use super::band::{Band, Part};
 use crate::groups::{Batch, FREE, Grouper, Task};
 use crate::rules::Rules;
 use crate::search::{Layout, Listed, Search};
@@ -113,29 +112,18 @@ impl Window {
         let mut elsewhere: Vec<u32> = across.iter().flatten().copied().collect();
         elsewhere.sort_unstable();
         elsewhere.dedup();
-        let ends: Vec<usize> = self.bands.iter().map(|band| band.particles.end).collect();
         self.deviation.resize(n, 0.0);
-        let slots = cut(&mut self.slots, &ends);
-        let deviations = cut(&mut self.deviation, &ends);
-        let mut rest = &elsewhere[..];
-        let work = self
-            .bands
-            .iter_mut()
-            .zip(slots.into_iter().zip(deviations))
-            .map(|(band, arrays)| {
-                let own;
-                let count = rest.partition_point(|&i| (i as usize) < band.particles.end);
-                (own, rest) = rest.split_at(count);
-                (band, arrays, own)
-            })
-            .collect();
+        let mut rest =
+            Part { elsewhere: &elsewhere, slots: &mut self.slots, deviation: &mut self.deviation };
+        let mut work = Vec::with_capacity(self.bands.len());
+        for band in &mut self.bands {
+            let part = rest.split_off(&band.particles);
+            work.push((band, part));
+        }
         let bodies = &self.bodies;
-        workers.map(
-            work,
-            |(band, (slots, deviation), own): (&mut Band, (&mut [u32], &mut [f64]), _)| {
-                band.run::<R>(bodies, own, layout, slots, deviation);
-            },
-        );
+        workers.map(work, |(band, part): (&mut Band, Part<'_>)| {
+            band.run::<R>(bodies, layout, part);
+        });
     }
 
     /// Groups `pairs` and computes them as a batch of their own. Returns how many particles

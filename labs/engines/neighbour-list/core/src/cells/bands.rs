@@ -1,4 +1,4 @@
-//! Bands of cells, each of which is sorted on its own.
+//! Bands of cells. Each band is sorted on its own.
 //!
 //! A band counts its particles into its cells and then fetches them, so no two threads write to the same memory. The order
 //! of the particles depends on neither bands nor threads.
@@ -13,7 +13,7 @@ pub(super) const PIECE: usize = 1024;
 /// The cells of all particles, in their order before the sort.
 pub(super) struct Located<'a> {
     pub(super) cell: &'a [u32],
-    /// The cells that each piece spans.
+    /// For each piece the range of its cells.
     pub(super) spans: Vec<Range<u32>>,
 }
 
@@ -26,19 +26,19 @@ impl Located<'_> {
     }
 }
 
-/// Some cells that follow each other, and the room for their particles.
+/// Consecutive cells, and the room for their particles.
 #[derive(Default)]
 pub(super) struct Band<'a> {
     /// The first cell.
     first: u32,
-    /// For each cell the number of its particles, and then where they end.
+    /// For each cell the number of its particles, and later the index at which they end.
     counts: &'a mut [u32],
     pub(super) to: Moving<'a>,
     pub(super) home: &'a mut [u32],
 }
 
 impl<'a> Band<'a> {
-    /// Bands of `length` cells each, whose numbers of particles are to be in `counts`.
+    /// Bands of `length` cells each. `counts` has an entry for each cell.
     pub(super) fn of_cells(counts: &'a mut [u32], length: usize) -> Vec<Self> {
         let bands = (0..).step_by(length).zip(counts.chunks_mut(length));
         bands.map(|(first, counts)| Self { first, counts, ..Self::default() }).collect()
@@ -48,7 +48,7 @@ impl<'a> Band<'a> {
         self.first..self.first + self.counts.len() as u32
     }
 
-    /// Counts the particles in each cell, and returns how many they are in all.
+    /// Counts the particles in each cell, and returns the number of all.
     pub(super) fn count(&mut self, located: &Located<'_>) -> usize {
         let pieces = located.among(self.cells());
         let Self { first, counts, .. } = self;
@@ -96,7 +96,7 @@ impl<'a> Band<'a> {
     }
 }
 
-/// From numbers of particles to where their cells start.
+/// Replaces the numbers of particles by the indices at which their cells start.
 fn to_starts(counts: &mut [u32]) {
     let mut start = 0;
     for count in counts {
@@ -104,7 +104,7 @@ fn to_starts(counts: &mut [u32]) {
     }
 }
 
-/// `to[k] = from[source[k]]`.
+/// Copies: `to[k] = from[source[k]]`.
 fn fetch<T: Copy>(to: &mut [T], from: &[T], source: &[u32]) {
     for (to, &i) in to.iter_mut().zip(source) {
         *to = from[i as usize];

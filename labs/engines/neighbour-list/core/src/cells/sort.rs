@@ -1,4 +1,4 @@
-//! Sorting particles by cell: a counting sort by many threads, or by the occupied cells alone where most are empty.
+//! Sorting particles by cell: a counting sort by many threads, or a sort by occupied cells where most cells are empty.
 
 use std::ops::Range;
 
@@ -80,7 +80,7 @@ impl Sorter {
     }
 }
 
-/// Where each of several runs of these lengths ends.
+/// The ends of several runs of these lengths, one behind the other.
 fn running_ends(lengths: &[usize]) -> Vec<usize> {
     let mut end = 0;
     let mut ends = Vec::with_capacity(lengths.len());
@@ -91,7 +91,7 @@ fn running_ends(lengths: &[usize]) -> Vec<usize> {
     ends
 }
 
-/// Finds the cell of each particle, and for each piece the cells that it spans.
+/// Finds the cell of each particle, and for each piece the range of its cells.
 fn locate(cell: &mut [u32], from: &Bodies, grid: Grid, workers: &Workers) -> Vec<Range<u32>> {
     let arch = Arch::new();
     let long = PIECE * cell.len().div_ceil(PIECE).div_ceil(BANDS);
@@ -103,7 +103,7 @@ fn locate(cell: &mut [u32], from: &Bodies, grid: Grid, workers: &Workers) -> Vec
     spans.into_iter().flatten().collect()
 }
 
-/// From the least to the greatest of some cells.
+/// The range from the least to the greatest of some cells.
 fn span(cell: &[u32]) -> Range<u32> {
     let (least, most) = cell.iter().fold((u32::MAX, 0), |(a, b), &c| (a.min(c), b.max(c)));
     least..most + 1

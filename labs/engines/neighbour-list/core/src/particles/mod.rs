@@ -110,7 +110,7 @@ impl Bodies {
         }
     }
 
-    /// Splits the particles at `ends`, ascending, of which the last is their number.
+    /// Splits the particles at `ends`, which ascend to the number of particles.
     pub fn split(&mut self, ends: &[usize]) -> Vec<Moving<'_>> {
         let mut rest = self.moving();
         let mut pieces = Vec::with_capacity(ends.len());

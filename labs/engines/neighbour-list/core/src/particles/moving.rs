@@ -6,7 +6,7 @@ use solution1::bounce;
 
 use crate::kernels::Primitives;
 
-/// Consecutive particles: a slice of each array of [`Bodies`](super::Bodies).
+/// Consecutive particles that can be moved: a slice of each array of [`Bodies`](super::Bodies).
 #[derive(Default)]
 pub struct Moving<'a> {
     /// Positions along x.

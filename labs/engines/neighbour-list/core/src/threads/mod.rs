@@ -2,11 +2,11 @@
 
 use workers::Workers;
 
-/// The fewest particles that pay for a thread: with fewer it costs more to wake than it does. Measured on
-/// the machine of the book.
+/// The fewest particles that pay for a thread. With fewer, waking the thread takes longer than its work. Measured on the
+/// machine of the book.
 pub const LEAST: usize = 2000;
 
-/// The threads of an engine: as many as pay for the particles of a scene.
+/// The threads of an engine, as many as pay for the particles of a scene.
 #[derive(Clone, Default)]
 pub struct Crew {
     most: usize,
@@ -42,7 +42,7 @@ impl Crew {
         &self.workers
     }
 
-    /// How many threads there may be.
+    /// The greatest number of threads.
     pub fn most(&self) -> usize {
         self.most
     }
