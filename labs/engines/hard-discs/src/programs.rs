@@ -44,9 +44,6 @@ fn engine<C: Step>(finder: impl Find + 'static, choice: Choice, workers: Workers
 }
 
 /// Builds an engine that looks at all pairs, by one thread.
-///
-/// # Errors
-/// It never fails.
 pub fn all_pairs<C: Step>(_: &Config) -> Built {
     engine::<C>(AllPairs::<C>::default(), Choice::Sort, Workers::One)
 }
@@ -90,9 +87,6 @@ fn built<C: Step + ParallelLoops>(
 }
 
 /// Builds an engine with a grid of three levels, by one thread.
-///
-/// # Errors
-/// It never fails.
 pub fn grid<C: Step + BroadPhase + ParallelLoops>(_: &Config) -> Built {
     let grid = Grid::<C>::new(Workers::One, Deal::Blocks);
     engine::<C>(grid, Choice::Sort, Workers::One)

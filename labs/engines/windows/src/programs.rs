@@ -19,9 +19,6 @@ pub const WINDOW: Parameter = Parameter {
 };
 
 /// Builds the engine for the parameters [`WINDOW`] and [`SHARE`], with each official step divided into `divide`.
-///
-/// # Errors
-/// It never fails.
 pub fn planned<R: Rules>(config: &Config, divide: u32) -> Result<Box<dyn Simulation>, BuildError> {
     let steps = config.parameter(WINDOW.name) as u32;
     Ok(observed!(config, Tally, |O| Planned::<R, O>::new(crew(config), steps, divide)))

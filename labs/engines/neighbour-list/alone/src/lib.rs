@@ -20,33 +20,21 @@ pub const DRAWN: Parameter =
 type Built = Result<Box<dyn Simulation>, BuildError>;
 
 /// Builds the program that moves particles at rest by [`Primitives::drift`].
-///
-/// # Errors
-/// It never fails.
 pub fn drift<P: Primitives>(_: &Config) -> Built {
     of(|data| dispatch(Drift(data, PhantomData::<P>)), false)
 }
 
 /// Builds the program that makes the same move without walls.
-///
-/// # Errors
-/// It never fails.
 pub fn plain(_: &Config) -> Built {
     of(|data| dispatch(Plain(data)), false)
 }
 
 /// Builds the program that lists pairs by [`Primitives::collect`], for the parameter [`DRAWN`].
-///
-/// # Errors
-/// It never fails.
 pub fn collect<P: Primitives>(config: &Config) -> Built {
     of(|data| dispatch(Collect(data, PhantomData::<P>)), is_drawn(config))
 }
 
 /// Builds the program that filters pairs by [`Primitives::filter`], for the parameter [`DRAWN`].
-///
-/// # Errors
-/// It never fails.
 pub fn filter<P: Primitives>(config: &Config) -> Built {
     of(|data| dispatch(Filter(data, PhantomData::<P>)), is_drawn(config))
 }
