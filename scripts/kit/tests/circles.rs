@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Packages that still have circles.
-const STILL: [&str; 3] = ["scripts/grading", "scripts/keep", "scripts/student"];
+const STILL: [&str; 3] = ["scripts/grading", "scripts/student", "tests/oracle"];
 
 /// The paths that each module of a package mentions. Modules are called `crate`, `crate::a`, `crate::a::b`.
 type Package = BTreeMap<String, Vec<String>>;

@@ -76,7 +76,7 @@ pub(crate) fn in_a_row(_: &mut Random, ask: &mut impl Ask) {
 
 /// The state after so many steps in a row, and so many more.
 fn state_after(scene: &Scene, parts: &[u64]) -> Vec<f64> {
-    let mut engine = NeighbourList::<NoStatistics, Tasks>::new(Workers::new(2), 0.0, 1);
+    let mut engine = NeighbourList::<NoStatistics, Tasks>::new(Workers::if_possible(2), 0.0, 1);
     engine.load(scene);
     for &steps in parts {
         engine.run(steps);
@@ -149,7 +149,7 @@ pub(crate) fn heating_up(_: &mut Random, ask: &mut impl Ask) {
 }
 
 fn share_of_outliers(scene: &Scene) -> f64 {
-    let mut engine = NeighbourList::<NoStatistics, Tasks>::new(Workers::new(1), 0.0, 1);
+    let mut engine = NeighbourList::<NoStatistics, Tasks>::new(Workers::if_possible(1), 0.0, 1);
     engine.load(scene);
     engine.run(100);
     let counters = engine.counters();
