@@ -72,7 +72,7 @@ pub fn closest_squared(dx: f64, dy: f64, wx: f64, wy: f64, span: f64) -> f64 {
 /// Book: chapter 11, *A margin that is checked*.
 #[inline(always)]
 pub fn too_far_off(deviation: f64, margin: f64) -> bool {
-    // task 11.4: whether the margin held
+    // task 11.4: the check of the margin
     2.0 * deviation > margin
     // end 11.4
 }

@@ -23,7 +23,7 @@ const SWEPT: f64 = 0.14;
 ///
 /// Book: chapter 11, *How long a window*.
 pub fn window_length(density: f64, speed: f64) -> u32 {
-    // task 11.6: how long a window
+    // task 11.6: the length of a window
     let a_step = 2.0 * CUTOFF * SQRT_2 * speed * DT * density;
     if a_step * f64::from(LONGEST) <= SWEPT {
         return LONGEST;

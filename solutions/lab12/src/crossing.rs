@@ -22,7 +22,7 @@ use integrators::Watched;
 ///
 /// Book: chapter 12, *The moment of contact*.
 pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
-    // task 12.3: the moment at which something falls through zero
+    // task 12.3: the moment of a zero crossing
     let close = 1e-12 * (high - low);
     let (mut low, mut high) = (low, high);
     let (mut above, mut below) = (value(low), value(high));
@@ -80,7 +80,7 @@ pub fn first_fall(
     h: f64,
     at: &mut dyn FnMut(f64) -> Watched,
 ) -> Option<f64> {
-    // task 12.4: whether something falls within the step
+    // task 12.4: a zero crossing within the step
     if start.value <= 0.0 && start.slope < 0.0 {
         return Some(0.0);
     }

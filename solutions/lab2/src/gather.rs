@@ -6,9 +6,9 @@ use solution1::add_pair;
 
 /// A sum over the neighbours of a particle, in an order that depends only on their ids.
 ///
-/// All-pairs adds up neighbours in ascending id. Bins find neighbours in the order of memory, and threads
-/// or processes find some neighbours in memory of other threads or processes. If each of them sorts the few neighbours within
-/// the cutoff before it adds, the bits are the same in all cases.
+/// All-pairs adds up neighbours in ascending id. Bins find neighbours in the order in which they are stored.
+/// Threads and processes find some neighbours in the memory of other threads and processes. Sorting the
+/// few neighbours within the cutoff before the sum gives the same bits in all these cases.
 ///
 /// A `Gather` keeps memory from one particle to the next, so make one for each thread and not one for
 /// each particle.

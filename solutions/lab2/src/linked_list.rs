@@ -78,8 +78,8 @@ impl BinLists {
 /// Writes the forward bins of bin (`row`, `column`) into `bins`, and returns their number.
 ///
 /// The forward bins are the neighbouring bins that come after the bin: the bin to its right and the
-/// three bins in the next row, as far as they exist. If every bin handles the pairs inside it and the pairs with its
-/// forward bins, every pair of neighbouring bins is handled once.
+/// three bins in the next row, as far as they exist. If every bin handles the pairs inside it and the
+/// pairs with its forward bins, every pair of neighbouring bins is handled once.
 ///
 /// Compare rows and columns instead of bin numbers. For a bin in the last column, bin + 1 is at the
 /// other end of the next row.
