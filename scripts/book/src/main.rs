@@ -12,14 +12,12 @@ mod markers;
 mod math;
 mod mdbook;
 mod pages;
-
 mod preprocessor;
 mod printed;
 mod query;
 mod reports;
 mod sections;
 mod snippets;
-
 mod variants;
 
 use std::process::ExitCode;
