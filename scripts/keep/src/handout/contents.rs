@@ -37,10 +37,6 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
         starter(kit, lab, &mut files)?;
         tests(kit, lab, &mut files)?;
     }
-    // A fault shows much of an answer: it comes with the next lab.
-    for lab in labs.iter().rev().skip(1) {
-        add_all(kit, &mut files, &kit.starter(*lab).join("faults"))?;
-    }
     for folder in given_folders(kit, labs)? {
         add_all(kit, &mut files, &folder)?;
     }
