@@ -24,7 +24,7 @@ use neighbour_list_core::kernels::{EIGHT, Pair, Positions, Signs, pack};
 /// [`Signs::negative`] takes eight `f32`. Compute in `f64`, and convert only the difference, at the very
 /// end. The conversion keeps the sign of the smallest difference, and a difference of 0 becomes +0.
 ///
-/// Book: chapter 10, *A list that lasts*.
+/// Book: chapter 10, *The neighbours of a particle*.
 #[inline(always)]
 pub fn collect(
     list: &mut [Pair],

@@ -65,7 +65,7 @@ impl<O: Observer> Engine<O> {
     /// 5. Set the skin of the list, and set its displacement to 0. Set the displacement of the inner list
     ///    to infinity.
     ///
-    /// Book: chapter 10, *The loop*.
+    /// Book: chapter 10, *The engine*.
     #[inline(always)]
     pub fn rebuild(&mut self, signs: impl Signs) {
         // task 10.5: a new list
@@ -124,7 +124,7 @@ impl<O: Observer> Engine<O> {
     /// Call the observer's [`seen`](Observer::seen) twice with the squared distance, once for each particle.
     /// Do not call [`tested`](Observer::tested), because the given line below counts the tests.
     ///
-    /// Book: chapter 10, *The loop*.
+    /// Book: chapter 10, *The engine*.
     #[inline(always)]
     pub fn accelerate(&mut self) {
         // task 10.6: forces
@@ -153,7 +153,7 @@ impl<O: Observer> Engine<O> {
     /// 4. Increase the displacement of both lists by the distance that the fastest particle moved in this
     ///    step, plus [`rounding`](Self::rounding).
     ///
-    /// Book: chapter 10, *The loop*.
+    /// Book: chapter 10, *The engine*.
     #[inline(always)]
     pub fn advance(&mut self, signs: impl Signs) {
         // task 10.6b: a step

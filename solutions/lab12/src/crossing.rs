@@ -73,7 +73,7 @@ pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
 /// You may treat a slope of exactly 0 as falling or as rising, because both give the same moment. Only
 /// the first rule needs a slope below 0.
 ///
-/// Book: chapter 12, *What falls, and when*.
+/// Book: chapter 12, *Is there a zero crossing?*.
 pub fn first_fall(
     start: Watched,
     end: Watched,

@@ -22,7 +22,7 @@ use integrators::State;
 /// `accelerations(at, a)` computes the accelerations of all particles at the positions `at`. It
 /// overwrites `a`, which must be as long as `at`. It is expensive, so call it only four times.
 ///
-/// Book: chapter 12, *Four looks*.
+/// Book: chapter 12, *Runge-Kutta*.
 pub fn slopes(start: &State, h: f64, accelerations: &mut dyn FnMut(&[Vec2], &mut [Vec2])) -> State {
     // task 12.2: the slopes of a Runge-Kutta step
     let n = start.at.len();

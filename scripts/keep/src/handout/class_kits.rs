@@ -53,6 +53,7 @@ fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
         (".cargo/config.toml", true),
         (".devcontainer/devcontainer.json", true),
         ("README.md", true),
+        ("AGENTS.md", true),
     ] {
         assert_eq!(kit.path(path).exists(), there, "{path}");
     }

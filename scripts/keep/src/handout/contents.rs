@@ -59,6 +59,7 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
     }
     book::add_pages(kit, labs, &mut files)?;
     files.insert("README.md".into(), readme(kit, labs).into_bytes());
+    files.insert("AGENTS.md".into(), include_bytes!("agents.md").into());
     let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, files.keys().map(PathBuf::as_path))?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
     Ok(files)
