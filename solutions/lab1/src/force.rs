@@ -31,7 +31,7 @@ pub fn pair_acceleration(d: Vec2) -> Option<Vec2> {
     // end 1.1
 }
 
-/// Adds the acceleration that the neighbour at `d` causes to `a`.
+/// Adds to `a` the acceleration that the neighbour at `d` causes.
 ///
 /// Reports a pair within the cutoff to `observer`. An [`Observer`] collects statistics while forces
 /// are computed; the observer of a run without statistics does nothing.

@@ -53,7 +53,7 @@ impl VecBins {
         self.bins.iter().flatten()
     }
 
-    /// Adds a particle to the bin that contains its position.
+    /// Adds a particle to the bin that contains its position. A bin takes any number of particles.
     ///
     /// Book: chapter 2, *Rebuild*.
     #[inline]
