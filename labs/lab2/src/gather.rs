@@ -6,7 +6,7 @@ use solution1::add_pair;
 
 /// A sum over the neighbours of a particle, in an order that depends only on their ids.
 ///
-/// All-pairs adds up neighbours in ascending id. Bins find neighbours in the order in which they are stored.
+/// All-pairs adds up neighbours in ascending id. Bins find neighbours in the order of memory.
 /// Threads and processes find some neighbours in the memory of other threads and processes. Sorting the
 /// few neighbours within the cutoff before the sum gives the same bits in all these cases.
 ///

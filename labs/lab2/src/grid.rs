@@ -10,9 +10,10 @@ use common::soft::{CUTOFF, Particle, Scene};
 /// with few particles in a wide box would have millions of bins.
 const BINS_PER_PARTICLE: usize = 8;
 
-/// The fraction by which bins are wider than the least side.
+/// The margin of the side of a bin, as a fraction of the least side.
 ///
-/// It makes sure that rounding never puts two particles within the cutoff two bins apart.
+/// Bins are wider by this margin, so that rounding never puts two particles within the cutoff two
+/// bins apart.
 const MARGIN: f64 = 1e-9;
 
 /// A square box of side `size`, cut into equal square bins, with as many rows as columns.

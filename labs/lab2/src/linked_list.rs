@@ -91,7 +91,7 @@ pub fn forward(grid: &Grid, row: usize, column: usize, bins: &mut [usize; 4]) ->
 /// half as many pairs. In return, many pairs write the acceleration of a particle. This is
 /// harmless here and becomes the problem of lab 4.
 ///
-/// Results are repeatable, because each acceleration is a sum in the order in which pairs are found.
+/// Results are repeatable, because the program finds the pairs in the same order in every run.
 #[derive(Default)]
 pub struct LinkedList<O> {
     bin_size: f64,

@@ -1,4 +1,4 @@
-//! The engine with which the later labs are compared.
+//! The reference engine for the later labs.
 
 use common::Vec2;
 use common::soft::{Observer, Particle, Scene, Simulation, Statistics, read_by_id};
