@@ -158,7 +158,8 @@ oracle::questions! {
         whole_notices = notices::whole
             => "Notices with any numbers: all that a thread may read while another thread posts them.",
         orderings = notices::orderings
-            => "A notice, with the operations of both threads: a thread that sees the flag raised sees all numbers.",
+            => "A notice, with the operations of both threads: a thread that sees the flag raised sees all numbers, no \
+                ordering is stronger than it needs to be, and the flag is read once.",
     }
 }
 
