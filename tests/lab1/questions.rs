@@ -6,7 +6,7 @@ use lab1::{
     AllPairs, Tally, VARIANTS, bounce, kinetic_energy, momentum, pair_acceleration, pair_potential,
     potential_energy,
 };
-use oracle::scenes::anywhere;
+use oracle::scenes::{self, anywhere};
 use oracle::{
     Ask, Count, Model, Near, Random, Runs, acceleration_of_pair, beside, fold, potential_of_pair,
 };
@@ -185,10 +185,8 @@ fn every_pair(n: f64, found: &[f64]) -> Result<(), String> {
 }
 
 pub(crate) fn at_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
-    let at = |x: f64, y: f64| Particle { x: x * CUTOFF, y: y * CUTOFF, ..Particle::default() };
-    let particles = vec![at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
     let mut engine = AllPairs::<Count>::default();
-    engine.load(&Scene::new(2.0 * CUTOFF, particles).expect("all are in the box"));
+    engine.load(&scenes::at_the_cutoff());
     engine.step();
     let seen = engine.statistics().map_or(0, |s| s.navg) as f64;
     let question = "two particles exactly a cutoff from a third, along x and along y: how many pairs within the \

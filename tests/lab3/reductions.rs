@@ -86,15 +86,11 @@ fn on_any_threads<A: Ask>(
 
 /// The sum block by block, in order.
 fn by_blocks(parts: &[Tally]) -> Statistics {
-    let sum = |parts: &[Tally]| {
-        let mut sum = Tally::default();
-        for part in parts {
-            sum.merge(part);
-        }
-        sum
-    };
-    let blocks: Vec<Tally> = parts.chunks(BLOCK).map(sum).collect();
-    statistics(&sum(&blocks))
+    let mut blocks = vec![Tally::default(); parts.len().div_ceil(BLOCK)];
+    parts.iter().enumerate().for_each(|(i, part)| blocks[i / BLOCK].merge(part));
+    let mut sum = Tally::default();
+    blocks.iter().for_each(|block| sum.merge(block));
+    statistics(&sum)
 }
 
 /// Any order of the additions is right.

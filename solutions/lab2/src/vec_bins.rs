@@ -64,7 +64,7 @@ impl VecBins {
         // end 2.3
     }
 
-    /// Forgets what the bins hold and puts `particles` into them.
+    /// Forgets what the bins hold and puts `particles` into them. Each bin keeps its memory.
     ///
     /// Book: chapter 2, *Rebuild*.
     pub fn refill(&mut self, particles: &[Particle]) {
