@@ -9,6 +9,7 @@
 //!   every reading that the orderings allow.
 //! - [`Lock`]: a mutex with a number, of which a [`Watch`] is told all that happens.
 //! - [`LockOrder`]: a watch that finds a deadlock before it happens, from the order in which locks are taken.
+//! - [`Stopwatch`]: a clock that counts how often it is started.
 //!
 //! # Example
 //!
@@ -34,6 +35,7 @@ mod fence;
 mod lock;
 mod lock_order;
 mod memory;
+mod stopwatch;
 mod word;
 
 pub use atomic::Atomic;
@@ -41,4 +43,5 @@ pub use fence::fence;
 pub use lock::{Guard, Lock, Watch};
 pub use lock_order::LockOrder;
 pub use memory::Memory;
+pub use stopwatch::Stopwatch;
 pub use word::Word;
