@@ -3,7 +3,7 @@
 use common::hard::Disc;
 use hard_discs::Square;
 use lab7::stop_at_wall;
-use oracle::hard::state;
+use oracle::hard::{state, wait_at_wall};
 use oracle::{Ask, Near, Random, beside};
 
 use super::words::{exact, unit, words};
@@ -39,21 +39,14 @@ impl Beyond {
         }
     }
 
-    /// How long it goes back along one axis.
-    fn back(&self, x: f64, v: f64) -> f64 {
-        let inside = x.clamp(self.square.least(), self.square.most());
-        let time = (x - inside) / v;
-        if inside != x && time > 0.0 && time <= 2.0 { time } else { 0.0 }
-    }
-
     /// Where it waits. What stays where it is stays there to the last digit.
     fn waiting(&self) -> Vec<Near> {
-        let Disc { x, y, vx, vy, .. } = self.disc;
-        let time = self.back(x, vx).max(self.back(y, vy));
+        let mut after = self.disc;
+        wait_at_wall(&mut after, self.square.least(), self.square.most());
         let most = 1e3 * self.square.side;
-        let along =
-            |x: f64, v: f64| Near { right: x - time * v, scale: (time * v).abs().min(most) };
-        [along(x, vx), along(y, vy)].into_iter().chain(exact([vx, vy])).collect()
+        let along = |x: f64, right: f64| Near { right, scale: (x - right).abs().min(most) };
+        let [x, y] = [along(self.disc.x, after.x), along(self.disc.y, after.y)];
+        [x, y].into_iter().chain(exact([self.disc.vx, self.disc.vy])).collect()
     }
 }
 

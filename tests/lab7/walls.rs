@@ -29,7 +29,7 @@ impl Room {
         Self { room, square: Square { side: (room + 2) as f64 * unit, radius: unit }, is_plain }
     }
 
-    /// Near a wall or far from it: at rest, on a way that just reaches it or not, outside by a hair.
+    /// Near a wall or far from it: at rest, on a way that just reaches it or not, outside by a hair, at rest there too.
     fn along(&self, random: &mut Random) -> Along {
         let Self { room, square, is_plain } = *self;
         let unit = square.radius;
@@ -44,7 +44,7 @@ impl Room {
             0 => Along { x, v: fast },
             1 => Along { x, v: beside(way)[random.below(3)] },
             2 => Along { x, v: random.between(-1.5, 1.5) * room as f64 * unit },
-            3 => Along { x: outside, v: [slow, fast][random.below(2)] },
+            3 => Along { x: outside, v: [slow, fast, 0.0, -0.0][random.below(4)] },
             _ => Along { x, v: speed },
         }
     }

@@ -8,7 +8,7 @@ type Interruption<T> = Box<dyn Fn(&T) + Send + Sync>;
 /// A count that several threads share.
 ///
 /// A test can have another thread's work done at the worst moments: before and after each `load`, and
-/// before each `store` ([`SharedCount::interrupted`]). Without a test that costs a look at a `None`.
+/// before each `store` and `fetch_add` ([`SharedCount::interrupted`]). Without a test that costs a look at a `None`.
 #[derive(Default)]
 pub struct SharedCount {
     value: AtomicUsize,
@@ -16,7 +16,7 @@ pub struct SharedCount {
 }
 
 impl SharedCount {
-    /// A count from 0 that calls `interruption` before and after each `load` and before each `store`.
+    /// A count from 0 that calls `interruption` before each operation, and after each `load`.
     pub fn interrupted(interruption: impl Fn(&Self) + Send + Sync + 'static) -> Self {
         Self { value: AtomicUsize::new(0), interruption: Some(Box::new(interruption)) }
     }
@@ -46,6 +46,7 @@ impl SharedCount {
             // It is a load.
             return self.load();
         }
+        self.interrupt();
         self.value.fetch_add(more, Ordering::Relaxed)
     }
 
