@@ -72,7 +72,7 @@ impl Places {
 
 /// Two workers take all parts of a loop.
 pub(crate) fn interrupted_queue(random: &mut Random, ask: &mut impl Ask) {
-    for (places, is_long) in Places::drawn(random, 24) {
+    for (places, is_long) in Places::drawn(random, 40) {
         let n = if is_long { 20_000 + 10 * random.below(2) } else { 100 };
         let question = format!(
             "{n} iterations in chunks of 10; another worker takes a part each time when the first is interrupted, {}: \
