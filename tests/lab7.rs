@@ -4,8 +4,6 @@ use lab7::{VARIANTS, choose_windows};
 use oracle::hard::{Runs, scenes};
 use oracle::{Ask, Random};
 
-#[path = "lab7/appends.rs"]
-mod appends;
 #[path = "lab7/boxes.rs"]
 mod boxes;
 #[path = "lab7/cells.rs"]
@@ -32,18 +30,13 @@ mod program;
 mod search_examples;
 #[path = "lab7/steps.rs"]
 mod steps;
-#[path = "lab7/stops.rs"]
-mod stops;
 #[path = "lab7/teams.rs"]
 mod teams;
 #[path = "lab7/walls.rs"]
 mod walls;
-#[path = "lab7/windows.rs"]
-mod windows;
 #[path = "lab7/words.rs"]
 mod words;
 
-use appends::*;
 use boxes::*;
 use cells::*;
 use choices::*;
@@ -56,10 +49,8 @@ use pairs::*;
 use parts::*;
 use search_examples::*;
 use steps::*;
-use stops::*;
 use teams::*;
 use walls::*;
-use windows::*;
 
 oracle::questions! {
     task_7_1 {
