@@ -183,6 +183,12 @@ mod tests {
     }
 
     #[test]
+    fn every_diff_fits_its_answer() {
+        let kit = Kit::find().unwrap();
+        kit.solutions().into_iter().for_each(|lab| _ = read(&kit, lab).unwrap());
+    }
+
+    #[test]
     fn whose_marks_go_with_it_is_read() {
         let section = SECTION.replace("\n\n```r", "\n- also loses: 2.4, 2.7\n\n```r");
         let wrong = parse("2".parse().unwrap(), &section).unwrap();
