@@ -21,7 +21,7 @@ use neighbour_list_core::kernels::{EIGHT, Pair, Positions, Signs, pack};
 /// [`Signs::negative`] takes eight `f32`. Compute in `f64`, and convert only the difference, as the last
 /// thing: that keeps its sign, however small it is, and a difference of 0 is +0.
 ///
-/// Book: chapter 10, *A list that lasts*.
+/// Book: chapter 10, *The neighbours of a particle*.
 #[inline(always)]
 pub fn collect(
     list: &mut [Pair],

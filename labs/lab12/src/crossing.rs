@@ -36,7 +36,7 @@ pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
 /// A slope of exactly 0 may be taken for falling or for rising: both find the same moment. Only the first rule needs
 /// one below 0.
 ///
-/// Book: chapter 12, *What falls, and when*.
+/// Book: chapter 12, *Is there a zero crossing?*.
 pub fn first_fall(
     start: Watched,
     end: Watched,

@@ -63,7 +63,7 @@ impl<O: Observer> Engine<O> {
     ///   pairs behind the new ones: truncate it.
     /// - The list then knows its skin, and its displacement is 0.
     ///
-    /// Book: chapter 10, *The loop*.
+    /// Book: chapter 10, *The engine*.
     #[inline(always)]
     pub fn rebuild(&mut self, signs: impl Signs) {
         // task 10.5: a new list
@@ -118,7 +118,7 @@ impl<O: Observer> Engine<O> {
     /// Call the observer's [`seen`](Observer::seen) with the squared distance twice, once for each of the two.
     /// Do not call [`tested`](Observer::tested): the line below does.
     ///
-    /// Book: chapter 10, *The loop*.
+    /// Book: chapter 10, *The engine*.
     #[inline(always)]
     pub fn accelerate(&mut self) {
         // task 10.6: forces
@@ -147,7 +147,7 @@ impl<O: Observer> Engine<O> {
     /// - Both lists are then older by as far as the fastest particle went in this step, and by
     ///   [`rounding`](Self::rounding).
     ///
-    /// Book: chapter 10, *The loop*.
+    /// Book: chapter 10, *The engine*.
     #[inline(always)]
     pub fn advance(&mut self, signs: impl Signs) {
         // task 10.6b: a step

@@ -16,7 +16,7 @@ use integrators::State;
 /// `accelerations(at, a)` writes the accelerations of all particles at positions `at` into `a`, which
 /// is as long, and overwrites what stands there. It is dear: ask four times.
 ///
-/// Book: chapter 12, *Four looks*.
+/// Book: chapter 12, *Runge-Kutta*.
 pub fn slopes(start: &State, h: f64, accelerations: &mut dyn FnMut(&[Vec2], &mut [Vec2])) -> State {
     // task 12.2: the slopes of a Runge-Kutta step
     let n = start.at.len();
