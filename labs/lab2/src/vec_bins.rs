@@ -60,7 +60,7 @@ impl VecBins {
         todo!("task 2.3: a particle goes into its bin")
     }
 
-    /// Forgets what the bins hold and puts `particles` into them.
+    /// Forgets what the bins hold and puts `particles` into them. Each bin keeps its memory.
     ///
     /// Book: chapter 2, *Rebuild*.
     pub fn refill(&mut self, particles: &[Particle]) {
