@@ -17,7 +17,7 @@ use lab7::{append_atomic, append_locked, next_part};
 use oracle::{Ask, Random, truth, whole};
 
 /// How long a worker waits for another one that may never come.
-const PATIENCE: Duration = Duration::from_secs(3);
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// The places at which the first worker is interrupted, of all at which it can be.
 #[derive(Clone, Copy)]
