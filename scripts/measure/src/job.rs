@@ -34,8 +34,8 @@ pub struct Job {
     /// Whether the program collects statistics, which costs time.
     #[serde(skip)]
     pub statistics: bool,
-    /// Number of steps between two states, which are written after steps 1, 1 + every, 1 + 2 every,
-    /// …; `None` for no states.
+    /// Number of steps between two states, or `None` for no states. The first state is the one
+    /// after step 1.
     #[serde(skip)]
     pub every: Option<u64>,
     /// Whether the program records the activities of each rank.

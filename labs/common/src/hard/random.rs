@@ -34,7 +34,7 @@ impl RandomScene {
         Self { n, side, radius, seed, speeds, within: side - 2.0 * radius }
     }
 
-    /// Changes the magnitude of velocity components to `least` to `greatest`.
+    /// Sets the least and the greatest magnitude of a velocity component.
     #[must_use]
     pub fn with_speeds(self, least: f64, greatest: f64) -> Self {
         Self { speeds: (least, greatest), ..self }

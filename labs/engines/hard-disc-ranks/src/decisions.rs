@@ -7,10 +7,10 @@ use crate::strips::Reach;
 
 /// A rank's knowledge of the decisions of a step.
 ///
-/// It consists of the discs that the rank has, its own and ghosts, the candidates that it has
-/// found, and the news of other ranks. All lists of discs are in ascending order of numbers; a
-/// *slot* is an index into them. Candidates in `queues` name discs by their slots, and all other
-/// candidates name them by their numbers.
+/// The rank knows its own discs and ghosts, the candidates that it has found, and the news of other
+/// ranks. All lists of discs are in ascending order of numbers; a *slot* is an index into them.
+/// Candidates in `queues` name discs by their slots, and all other candidates name them by their
+/// numbers.
 // ANCHOR: decisions
 #[derive(Clone, Debug, Default)]
 pub struct Decisions {

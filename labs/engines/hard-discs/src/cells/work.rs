@@ -55,9 +55,9 @@ pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
 /// Returns the number of windows, weighted by the share of discs, or of pairs, that are free when a
 /// window begins.
 ///
-/// A disc collides once in a step. If it would meet m discs, the share f of free discs falls by f'
-/// = −m f², so f(t) = 1 / (1 + m t). In the first window all discs are free; over the later windows
-/// f and f² are integrated.
+/// A disc collides once in a step. If it would meet m discs, the share f of free discs falls with
+/// the slope −m f², so f(t) = 1 / (1 + m t). In the first window all discs are free; over the later
+/// windows f and f² are integrated.
 fn still_free(meetings: f64, windows: usize) -> (f64, f64) {
     let windows = windows as f64;
     let later = 1.0 - 1.0 / windows;

@@ -21,8 +21,8 @@ pub enum Schedule {
 pub enum Team<'t> {
     /// Threads that exist and wait for work.
     Standing(&'t Workers),
-    /// This number of threads, which are started for this loop and ended after it. OpenMP does the
-    /// same for a parallel loop inside a parallel loop.
+    /// A number of threads that are started for this loop and ended after it. OpenMP does the same
+    /// for a parallel loop inside a parallel loop.
     Fresh(usize),
 }
 

@@ -16,8 +16,7 @@ use crate::scene;
 pub(super) struct Asked<'a> {
     pub(super) scene: &'a Scene,
     pub(super) steps: u64,
-    /// Number of steps between two states: a program writes its states after steps 1, 1 + every, 1
-    /// + 2 every, …
+    /// Number of steps between two states. The first state is the one after step 1.
     pub(super) every: u64,
     /// Length of a step in official steps.
     pub(super) stretch: f64,

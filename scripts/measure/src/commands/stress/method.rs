@@ -18,12 +18,12 @@ pub(super) enum Method {
     Better,
 }
 
-/// The end of a particle's step, and the sum of |a_ij| that acted on it.
+/// A particle at the end of a step, and the sum of |a_ij| that acted on it.
 pub(super) type Expected = (Particle, f64);
 
-/// Greatest error of a step.
+/// Greatest error of a step: |Δx| ≤ position · (1 + 100 dt² |a|), and likewise for the velocity.
 ///
-/// |Δx| ≤ position · (1 + 100 dt² |a|), and the velocity likewise; in addition a share of the effect of the force.
+/// A share of the effect of the force is added to both bounds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Allowed {
     position: f64,
