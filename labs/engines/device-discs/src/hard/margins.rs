@@ -24,7 +24,7 @@ pub struct Margins {
     pub least: f64,
     /// … or above this.
     pub most: f64,
-    /// Whether every pair counts as a candidate, because velocities are too large for these bounds.
+    /// Whether velocities are too large for these bounds, so that every pair is a candidate.
     pub everything: bool,
 }
 

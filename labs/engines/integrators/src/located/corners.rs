@@ -27,7 +27,7 @@ pub(super) struct Corners<'a> {
 }
 
 impl<'a> Corners<'a> {
-    /// Returns the events of the pairs `pairs` in a box of side `size`.
+    /// Makes the walls of a box of side `size` and these pairs of a group in `state`.
     pub(super) fn new(pairs: &'a [(u32, u32)], size: f64, state: &State) -> Self {
         let mut corners = Self { size, pairs, touching: vec![false; pairs.len()] };
         corners.see_contacts(state);

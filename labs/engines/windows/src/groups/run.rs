@@ -28,8 +28,8 @@ impl Group<'_> {
     /// to `out`.
     ///
     /// Members are in the order of their ids, and pairs ascend. So every particle sums over its
-    /// neighbours by ascending id, as all-pairs programs do, and the bits are the same. Each
-    /// observer sees one step; there may be fewer observers than steps.
+    /// neighbours by ascending id, as all-pairs programs do, and the bits are the same.
+    /// `observers` is empty or has an observer for each step.
     fn run<R: Rules, O: Observer>(
         &self,
         start: &Bodies,
