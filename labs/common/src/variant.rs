@@ -84,8 +84,7 @@ pub const fn bitwise<S: ?Sized>(
     Variant { name, about, reproducibility: Reproducibility::Bitwise, parameters, build }
 }
 
-/// Makes a variant that gives the same bits in every run, with different last digits than the naive
-/// program.
+/// Makes a variant with the same bits in every run, but not those of the naive program.
 pub const fn deterministic<S: ?Sized>(
     name: &'static str,
     about: &'static str,

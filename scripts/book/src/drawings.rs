@@ -49,8 +49,9 @@ fn on_either(image: &str, phone: &str) -> String {
     format!("<picture><source media=\"(max-width: 600px)\" srcset=\"{phone}\">{image}</picture>")
 }
 
-/// Returns the width in pixels at which the smallest text of a drawing can be read; `None` if it
-/// has no text.
+/// Returns the width in pixels at which the smallest text of a drawing can be read.
+///
+/// Returns `None` if the drawing has no text.
 fn legible(svg: &str) -> Option<f64> {
     let width = numbers(svg, "viewBox=\"0 0 ").next()?;
     let least = numbers(svg, "font-size").min_by(f64::total_cmp)?;

@@ -1,5 +1,4 @@
-//! The end of a page: the scripts of its figures, and a foot with the licence and a link for
-//! reporting mistakes.
+//! The end of a page: the scripts of its figures, and a foot with the licence.
 
 use std::path::Path;
 

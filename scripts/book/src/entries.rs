@@ -40,8 +40,9 @@ impl<'k> Data<'k> {
         Self { kit, files: BTreeMap::new() }
     }
 
-    /// Returns the entries of a file of book/data, of `published.toml`, or of all files that match
-    /// a name such as `compare-*.json`.
+    /// Returns the entries of a file of book/data, or of `published.toml`.
+    ///
+    /// A name such as `compare-*.json` gives the entries of all files that match.
     ///
     /// # Errors
     /// A file cannot be read.

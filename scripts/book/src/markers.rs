@@ -1,5 +1,4 @@
-//! Markers in chapters, such as `{{#opening 2}}` or `{{#table lab2-race.json}}`, which are replaced
-//! by generated text.
+//! Markers in chapters, such as `{{#opening 2}}`, which are replaced by generated text.
 //!
 //! The list of markers is at [`fill`].
 
@@ -57,8 +56,9 @@ pub(crate) fn fill(data: &mut Data, markdown: &str) -> Result<String> {
     Ok(out)
 }
 
-/// Returns the quiz about the lab and the program in `argument`; empty if the kit has no
-/// known-wrong programs.
+/// Returns the quiz about the lab and the program in `argument`.
+///
+/// The quiz is empty if the kit has no known-wrong programs.
 fn quiz(kit: &Kit, argument: &str) -> Result<String> {
     let (lab, program) = argument.split_once(' ').context("a quiz has a lab and a program")?;
     let lab: Lab = lab.parse().map_err(|e| anyhow!("quiz: {e}"))?;

@@ -1,5 +1,4 @@
-//! Adds a lab's tasks to its chapter: an anchor where each task begins, and folded hints at the end
-//! of its section.
+//! Adds a lab's tasks to its chapter: an anchor where each task begins, and folded hints.
 
 use std::collections::BTreeMap;
 use std::path::Path;

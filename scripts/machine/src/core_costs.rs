@@ -43,8 +43,9 @@ fn scramble<const A: u32, const B: u32, const C: u32>(x: &mut u64) {
     *x ^= *x << C;
 }
 
-/// Measures the nanoseconds of an instruction at the core's greatest rate, with independent integer
-/// operations.
+/// Measures the nanoseconds of an instruction at the core's greatest rate.
+///
+/// The instructions are independent integer operations.
 pub fn instruction() -> f64 {
     nanoseconds_each(ROUNDS * Scrambled::INSTRUCTIONS, || {
         let mut numbers = black_box(Scrambled([1, 2, 3, 4, 5, 6]));

@@ -31,8 +31,8 @@ pub struct NoMpiexec {
 }
 
 impl Mpiexec {
-    /// Finds the launcher: the one that `MPIEXEC` names, or else one in the folder of the compiler,
-    /// or else `mpiexec`.
+    /// Finds the launcher: the one that `MPIEXEC` names, or else one beside the compiler, or else
+    /// `mpiexec`.
     ///
     /// `MPICC` names the compiler that the labs were built with. The launcher and the compiler must
     /// be of the same MPI.
@@ -52,8 +52,9 @@ impl Mpiexec {
         }
     }
 
-    /// Returns the time limit of a job on `ranks` ranks, which takes at most `usual` if waiting
-    /// ranks yield their cores.
+    /// Returns the time limit of a job on `ranks` ranks.
+    ///
+    /// The job takes at most `usual` if waiting ranks yield their cores.
     ///
     /// With MPICH as Debian builds it, they do not: a rank polls for messages until the system
     /// takes its core away, after three or four milliseconds. Each message of a rank without a core
@@ -72,8 +73,9 @@ impl Mpiexec {
     }
 }
 
-/// Returns the launcher of a compiler, such as `/opt/mpi/bin/mpiexec` for `/opt/mpi/bin/mpicc`;
-/// `None` for other names.
+/// Returns the launcher of a compiler: `/opt/mpi/bin/mpiexec` for `/opt/mpi/bin/mpicc`.
+///
+/// Returns `None` for a name without `mpicc`.
 fn beside(compiler: &Path) -> Option<OsString> {
     let name = compiler.file_name()?.to_str()?;
     let launcher = name.replacen("mpicc", "mpiexec", 1);

@@ -33,16 +33,17 @@ pub fn complexity_grade(slope: f64) -> f64 {
     }
 }
 
-/// Returns the strong efficiency: the speed of `workers` workers, as a share of `workers` times the
-/// speed of one.
+/// Returns the strong efficiency: the speed of all workers as a share of `workers` times the speed
+/// of one.
 ///
 /// The arguments are the seconds of one worker and of all workers on the same scene.
 pub fn strong_efficiency(one: f64, workers: usize, all: f64) -> f64 {
     one / (workers as f64 * all)
 }
 
-/// Returns the weak efficiency: one worker's seconds over the seconds of all on a scene that is
-/// larger in proportion.
+/// Returns the weak efficiency: one worker's seconds over the seconds of all on a larger scene.
+///
+/// The scene grows in proportion to the number of workers.
 pub fn weak_efficiency(one: f64, all: f64) -> f64 {
     one / all
 }

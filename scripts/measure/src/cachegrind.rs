@@ -86,8 +86,9 @@ impl Caches {
     }
 }
 
-/// Returns the words that give a program the same addresses in each run, or no words if the system
-/// cannot do that.
+/// Returns the words that give a program the same addresses in each run.
+///
+/// There are none if the system cannot do that.
 ///
 /// Misses and mispredictions depend on the addresses.
 fn same_addresses() -> &'static [&'static str] {

@@ -1,5 +1,5 @@
-//! Options that name the programs of a measurement: a lab and its variants, programs of any labs,
-//! or all soft discs.
+//! Options that name the programs of a measurement: a lab's variants, any programs, or all soft
+//! discs.
 
 use anyhow::{Result, bail, ensure};
 use clap::Args;

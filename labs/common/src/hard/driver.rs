@@ -184,8 +184,7 @@ fn simulate(
     Ok(stepping)
 }
 
-/// Prints the results of the run: as JSON instead of the discs, or in addition, where it does not
-/// disturb the discs.
+/// Prints the results of the run: as JSON instead of the discs, or as text beside the discs.
 fn report(
     variant: &Variant<dyn Simulation>,
     config: &Config,

@@ -18,16 +18,18 @@ pub trait Simulation {
     /// Writes the discs with numbers `first .. first + out.len()` to `out`.
     fn read(&self, first: usize, out: &mut [Disc]);
 
-    /// Returns the names and values of this variant's counters since the scene was loaded, such as
-    /// `("pair tests", 4.5e7)`.
+    /// Returns the names and values of this variant's counters since the scene was loaded.
+    ///
+    /// An example is `("pair tests", 4.5e7)`.
     ///
     /// The program prints them at the end of a run.
     fn counters(&self) -> Vec<(&'static str, f64)> {
         Vec::new()
     }
 
-    /// Returns the activities of all ranks since the scene was loaded, or `None` if the engine does
-    /// not record them.
+    /// Returns the activities of all ranks since the scene was loaded.
+    ///
+    /// Returns `None` if the engine does not record them.
     ///
     /// The option `--events FILE` writes them to a file.
     fn events(&self) -> Option<Vec<Event>> {

@@ -60,16 +60,18 @@ pub trait Simulation {
         None
     }
 
-    /// Returns the names and values of this variant's counters since the scene was loaded, without
-    /// the statistics.
+    /// Returns the names and values of this variant's counters since the scene was loaded.
+    ///
+    /// They do not include the statistics.
     ///
     /// An example is `("lock wait [s]", 0.25)`. The program prints them at the end of a run.
     fn counters(&self) -> Vec<(&'static str, f64)> {
         Vec::new()
     }
 
-    /// Returns the activities of all ranks since the scene was loaded, or `None` if the engine does
-    /// not record them.
+    /// Returns the activities of all ranks since the scene was loaded.
+    ///
+    /// Returns `None` if the engine does not record them.
     ///
     /// The option `--events FILE` writes them to a file.
     fn events(&self) -> Option<Vec<Event>> {

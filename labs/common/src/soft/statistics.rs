@@ -57,8 +57,7 @@ impl Observer for NoStatistics {
     }
 }
 
-/// Makes a boxed engine: with the observer `$tally` if the run collects statistics, otherwise with
-/// [`NoStatistics`].
+/// Makes a boxed engine with the observer `$tally` or, without statistics, [`NoStatistics`].
 ///
 /// `$engine` is compiled for both observers, and calls either of them `$observer`.
 #[macro_export]

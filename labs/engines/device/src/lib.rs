@@ -1,5 +1,4 @@
-//! A graphics processor, driven through [wgpu]: kernels in WGSL, launches, memory, and a clock on
-//! the device.
+//! A graphics processor, driven through [wgpu]: kernels in WGSL, launches, memory, a device clock.
 //!
 //! wgpu is safe and general, and needs many lines. This package reduces it to the host side of
 //! CUDA:

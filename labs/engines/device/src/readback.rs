@@ -21,8 +21,7 @@ pub struct Readback {
 }
 
 impl Readback {
-    /// Submits `work`, waits for it and for all earlier work, and returns the items `range` of each
-    /// of `sources`.
+    /// Submits `work`, waits for all work, and returns the items `range` of each of `sources`.
     pub fn read<T: Pod, const K: usize>(
         &mut self,
         gpu: &Gpu,

@@ -17,8 +17,8 @@ use lab_measure::published::{SOFT_STEPS, scaling};
 use oracle::{acceleration_of_pair, fold};
 use serde::Serialize;
 
-/// Run the CSC581 report's MPI program as it is printed: the bounds of its partition, the losses by
-/// its faults
+/// Run the CSC581 report's MPI program as printed: the bounds of its partition, the losses by its
+/// faults
 #[derive(Parser)]
 #[command(name = "reported")]
 struct Options {

@@ -16,8 +16,8 @@ pub struct Cuts {
 }
 
 impl Cuts {
-    /// Gives each rank `rows / ranks` rows, and the last rank also the remainder: the CSC581
-    /// report's partition.
+    /// Gives each rank `rows / ranks` rows, and the last rank the remainder: the CSC581 report's
+    /// partition.
     pub(crate) fn remainder_last(rows: usize, ranks: usize) -> Self {
         let each = rows / ranks;
         Self { starts: (0..ranks).map(|rank| rank * each).chain([rows]).collect() }
@@ -65,8 +65,9 @@ pub trait Blocks {
     /// order.
     fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2];
 
-    /// Returns the rows of `block` whose particles have all their neighbours on this rank; the box
-    /// has `rows` rows.
+    /// Returns the rows of `block` whose particles have all their neighbours on this rank.
+    ///
+    /// `rows` is the number of rows of the box.
     fn interior_rows(block: &Range<usize>, rows: usize) -> Range<usize>;
 
     /// Sorts particles that left a block with these `neighbours` by their new owners.

@@ -13,8 +13,8 @@ use crate::threads::sum_rows;
 use crate::{Blocks, Halo, Messages, Route, border_rows};
 
 impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
-    /// Sums the forces of the interior rows while ghosts travel, and of the border rows once the
-    /// ghosts have arrived.
+    /// Sums the forces of the interior rows while ghosts travel, and then the forces of the border
+    /// rows.
     ///
     /// All ranks call it together.
     pub(crate) fn sum_forces(&mut self) {
@@ -49,8 +49,8 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         }
     }
 
-    /// Returns the ghosts for each neighbour: the first row for the neighbour before, the last row
-    /// for the one after.
+    /// Returns the ghosts for each neighbour: the first row for the one before, the last row for
+    /// the one after.
     fn border_lists(&self) -> Vec<(Rank, Vec<Ghost>)> {
         let Range { start, end } = self.block;
         let columns = 0..self.own.grid().columns();

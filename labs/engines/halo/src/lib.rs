@@ -1,5 +1,4 @@
-//! Soft discs on ranks: each rank has a block of rows of bins, and receives ghosts from its
-//! neighbours in each step.
+//! Soft discs on ranks: each rank has a block of rows of bins, and ghosts from its neighbours.
 //!
 //! A rank has the particles of its block and nothing else of the scene. It also needs copies,
 //! *ghosts*, of the particles in the next row on either side. The ranks that have those rows send

@@ -18,8 +18,7 @@ use crate::tally::Tally;
 use crate::team::{Messages, Team};
 use crate::wire::DiscWire;
 
-/// The work of ranks with strips: each tests the pairs of its strip, and decides their collisions
-/// with its neighbours.
+/// The work of ranks with strips: each tests the pairs of its strip, and all decide together.
 pub trait Deciding: Messages {
     /// The rules of a collision, and the search for pairs.
     type Rules: Collisions + BroadPhase;

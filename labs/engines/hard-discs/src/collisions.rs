@@ -58,8 +58,8 @@ pub trait Collisions: Sized + Send + Sync + 'static {
     /// before.
     fn wall_hit(a: u32, disc: &Disc, square: Square) -> Option<Candidate>;
 
-    /// Returns the collision of discs number `a` < `b` of this radius in this step, if nothing
-    /// stops them before.
+    /// Returns the collision of discs `a` < `b` of this radius in this step, if nothing stops them
+    /// before.
     fn pair_hit(discs: &[Disc], a: u32, b: u32, radius: f64) -> Option<Candidate>;
 
     /// Returns which of two candidates is taken first. It is a total order.

@@ -13,8 +13,8 @@ use workers::Workers;
 
 /// The order of search, decision and move in a step.
 pub trait Step: Collisions {
-    /// Finds all collisions of a step, chooses among them, and moves the discs of `engine` to the
-    /// end of the step.
+    /// Finds all collisions of a step, chooses among them, and moves the discs to the end of the
+    /// step.
     fn step<F: Find>(engine: &mut Engine<Self, F>);
 }
 
@@ -87,8 +87,8 @@ impl<C: Collisions, F: Find> Engine<C, F> {
         }
     }
 
-    /// Moves all discs to the end of the step: free discs by a whole step, the others by the
-    /// collisions in `taken`.
+    /// Moves all discs to the end of the step: free discs straight, the others by the collisions in
+    /// `taken`.
     pub fn move_discs(&mut self) {
         let free = &self.free;
         for_each(&self.workers, &mut self.discs, |number, disc| {

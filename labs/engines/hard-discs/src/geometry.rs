@@ -65,8 +65,7 @@ pub struct Span {
     pub high: f64,
 }
 
-/// Returns how far a disc's box must reach beyond the path of its centre: the radius and a margin
-/// for rounding.
+/// Returns how far a disc's box must reach beyond its centre's path: the radius and a margin.
 ///
 /// `fastest` is the greatest velocity component of the scene. The boxes of a pair must overlap in
 /// the window of its candidate time, or the pair is missed. With exact numbers the radius would be

@@ -23,8 +23,7 @@ pub fn may_touch(a: &Disc, b: &Disc, radius: f64) -> bool {
 /// registers.
 pub const LANES: usize = 8;
 
-/// Tests the pairs of disc `a` with every disc in `partners`, and calls `found` with each candidate
-/// of this step.
+/// Tests the pairs of disc `a` with `partners`, and calls `found` with each candidate of this step.
 ///
 /// All `partners` have higher numbers than `a`. [`Vec::extend`] with an `Option` would write the
 /// list's length for every pair, and the lists of two threads may share a line of the cache.
@@ -43,8 +42,7 @@ pub fn look_for<C: Collisions>(
     }
 }
 
-/// Tests the pairs of disc `a` with every disc in `partners`, and appends the candidates of this
-/// step to `list`.
+/// Tests the pairs of disc `a` with `partners`, and appends the candidates of this step to `list`.
 pub fn look_along<C: Collisions>(
     discs: &[Disc],
     a: usize,

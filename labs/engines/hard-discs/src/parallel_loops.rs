@@ -19,8 +19,8 @@ pub enum Which {
 
 /// Parallel loops, and an array that threads fill together.
 pub trait ParallelLoops {
-    /// Runs a loop over `0..n`: all threads of a team call `body(worker, part)` for parts that
-    /// together are `0..n`.
+    /// Runs a loop over `0..n`: the threads of a team call `body(worker, part)` for parts of the
+    /// range.
     fn parallel_for(
         n: usize,
         team: Team,

@@ -25,8 +25,9 @@ impl State {
         }
     }
 
-    /// Returns `at + h * slope.at` and `v + h * slope.v`: the state after a straight line along
-    /// `slope` for a time `h`.
+    /// Returns the state after a straight line along `slope` for a time `h`.
+    ///
+    /// It is `at + h * slope.at` and `v + h * slope.v`.
     ///
     /// `slope` has as many particles as the state.
     pub fn along(&self, slope: &Self, h: f64) -> Self {

@@ -1,5 +1,4 @@
-//! The border of a rank: its particles that are ghosts elsewhere, the ghosts that it has, and the
-//! pairs of both.
+//! The border of a rank: its particles that are ghosts elsewhere, its own ghosts, and their pairs.
 
 use common::soft::Observer;
 use mpi::Rank;

@@ -1,5 +1,5 @@
-//! The engine with deep ghosts: a rank moves its ghosts itself, and sends nothing for an epoch of
-//! several steps.
+//! The engine with deep ghosts: a rank moves its ghosts itself, and sends nothing for several
+//! steps.
 //!
 //! A drawing of epochs is in [`epoch`](crate::epoch).
 

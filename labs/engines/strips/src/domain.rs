@@ -49,8 +49,9 @@ pub(crate) struct Counts {
     pub(crate) ghosts: u64,
 }
 
-/// Returns the number of steps that all lists should last; `wear` is the greatest
-/// [`wear`](Domain::wear) of all ranks.
+/// Returns the number of steps that all lists should last.
+///
+/// `wear` is the greatest [`wear`](Domain::wear) of all ranks.
 pub(crate) fn lists_last(wear: f64) -> u32 {
     (1.0 / wear).clamp(1.0, LONGEST).round() as u32
 }

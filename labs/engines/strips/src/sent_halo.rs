@@ -18,12 +18,14 @@ pub trait Halo: Partition {
     /// Returns the number of steps that ghosts should last: from 1 to `scenery.most`.
     fn best_steps(scenery: Scenery) -> u32;
 
-    /// Returns the particles that a partner needs: the indices in `y` of all within `width` of its
-    /// `strip`, ascending.
+    /// Returns the particles that a partner needs: the indices in `y` within `width` of its
+    /// `strip`.
+    ///
+    /// The indices ascend.
     fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32>;
 
-    /// Returns the pairs of a particle of this rank and a ghost within `reach`, ascending by the
-    /// first particle.
+    /// Returns the pairs of a particle of this rank and a ghost within `reach`, by the first
+    /// particle.
     fn pairs_across(own: Positions<'_>, ghosts: Positions<'_>, reach: f64) -> Vec<Pair>;
 
     /// Sends `sent[k]` to rank `partners[k]` and receives its positions in `received[k]`. Calls

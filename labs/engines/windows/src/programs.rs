@@ -18,8 +18,9 @@ pub const WINDOW: Parameter = Parameter {
     range: (0.0, 64.0),
 };
 
-/// Builds the engine for the parameters [`WINDOW`] and [`SHARE`], with each official step divided
-/// into `divide`.
+/// Builds the engine for the parameters [`WINDOW`] and [`SHARE`].
+///
+/// Each official step is divided into `divide`.
 pub fn planned<R: Rules>(config: &Config, divide: u32) -> Result<Box<dyn Simulation>, BuildError> {
     let steps = config.parameter(WINDOW.name) as u32;
     Ok(observed!(config, Tally, |O| Planned::<R, O>::new(crew(config), steps, divide)))

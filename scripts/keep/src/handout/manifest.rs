@@ -5,8 +5,9 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use toml_edit::{Array, DocumentMut, Item, Value, value};
 
-/// Returns the kit's manifest without members, paths, patches and profiles of packages that are not
-/// among `paths`.
+/// Returns the kit's manifest without the packages that are not among `paths`.
+///
+/// Members, paths, patches and profiles of these packages are removed.
 pub(crate) fn fit<'p>(text: &str, paths: impl Iterator<Item = &'p Path>) -> Result<String> {
     let manifests = paths.filter(|path| path.ends_with("Cargo.toml"));
     let folders: Vec<&str> = manifests.filter_map(|path| path.parent()?.to_str()).collect();

@@ -60,8 +60,9 @@ impl Command {
         }
     }
 
-    /// Returns the figure of results that the command wrote, and the figure's file; `None` if it
-    /// draws no figure.
+    /// Returns the figure of results that the command wrote, and the figure's file.
+    ///
+    /// Returns `None` if the command draws no figure.
     ///
     /// # Errors
     /// The results are from a different command.

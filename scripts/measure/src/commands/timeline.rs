@@ -161,7 +161,7 @@ impl Timeline {
     }
 }
 
-/// Finds the step that is nearest to the medians of all steps, by the milliseconds of each rank and
+/// Finds the step nearest to the medians of all steps, by the milliseconds of each rank and
 /// activity.
 fn typical(ms: &[Vec<[f64; 3]>]) -> Option<u32> {
     let numbers = ms.first()?.as_flattened().len();

@@ -93,8 +93,7 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
         Self { most: most.min(self.most), ..self }
     }
 
-    /// Fills `found` with the pairs a < b that may collide in this step, and (a, [`WALL`]) for
-    /// discs that may hit a wall.
+    /// Fills `found` with the candidates of this step: pairs a < b, and (a, [`WALL`]) for walls.
     ///
     /// Each occurs once, in any order. If `margins` are those of these discs, no collision is
     /// missing.

@@ -37,8 +37,8 @@ pub trait SoftKernels: Launcher + Sized + 'static {
     /// `separation` and `advance` of the positions.
     fn forces() -> &'static str;
 
-    /// Returns the functions `separation` and `advance` of positions in single precision, relative
-    /// to their bins.
+    /// Returns the functions `separation` and `advance` of single-precision positions, relative to
+    /// their bins.
     fn position_f32() -> &'static str;
 
     /// Records the launches of a prefix sum of any length.

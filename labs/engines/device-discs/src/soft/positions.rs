@@ -1,5 +1,5 @@
-//! The bins, and two ways to store positions: f64 from the corner of the box, or f32 from the
-//! corner of the bin.
+//! The bins, and two ways to store positions: f64 from the box's corner, or f32 from the bin's
+//! corner.
 
 use common::soft::{CUTOFF, Particle};
 use device::Real;

@@ -5,10 +5,10 @@ use wgpu::Buffer;
 
 /// A prefix sum on the device, which replaces the numbers in a buffer.
 pub struct Scan {
-    /// The levels: level 0 is the buffer, level 1 the sums of its blocks, level 2 the sums of their
-    /// blocks, and so on.
+    /// The levels of the prefix sum, from the buffer up to a single block.
     ///
-    /// The last level is a single block.
+    /// Level 0 is the buffer, level 1 the sums of its blocks, level 2 the sums of their blocks, and
+    /// so on.
     pub levels: Vec<Level>,
 }
 

@@ -19,8 +19,9 @@ pub(super) struct Lattice {
     rows: u32,
     /// The greatest velocity component of the scene.
     pub(super) fastest: f64,
-    /// Whether testing many pairs together pays: an entry has several partners, and few of these
-    /// pairs touch at any time.
+    /// Whether testing many pairs together pays.
+    ///
+    /// It does if an entry has several partners, and few of these pairs touch at any time.
     pub(super) in_lanes: bool,
 }
 

@@ -33,8 +33,10 @@ impl Paths {
         }
     }
 
-    /// Tests the pairs of disc `a` with the discs in `others`, [`LANES`] at a time, until one [may
+    /// Tests the pairs of disc `a` with the discs in `others` until one [may
     /// touch](crate::may_touch).
+    ///
+    /// It tests [`LANES`] pairs at a time.
     ///
     /// Returns the first index of these [`LANES`], or `None` if no pair of `others` may touch.
     #[inline(always)]

@@ -35,8 +35,8 @@ impl Team<'_> {
         }
     }
 
-    /// Calls `act` once on every thread of the team, with the thread's number, and waits for all
-    /// calls: a fork and a join.
+    /// Calls `act` on every thread of the team, with its number, and waits for all: a fork and a
+    /// join.
     pub fn on_each(&self, act: impl Fn(usize) + Sync) {
         match self {
             Self::Standing(workers) => workers.on_each(act),

@@ -69,8 +69,9 @@ fn reach(fastest: f64, dt: f64) -> f64 {
     (0.5 * CUTOFF + fastest * dt) * (1.0 + 1e-9)
 }
 
-/// Returns the least member of each particle's group, by union-find in which no parent is greater
-/// than its child.
+/// Returns the least member of each particle's group, by union-find.
+///
+/// No parent is greater than its child.
 fn least_members(n: usize, pairs: &[[u32; 2]]) -> Vec<u32> {
     let mut parent: Vec<usize> = (0..n).collect();
     for &[a, b] in pairs {

@@ -1,5 +1,4 @@
-//! Compares LAMMPS with programs of the kit: errors of the pair force, and positions after each
-//! number of steps.
+//! Compares LAMMPS with programs of the kit: errors of the pair force, and positions over time.
 
 use std::sync::Arc;
 

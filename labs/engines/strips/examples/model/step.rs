@@ -16,8 +16,9 @@ const FORCES: f64 = 0.5;
 /// Number of steps between two tests of the balance, each with an all-reduce.
 const REBALANCE: f64 = 50.0;
 
-/// Steps that a neighbour list lasts, and width of ghosts for these steps in cutoffs, counted on
-/// the official scene.
+/// Steps that a neighbour list lasts, and width of ghosts for these steps in cutoffs.
+///
+/// Both were counted on the official scene.
 const LASTS: f64 = 9.5;
 const WIDTH: f64 = 3.6;
 
@@ -54,8 +55,9 @@ impl Method {
         }
     }
 
-    /// Returns the seconds of a step of `n` particles on `p` ranks, if a particle takes `cost`
-    /// seconds on one rank.
+    /// Returns the seconds of a step of `n` particles on `p` ranks.
+    ///
+    /// A particle takes `cost` seconds on one rank.
     pub(crate) fn step(self, n: f64, p: f64, cost: f64, network: &Network) -> f64 {
         match self {
             Self::ThroughRoot => through_root(n, p, cost, network),
@@ -66,8 +68,9 @@ impl Method {
     }
 }
 
-/// Returns the time of two gathers and a scatter, each after its counts: the root exchanges
-/// messages with all ranks six times.
+/// Returns the time of two gathers and a scatter, each after its counts.
+///
+/// So the root exchanges messages with all ranks six times.
 fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 2.0);
     let crossing = blocks.borders() * blocks.crossing;
@@ -79,8 +82,9 @@ fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     blocks.largest * cost + counts + leavers + copies + back
 }
 
-/// Returns the time of an exchange of ghosts while the interior is computed, of movers, and of a
-/// sum over all ranks.
+/// Returns the time with ghosts that travel while the interior is computed.
+///
+/// Movers and a sum over all ranks follow.
 fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
     let neighbours = blocks.neighbours();

@@ -121,8 +121,8 @@ fn sort_pairs(groups: &mut Groups, ends: &[u32]) {
     groups.pairs.truncate(kept);
 }
 
-/// Returns where each of several runs starts that follow one another; `lengths` are the lengths of
-/// the runs.
+/// Returns the starts of several runs that follow one another; `lengths` are the lengths of the
+/// runs.
 fn running_starts(lengths: &[u32]) -> Vec<u32> {
     let mut start = 0;
     let mut starts = Vec::with_capacity(lengths.len());

@@ -150,8 +150,7 @@ fn part(ends: &[u32], k: usize) -> Range<usize> {
     start..ends[k] as usize
 }
 
-/// The state of the members of groups after the window, and how far they were off their reference
-/// paths in it.
+/// The members of groups after the window, and how far they were off their reference paths.
 #[derive(Clone, Default)]
 pub(crate) struct Record {
     pub(crate) x: Vec<f64>,

@@ -87,8 +87,9 @@ impl Row {
     }
 }
 
-/// Returns the floating-point operations per particle and step that the formulas need, from a run's
-/// counts of pairs.
+/// Returns the floating-point operations per particle and step that the formulas need.
+///
+/// They follow from a run's counts of pairs.
 fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
     if job.program.discs != Discs::Soft {
         return Ok(None);

@@ -25,8 +25,9 @@ pub(crate) struct Point {
     pub(super) force_evaluations: f64,
     /// Greatest |ΔE/E| at t = 1 over the seeds; `None` if it was not measured.
     pub(super) energy_drift: Option<f64>,
-    /// Whether the point is on the Pareto front: no other point is as good in seconds and error,
-    /// and better in one of them.
+    /// Whether the point is on the Pareto front.
+    ///
+    /// No other point is then as good in seconds and error, and better in one of them.
     pub(super) on_front: bool,
 }
 

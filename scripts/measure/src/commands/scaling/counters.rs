@@ -120,8 +120,9 @@ impl Breakdown {
 }
 
 impl Point {
-    /// Returns the milliseconds of a step in each counter and in the rest; `None` if the run has
-    /// none of the counters.
+    /// Returns the milliseconds of a step in each counter and in the rest.
+    ///
+    /// Returns `None` if the run has no such counter.
     fn parts(&self, counters: &[String]) -> Option<Vec<f64>> {
         counters.iter().find(|name| self.timing.counters.contains_key(*name))?;
         let mut parts = Vec::new();

@@ -48,8 +48,9 @@ pub(super) struct Runs<'m> {
     pub(super) all: Vec<(usize, &'m Timing)>,
 }
 
-/// A function from the seconds of one worker, the number of workers, and the seconds of all to the
-/// efficiency.
+/// A function that computes an efficiency.
+///
+/// Its arguments are the seconds of one worker, the number of workers, and the seconds of all.
 type Efficiency = fn(f64, usize, f64) -> f64;
 
 impl Curve {

@@ -91,8 +91,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Formats the answers to bad inputs: the first program's message, and the programs that accepted
-/// the input.
+/// Formats the answers to bad inputs: a message for each, and the programs that accepted the input.
 fn refusals(rows: &[Row]) -> String {
     let mut table = Table::new(["bad input", "refused by", &format!("{:<36}", "what was said")]);
     let mut faults = String::new();

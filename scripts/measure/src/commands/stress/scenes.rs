@@ -35,8 +35,9 @@ pub(super) fn head_on(phases: u32) -> Scene {
     scene(size, particles)
 }
 
-/// Makes two, three and ten particles at the same position, at rest or moving together, so that
-/// there is no force.
+/// Makes two, three and ten particles at the same position without relative motion.
+///
+/// They are at rest or move together, so there is no force.
 ///
 /// Other pairs are an ulp, or much less, apart.
 pub(super) fn one_position() -> Scene {

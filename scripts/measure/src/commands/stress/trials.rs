@@ -46,8 +46,9 @@ pub(super) struct Column {
     pub(super) head: &'static str,
     /// Greatest figure that passes.
     pub(super) good: f64,
-    /// Section of the chapter that explains a greater figure as a limit of the method; `None` if it
-    /// is a failure.
+    /// Section of the chapter that explains a greater figure as a limit of the method.
+    ///
+    /// It is `None` if a greater figure is a failure.
     pub(super) section: Option<&'static str>,
 }
 

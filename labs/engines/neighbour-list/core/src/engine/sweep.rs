@@ -1,5 +1,4 @@
-//! One pass over a block: computes forces and moves particles, piece by piece, while a piece is in
-//! the cache.
+//! One pass over a block: computes forces and moves particles, while a piece is in the cache.
 //!
 //! A pair is listed with the particle that comes first. Once the pairs of a piece and of all pieces
 //! before it are done, no later pair needs the piece's old positions, and its accelerations are

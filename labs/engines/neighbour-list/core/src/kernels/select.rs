@@ -24,8 +24,9 @@ static LANES: [[u64; EIGHT]; 256] = {
     lanes
 };
 
-/// Appends a pair [i, start + l] to the `len` pairs of `list` for each l among the lowest eight
-/// bits of `set`.
+/// Appends a pair [i, start + l] to `list` for each l among the lowest eight bits of `set`.
+///
+/// Before the call, `list` has `len` pairs.
 ///
 /// The pairs are in ascending order. Returns the new number of pairs. There must be room for eight
 /// pairs, because eight are always written; the next call overwrites those that do not count.

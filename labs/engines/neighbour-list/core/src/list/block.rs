@@ -1,5 +1,5 @@
-//! Blocks of particles with their pairs: the outer list until the next rebuild, and the inner list
-//! for a few steps.
+//! Blocks of particles with their pairs: an outer list until the next rebuild, an inner list for a
+//! few steps.
 //!
 //! A block stores one list of pairs, not a list for each particle. A particle of the official scene
 //! has two or three pairs, and the processor mispredicts the end of such a short loop.

@@ -13,8 +13,9 @@ use crate::particles::{Bodies, Sample};
 const FEW: usize = 1000;
 /// Number of particles whose speeds are sampled.
 const SAMPLE: usize = 1024;
-/// Above n / MANY + A_FEW outliers among n particles, most particles have become faster, and a new
-/// list for a higher speed is cheaper.
+/// With more than n / MANY + A_FEW outliers among n particles, a new list is cheaper.
+///
+/// Most particles have then become faster, and the new list allows for their speed.
 const MANY: usize = 50;
 const A_FEW: usize = 32;
 /// The greatest factor by which the fastest particle is expected to exceed the speed limit.

@@ -174,8 +174,9 @@ impl Disc {
     }
 }
 
-/// Returns the pairs of `discs` that overlap, the lower index first, and the number of pairs that
-/// were tested.
+/// Returns the pairs of `discs` that overlap, and the number of pairs that were tested.
+///
+/// A pair has the lower index first.
 ///
 /// Along x a disc can overlap only the discs that begin before it ends.
 pub fn overlapping(mut discs: Vec<Disc>) -> (Vec<[u32; 2]>, u64) {
