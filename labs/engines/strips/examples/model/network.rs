@@ -94,8 +94,7 @@ impl Network {
         Exchange { busy, away: self.latency + others * bytes * self.per_byte }
     }
 
-    /// Returns the time in which the root exchanges a message with each other of `ranks` ranks, one
-    /// way.
+    /// Returns the time of messages between the root and each other of `ranks` ranks, one way.
     ///
     /// The messages follow one another, because the root has only one port. Together they have
     /// `bytes` bytes.

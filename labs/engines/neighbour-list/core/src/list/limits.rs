@@ -22,10 +22,10 @@ const A_FEW: usize = 32;
 ///
 /// A faster particle makes the inner list expire at once; no list is built for such a speed.
 const MOST_OVER: f64 = 2.0;
-/// The number of displacements by which an inner list of m steps needs fewer than m.
+/// Displacements that an inner list saves: a list of m steps must last for m − BEGINNING.
 ///
-/// The list is first used before any particle has moved, so it has to last for m − 1 displacements.
-/// A fifth of a displacement is added for particles that are faster than expected.
+/// The first step uses the list before any particle has moved, which saves one displacement. A
+/// fifth of it is kept for particles that are faster than expected.
 const BEGINNING: f64 = 0.8;
 
 /// The speed that lists are built for, and the outliers, which are faster.
