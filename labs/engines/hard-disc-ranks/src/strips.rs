@@ -79,7 +79,7 @@ impl Strips {
     }
 
     fn row(&self, y: f64) -> usize {
-        // The conversion turns negative numbers into 0, and NaN, which comes from a height of 0.
+        // The conversion turns negative numbers into 0, and also NaN, the result for height 0.
         (((y - self.bottom) / self.height) as usize).min(self.rows() - 1)
     }
 

@@ -52,7 +52,7 @@ pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
     Work { entries: free * entries, pairs, asked: asked * pairs }
 }
 
-/// Returns the sum over windows of the share of discs, or of pairs, that are free when they begin.
+/// Returns the sums over windows of the shares of discs, and of pairs, that are free at their start.
 ///
 /// A disc collides once in a step. If it would meet m discs, the share f of free discs falls with
 /// the slope −m f², so f(t) = 1 / (1 + m t). In the first window all discs are free; over the later
