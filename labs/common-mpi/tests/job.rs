@@ -54,8 +54,23 @@ fn a_panic_on_one_rank_ends_the_others() {
     let ended = play("one_rank_panics", 3);
     assert!(!ended.status.success());
     assert!(ended.took < SOON, "took {:?}", ended.took);
-    assert!(ended.stderr.contains("rank 1: "), "{}", ended.stderr);
+    assert!(ended.stderr.contains("rank 1:\nthread '"), "{}", ended.stderr);
     assert!(ended.stderr.contains("lost its way"), "{}", ended.stderr);
+}
+
+#[test]
+fn a_panic_in_the_library_names_its_caller() {
+    let said = play("a_rank_unwraps_nothing", 1).stderr;
+    assert!(said.contains(" panicked at tests/job.rs:"), "{said}");
+}
+
+#[test]
+#[ignore = "a part of a_panic_in_the_library_names_its_caller"]
+fn a_rank_unwraps_nothing() {
+    on_ranks(|_| {
+        let none: [Option<ExitCode>; 1] = [None];
+        none.map(Option::unwrap)[0]
+    });
 }
 
 #[test]

@@ -196,9 +196,15 @@ told! {
         = between("MPI_Mprobe").other(from, tag);
     MPI_Isend(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm, request: *mut MPI_Request)
         = between("MPI_Isend").other(to, tag);
+    MPI_Issend(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm, request: *mut MPI_Request)
+        = between("MPI_Issend").other(to, tag);
     MPI_Irecv(into: Out, count: Int, of: Type, from: Int, tag: Int, comm: Comm, request: *mut MPI_Request)
         = between("MPI_Irecv").other(from, tag);
     MPI_Wait(request: *mut MPI_Request, status: *mut MPI_Status) = between("MPI_Wait");
     MPI_Waitall(count: Int, requests: *mut MPI_Request, status: *mut MPI_Status)
         = between("MPI_Waitall");
+    MPI_Waitany(count: Int, requests: *mut MPI_Request, index: *mut Int, status: *mut MPI_Status)
+        = between("MPI_Waitany");
+    MPI_Waitsome(count: Int, requests: *mut MPI_Request, over: *mut Int, indices: *mut Int, status: *mut MPI_Status)
+        = between("MPI_Waitsome");
 }
