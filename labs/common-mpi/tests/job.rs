@@ -106,6 +106,7 @@ fn one_rank_fails() {
 fn a_hang_names_its_task_and_where_each_rank_is() {
     let said = words_of_a_hang();
     assert!(said.contains("task 0.1: 2 ranks gave no answer within 2 s"), "{said}");
+    assert!(said.contains("some rank waits for a call that another rank does not make"), "{said}");
     assert!(said.contains("rank 0 is in its receive, in MPI_"), "{said}");
     assert!(said.contains("rank 1 is in its receive, in MPI_"), "{said}");
     let start = Instant::now();
