@@ -4,7 +4,7 @@ use common::soft::CUTOFF;
 use common_mpi::calls_made;
 use lab13::{exchange_positions, must_renew};
 use mpi::traits::*;
-use oracle::{Ask, Random, digest, memory, no_other_calls, others_within, truth};
+use oracle::{Ask, Random, begins_send, digest, memory, no_other_calls, others_within, truth};
 use oracle_mpi::{Rank, on_each};
 
 /// The positions that travel between ranks.
@@ -71,7 +71,7 @@ fn exchange(rank: &Rank<'_>, letters: &Letters, most: usize, ask: &mut impl Ask)
 /// How many calls begin a receive, how many begin a send, and how many do neither.
 fn made(calls: &[&str]) -> Vec<f64> {
     let receives = calls.iter().filter(|call| **call == "MPI_Irecv").count();
-    let sends = calls.iter().filter(|call| **call == "MPI_Isend").count();
+    let sends = calls.iter().filter(|call| begins_send(call)).count();
     [receives, sends, calls.len() - receives - sends].map(|count| count as f64).to_vec()
 }
 
