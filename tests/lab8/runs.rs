@@ -11,7 +11,7 @@ use oracle::mpiexec::{Job, ends_when_a_rank_is_killed};
 use oracle::{Ask, Random};
 use oracle_mpi::DiscsOnRanks;
 
-use super::crowds::{all_scenes, wide};
+use super::crowds::{all_scenes, wide, zigzag};
 
 /// Steps of a run whose bits are compared.
 const STEPS: usize = 6;
@@ -84,6 +84,15 @@ pub(crate) fn memory_with_master(_: &mut Random, ask: &mut impl Ask) {
 
 pub(crate) fn bits_with_cuts(random: &mut Random, ask: &mut impl Ask) {
     bits_of_sequential(&spatial_cuts(&[1, 2, 3, 4, 5]), random, ask);
+}
+
+pub(crate) fn many_rounds(_: &mut Random, ask: &mut impl Ask) {
+    spatial_cuts(&[2]).bits_of(
+        ask,
+        &solution7::VARIANTS[0],
+        &[("a long zigzag", zigzag(600, 3.0))],
+        1,
+    );
 }
 
 pub(crate) fn cuts_that_move(random: &mut Random, ask: &mut impl Ask) {
