@@ -97,7 +97,8 @@ pub(crate) fn hear(call: Option<&Call>) {
 /// Ends the job if this is not the same call on all ranks, or its buffers do not fit each other.
 fn compare(number: u64, call: &Call) {
     let [count, size] = call.items;
-    let name = call.name.bytes().fold(0, |sum: i64, byte| sum.wrapping_mul(31) + i64::from(byte));
+    let name = call.name.bytes().chain(call.operation.unwrap_or_default().bytes());
+    let name = name.fold(0, |sum: i64, byte| sum.wrapping_mul(31) + i64::from(byte));
     let own = [name, call.root.into(), count, size];
     let all = share(own);
     let own_rank = SimpleCommunicator::world().rank();
@@ -106,7 +107,7 @@ fn compare(number: u64, call: &Call) {
     if differs || uneven {
         let what = match call.name {
             "MPI_Finalize" => "nothing more: it has ended".into(),
-            name if differs => name_and_root(name, call.root) + &location_here(),
+            _ if differs => name_and_root(call) + &location_here(),
             name => format!("{name} with {}{}", in_words(call.items), location_here()),
         };
         let words: Vec<String> = share(packed(&what)).iter().map(unpacked).collect();
@@ -141,8 +142,11 @@ fn end(words: &str) -> ! {
     SimpleCommunicator::world().abort(1)
 }
 
-fn name_and_root(name: &str, root: i32) -> String {
-    if root < 0 { name.into() } else { format!("{name} of root {root}") }
+fn name_and_root(call: &Call) -> String {
+    let Call { name, root, .. } = call;
+    let root = if *root < 0 { String::new() } else { format!(" of root {root}") };
+    let operation = call.operation.map_or_else(String::new, |what| format!(" of a {what}"));
+    format!("{name}{operation}{root}")
 }
 
 fn in_words([count, size]: [i64; 2]) -> String {

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 /// Lines of Open MPI and of the test harness that hold one of these say nothing about the lab.
-const NOISE: [&str; 13] = [
+const NOISE: [&str; 20] = [
     "-----------------",
     "MPI_ABORT was invoked on rank",
     "with errorcode ",
@@ -17,10 +17,22 @@ const NOISE: [&str; 13] = [
     "] *** MPI_ERRORS_ARE_FATAL",
     "] ***    and potentially your MPI job",
     "note: run with `RUST_BACKTRACE",
+    "Process received signal ***",
+    "Signal: ",
+    "Signal code: ",
+    "End of error message ***",
+    "Primary job  terminated normally",
+    "a non-zero exit code. Per user-direction",
+    "mpiexec noticed that process rank",
 ];
 
 /// What the libraries say, and what that means.
-const MEANINGS: [(&str, &str); 2] = [
+const MEANINGS: [(&str, &str); 3] = [
+    (
+        "Process received signal",
+        "A rank crashed inside the MPI library. Most often two messages that do not belong together have met: ranks \
+         make their calls in different orders, or a rank stops after fewer rounds than another.",
+    ),
     (
         "MPI_ERR_TRUNCATE",
         "A message was longer than the buffer for it. Either the buffer is too short, or ranks make their \
@@ -72,7 +84,9 @@ fn is_of_all(call: &str) -> bool {
 
 /// What ranks and launcher said, without noise.
 pub(super) fn of_a_failure(stderr: &str) -> String {
-    let is_noise = |line: &&str| line.is_empty() || NOISE.iter().any(|noise| line.contains(noise));
+    let is_noise = |line: &&str| {
+        line.is_empty() || is_frame(line) || NOISE.iter().any(|noise| line.contains(noise))
+    };
     // Open MPI begins a line with a machine and a process.
     let said = |line| str::split_once(line, "] *** ").map_or(line, |(_, said)| said);
     let mut lines: Vec<&str> = stderr.lines().filter(|line| !is_noise(line)).map(said).collect();
@@ -82,6 +96,12 @@ pub(super) fn of_a_failure(stderr: &str) -> String {
         lines.push("a rank ended the job without a word");
     }
     lines.join("\n")
+}
+
+/// Whether a line is of a trace of Open MPI's, such as `[vm:11471] [ 5] /lib/libc.so.6(abort+0xd3)[0x7f22]`.
+fn is_frame(line: &str) -> bool {
+    let Some((_, frame)) = line.split_once("] [") else { return false };
+    frame.split_once(']').is_some_and(|(number, _)| number.trim().parse::<u32>().is_ok())
 }
 
 #[cfg(test)]
@@ -122,5 +142,16 @@ mod tests {
         let said = of_a_failure(said);
         assert!(said.starts_with("A message was longer than the buffer") && !said.contains("vm:3"));
         assert_eq!(of_a_failure(""), "a rank ended the job without a word");
+    }
+
+    #[test]
+    fn a_crash_is_explained_and_its_trace_left_out() {
+        let said = "malloc(): unaligned tcache chunk detected\n[vm:7] *** Process received signal ***\n[vm:7] Signal: \
+                    Aborted (6)\n[vm:7] [ 0] /lib/libc.so.6(+0x3c0)[0x7f]\n[vm:7] [13] /kit/lab8(+0x1)[0x2]\n[vm:7] *** End \
+                    of error message ***\n";
+        let said = of_a_failure(said);
+        let lines: Vec<&str> = said.lines().collect();
+        assert!(lines[0].starts_with("A rank crashed inside the MPI library."), "{said}");
+        assert_eq!(lines[1..], ["malloc(): unaligned tcache chunk detected"]);
     }
 }
