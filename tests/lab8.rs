@@ -138,8 +138,8 @@ oracle::questions! {
         walls_meanwhile after "8.8, 8.9, 8.10, 8.11, 8.12" = messages::walls_meanwhile
             => "Slow discs on 3 ranks: the wall collisions are found while the ghosts travel.",
         many_rounds after "8.8, 8.9, 8.10, 8.11, 8.12"
-            => "A chain of 600 discs to and fro across the cut of two ranks: the bits of lab 7's sequential program after a step \
-                of more than a hundred rounds.",
+            => "A chain of 240 discs to and fro across a cut, on 2 and 4 ranks: the bits of lab 7's sequential program after a \
+                step of more than a hundred rounds.",
         shares_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"
             => "Four strips: no rank looks at more than two thirds of the pairs.",
         memory_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"

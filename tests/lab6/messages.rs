@@ -2,8 +2,7 @@
 
 use common_mpi::{Ghost, calls_made};
 use lab6::{exchange_all, exchange_beside};
-use mpi::traits::*;
-use oracle::{Ask, Random, begins_send, digest, memory, no_other_calls, others_within, whole};
+use oracle::{Ask, Random, begins_send, digest, no_other_calls, others_within, whole};
 use oracle_mpi::{Rank, on_each};
 
 /// The items of a list in a long run.
@@ -37,10 +36,8 @@ pub(crate) fn exchanges(random: &mut Random, ask: &mut impl Ask) {
         let others = others_within(1, rank.number, rank.ranks);
         let list = vec![Ghost { x: 0.5, y: 0.5, id: 7 }; LONG];
         let outgoing: Vec<_> = others.iter().map(|&to| (to as i32, list.clone())).collect();
-        let turn = || {
-            rank.call("exchange_beside", |world| _ = exchange_beside(world, &outgoing, || ()));
-        };
-        keeps_its_memory("exchange_beside", rank, turn, ask);
+        let turn = |world: &_| _ = exchange_beside(world, &outgoing, || ());
+        rank.keeps_its_memory("exchange_beside", LONG * size_of::<Ghost>(), turn, ask);
     });
 }
 
@@ -181,18 +178,7 @@ pub(crate) fn lists_of_all(random: &mut Random, ask: &mut impl Ask) {
             no_other_calls(&made, &["MPI_Alltoall", "MPI_Alltoallv"], &name, ask);
         }
         let lists = vec![vec![Ghost { x: 0.5, y: 0.5, id: 7 }; LONG]; rank.ranks];
-        let turn = || rank.call("exchange_all", |world| _ = exchange_all(world, &lists));
-        keeps_its_memory("exchange_all", rank, turn, ask);
+        let turn = |world: &_| _ = exchange_all(world, &lists);
+        rank.keeps_its_memory("exchange_all", LONG * size_of::<Ghost>(), turn, ask);
     });
-}
-
-/// Asks whether the memory grows with the number of exchanges.
-fn keeps_its_memory(what: &str, rank: &Rank<'_>, turn: impl Fn(), ask: &mut impl Ask) {
-    let turns = |turns| {
-        for _ in 0..turns {
-            turn();
-            rank.world().barrier();
-        }
-    };
-    memory(&format!("{what} on {}", rank.name()), (50, LONG * size_of::<Ghost>()), turns, ask);
 }

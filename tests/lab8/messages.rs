@@ -9,7 +9,7 @@ use hard_disc_ranks::{DiscWire, Team};
 use lab8::{VARIANTS, collect, hand_out};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::{Ask, Random, begins_send, digest, memory, truth, whole};
+use oracle::{Ask, Random, begins_send, digest, truth, whole};
 use oracle_mpi::{DiscsOnRanks, Rank, on_each};
 
 /// The discs of a list in a long run.
@@ -66,7 +66,8 @@ pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
         let team = Team::new(rank.ranks, true);
         let count = if rank.is_root() { rank.ranks } else { 0 };
         let lists = vec![vec![DiscWire::default(); LONG]; count];
-        keeps_its_memory(team, rank, ask, |world| drop(hand_out(world, team, &lists)));
+        let turn = |world: &_| drop(hand_out(world, team, &lists));
+        rank.keeps_its_memory("hand_out", LONG * size_of::<DiscWire>(), turn, ask);
     });
 }
 
@@ -80,22 +81,6 @@ fn sends_begun() -> usize {
 /// The lists that a rank sends to others.
 fn sends(team: Team, rank: &Rank<'_>) -> usize {
     if rank.is_root() { team.workers - usize::from(team.master_works) } else { 0 }
-}
-
-/// Asks whether the memory grows with the number of turns, in which all ranks do this.
-fn keeps_its_memory(
-    team: Team,
-    rank: &Rank<'_>,
-    ask: &mut impl Ask,
-    turn: impl Fn(&SimpleCommunicator),
-) {
-    let turns = |turns| {
-        for _ in 0..turns {
-            rank.call("a turn", &turn);
-            rank.world().barrier();
-        }
-    };
-    memory(&name_of(team, rank, LONG), (50, LONG * size_of::<DiscWire>()), turns, ask);
 }
 
 /// What the master has of the workers' lists, in the order of workers.
@@ -126,7 +111,8 @@ pub(crate) fn collects(random: &mut Random, ask: &mut impl Ask) {
         }
         let team = Team::new(rank.ranks, true);
         let own = vec![DiscWire::default(); LONG];
-        keeps_its_memory(team, rank, ask, |world| drop(collect(world, team, &own)));
+        let turn = |world: &_| drop(collect(world, team, &own));
+        rank.keeps_its_memory("collect", LONG * size_of::<DiscWire>(), turn, ask);
     });
 }
 

@@ -86,13 +86,9 @@ pub(crate) fn bits_with_cuts(random: &mut Random, ask: &mut impl Ask) {
     bits_of_sequential(&spatial_cuts(&[1, 2, 3, 4, 5]), random, ask);
 }
 
-pub(crate) fn many_rounds(_: &mut Random, ask: &mut impl Ask) {
-    spatial_cuts(&[2]).bits_of(
-        ask,
-        &solution7::VARIANTS[0],
-        &[("a long zigzag", zigzag(600, 3.0))],
-        1,
-    );
+pub(crate) fn many_rounds(random: &mut Random, ask: &mut impl Ask) {
+    let scenes = [("a zigzag", zigzag(3.0)), ("other speeds", zigzag(random.between(2.9, 3.1)))];
+    spatial_cuts(&[2, 4]).bits_of(ask, &solution7::VARIANTS[0], &scenes, 1);
 }
 
 pub(crate) fn cuts_that_move(random: &mut Random, ask: &mut impl Ask) {
