@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use anyhow::Result;
 
 use super::copy::Copy;
-use super::fault::questions;
 use super::mutate::{environment, mutate};
 use super::report::Row;
 use super::{Bench, first_lines};
@@ -21,7 +20,6 @@ impl Bench<'_> {
         let mut wrongs = wrong::read(self.kit, self.lab)?;
         wrongs.extend(wrong::read_right(self.kit, self.lab)?);
         wrongs.retain(|wrong| name.is_none_or(|name| wrong.name.contains(name)));
-        wrongs.retain(|wrong| !self.record || questions(self.kit, self.lab, wrong).is_file());
         let files = answers::read_solution(self.kit, self.lab)?;
         let folder = PathBuf::from(format!("solutions/lab{}", self.lab));
         for (path, text) in mutate(self.lab, &files, &wrongs)? {
@@ -50,13 +48,10 @@ impl Bench<'_> {
             self.bar.inc(1);
             outcome
         });
-        for ((index, test), outcome) in runs.iter().zip(outcomes) {
-            let (wrong, outcome) = (&wrongs[*index], outcome?);
-            let is_right = wrong.fails.is_empty();
+        for ((index, _), outcome) in runs.iter().zip(outcomes) {
+            let outcome = outcome?;
+            let is_right = wrongs[*index].fails.is_empty();
             faults[*index].extend(if is_right { rejected(&outcome) } else { uncaught(&outcome) });
-            if wrong.fails.first() == Some(*test) {
-                faults[*index].extend(self.fault(&files, wrong, &outcome)?);
-            }
         }
         let rows = wrongs.iter().zip(faults);
         Ok(rows.map(|(wrong, faults)| self.row_of(wrong, faults)).collect())
