@@ -74,6 +74,9 @@ mod tests {
         let name = all[0].file_name().unwrap().to_string_lossy();
         assert_eq!(at(&kit, lab, &all[0]).unwrap().unwrap().name, name);
         assert_eq!(at(&kit, lab, &kit.path("tests/lab2.rs")).unwrap(), None);
+        let right = on_page(&kit, &kit.path("tests/right/lab6.md")).unwrap();
+        let first = at(&kit, "6".parse().unwrap(), &right[0]).unwrap().unwrap();
+        assert!(first.fails.is_empty() && !first.passes.is_empty());
         assert_eq!(
             on_page(&kit, &kit.path("tests/mutants.md")).unwrap(),
             [""; 0].map(Into::<std::path::PathBuf>::into)
