@@ -93,7 +93,7 @@ fn is_left_out(relative: &Path) -> bool {
     let is_starter =
         top == "labs" && second.strip_prefix("lab").is_some_and(|n| n.parse::<Lab>().is_ok());
     is_starter
-        || (top == "tests" && ["wrong", "exam"].contains(&second))
+        || (top == "tests" && ["wrong", "right", "exam"].contains(&second))
         || relative.iter().any(|part| part == "target")
 }
 

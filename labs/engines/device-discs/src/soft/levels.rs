@@ -18,7 +18,7 @@ impl Scan {
         len: u32,
         threads: u32,
     ) -> Result<Self, GpuError> {
-        let sources = [K::scan()];
+        let sources = [K::scan(), include_str!("shared.wgsl")];
         let limits = gpu.limits();
         // With blocks of one number, the next level would have as many numbers as this one.
         let threads = threads.max(2);
