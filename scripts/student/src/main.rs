@@ -3,6 +3,7 @@
 mod calls;
 mod check;
 mod door;
+mod facts;
 mod fault;
 mod hint;
 mod list;
@@ -35,6 +36,8 @@ enum Command {
     Reset(reset::Options),
     Run(run::Options),
     Movie(movie::Options),
+    #[command(hide = true)]
+    Facts,
 }
 
 fn main() -> ExitCode {
@@ -55,6 +58,7 @@ fn main() -> ExitCode {
             Command::Reset(options) => reset::run(&kit, options),
             Command::Run(options) => run::run(&kit, options),
             Command::Movie(options) => movie::run(&kit, options),
+            Command::Facts => facts::run(&kit),
         }
     }))
 }

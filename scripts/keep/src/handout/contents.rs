@@ -57,10 +57,8 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
     // The measuring commands show it beside what they measure.
     add(kit, &mut files, &kit.path("book/published.toml"))?;
     add_all(kit, &mut files, &kit.path("scripts/slurm"))?;
-    // They grade a class, and draw the book.
-    for name in ["grade.sh", "book.sh"] {
-        files.remove(&Path::new("scripts/slurm").join(name));
-    }
+    // It grades a class.
+    files.remove(Path::new("scripts/slurm/grade.sh"));
     book::add_pages(kit, labs, &mut files)?;
     files.insert("README.md".into(), readme(kit, labs).into_bytes());
     let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, files.keys().map(PathBuf::as_path))?;
