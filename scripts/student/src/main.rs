@@ -16,6 +16,7 @@ mod run;
 mod submit;
 mod tasks;
 mod test;
+mod version;
 mod watch;
 
 use std::process::ExitCode;
@@ -43,6 +44,10 @@ enum Command {
 fn main() -> ExitCode {
     command::end_quietly_when_nobody_reads();
     command::finish(Kit::find().and_then(|kit| {
+        if std::env::args().nth(1).is_some_and(|word| word == "--version" || word == "-V") {
+            print!("{}", version::version(&kit));
+            return Ok(ExitCode::SUCCESS);
+        }
         if let Some(code) = door::elsewhere(&kit)? {
             return Ok(code);
         }

@@ -14,12 +14,15 @@ use lab_kit::starter::{Files, GIVEN, Record, generate};
 use lab_kit::{Facts, Kit, Lab, Workers};
 
 /// Files at the top that go along as they are. README is the students' own.
-const TOP: [&str; 10] = [
+const TOP: [&str; 13] = [
     ".cargo/config.toml",
+    ".config/nextest.toml",
     ".devcontainer/devcontainer.json",
     ".gitignore",
     ".helix/languages.toml",
+    ".vscode/extensions.json",
     ".vscode/settings.json",
+    ".vscode/tasks.json",
     ".zed/settings.json",
     "LICENSE-APACHE",
     "LICENSE-MIT",
