@@ -120,15 +120,8 @@ impl Sandbox {
         let scratch = Scratch::below(&std::env::temp_dir())?;
         let filter = filter::write(scratch.path()).context("cannot write a filter")?;
         let keeps = true;
-        let mut sandbox = Self {
-            sysroot,
-            cargo_home,
-            keeps,
-            as_nobody: false,
-            limits,
-            scratch,
-            filter,
-        };
+        let mut sandbox =
+            Self { sysroot, cargo_home, keeps, as_nobody: false, limits, scratch, filter };
         if let Err(why) = self_test::check(&sandbox) {
             let none = "foreign code cannot be kept in a sandbox here";
             if !trusted {
