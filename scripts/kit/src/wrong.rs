@@ -18,6 +18,9 @@
 //!
 //! A program loses the marks of its region's task. Where another task cannot be asked without that
 //! one, the line `also loses` names it.
+//!
+//! Unusual programs that are right are kept in `tests/right/labN.md` in the same form, with `passes` instead of
+//! `fails`. They keep all marks.
 
 use std::collections::BTreeSet;
 
@@ -30,18 +33,20 @@ use crate::lab::Lab;
 use crate::starter::rename;
 use crate::submission::{Sources, of_solution};
 
-/// A wrong answer to a task.
+/// A wrong answer to a task, or an unusual right one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wrong {
     /// The heading of its section.
     pub name: String,
     /// The region that it stands for.
     pub region: RegionId,
-    /// The tests that must fail on it.
+    /// The tests that must fail on it; none if it is right.
     pub fails: Vec<String>,
+    /// The tests that must pass on it, if it is right.
+    pub passes: Vec<String>,
     /// Other tasks that cannot be asked without this one, and whose marks go with it.
     pub loses: Vec<Task>,
-    /// What is wrong with it.
+    /// What is wrong with it, or unusual.
     pub story: String,
     /// The code.
     pub body: String,
@@ -49,15 +54,23 @@ pub struct Wrong {
 
 /// Reads the known-wrong programs of a lab; none if it has no page yet.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
-    let page = page(lab);
-    let path = kit.path(&page);
+    read_page(kit, lab, &page(lab))
+}
+
+/// Reads the unusual right programs of a lab; none if it has no page.
+pub fn read_right(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
+    read_page(kit, lab, &right_page(lab))
+}
+
+fn read_page(kit: &Kit, lab: Lab, page: &str) -> Result<Vec<Wrong>> {
+    let path = kit.path(page);
     if !path.is_file() {
         return Ok(Vec::new());
     }
     let text = read_text(&path)?;
     let sections = text.split("\n## ").skip(1);
     let all: Vec<Wrong> = sections
-        .map(|section| parse(lab, section).with_context(|| page.clone()))
+        .map(|section| parse(lab, section).with_context(|| page.to_owned()))
         .collect::<Result<_>>()?;
     let mut names = BTreeSet::new();
     for wrong in &all {
@@ -69,6 +82,11 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
 /// The page of a lab's known-wrong programs, below the kit's top folder.
 pub fn page(lab: Lab) -> String {
     format!("tests/wrong/lab{lab}.md")
+}
+
+/// The page of a lab's unusual right programs, below the kit's top folder.
+pub fn right_page(lab: Lab) -> String {
+    format!("tests/right/lab{lab}.md")
 }
 
 impl Wrong {
@@ -103,14 +121,17 @@ fn parse(lab: Lab, section: &str) -> Result<Wrong> {
 
     let region: RegionId = needed("- region:")?.parse().map_err(error)?;
     ensure!(region.task.lab == lab, error(format!("task {region} is not of lab {lab}")));
-    let fails = needed("- fails:")?.split(',').map(|test| test.trim().replace('`', "")).collect();
+    let tests = |tests: &str| tests.split(',').map(|test| test.trim().replace('`', "")).collect();
+    let passes: Vec<String> = field("- passes:").map(tests).unwrap_or_default();
+    let fails = if passes.is_empty() { tests(needed("- fails:")?) } else { Vec::new() };
     let loses = field("- also loses:").into_iter().flat_map(|tasks| tasks.split(','));
     let loses = loses.map(|task| task.trim().parse().map_err(error)).collect::<Result<_>>()?;
     let story = head.split("\n- region:").next().unwrap_or_default();
     let story = story.split_whitespace().collect::<Vec<_>>().join(" ");
     ensure!(!story.is_empty(), error("it does not say what is wrong".into()));
     ensure!(!body.trim().is_empty(), error("no code".into()));
-    Ok(Wrong { name: name.into(), region, fails, loses, story, body: format!("{body}\n") })
+    let body = format!("{body}\n");
+    Ok(Wrong { name: name.into(), region, fails, passes, loses, story, body })
 }
 
 #[cfg(test)]
@@ -128,6 +149,14 @@ mod tests {
         assert_eq!(wrong.fails, ["task_2_4::a", "task_2_5::b"]);
         assert!(wrong.loses.is_empty());
         assert_eq!(wrong.body, "// why\nreturn 1;\n");
+    }
+
+    #[test]
+    fn a_right_program_names_tests_that_pass() {
+        let section = SECTION.replace("fails", "passes");
+        let right = parse("2".parse().unwrap(), &section).unwrap();
+        assert!(right.fails.is_empty());
+        assert_eq!(right.passes, ["task_2_4::a", "task_2_5::b"]);
     }
 
     #[test]

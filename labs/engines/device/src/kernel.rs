@@ -3,7 +3,8 @@
 use bytemuck::Pod;
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, Buffer, ComputePipeline,
-    ComputePipelineDescriptor, PipelineCompilationOptions, ShaderModuleDescriptor, ShaderSource,
+    ComputePipelineDescriptor, ErrorFilter, PipelineCompilationOptions, ShaderModuleDescriptor,
+    ShaderSource,
 };
 
 use crate::device::Gpu;
@@ -63,6 +64,9 @@ impl Kernel {
     }
 
     /// Gives the kernel its buffers: `(binding, buffer)` for each `@binding` that it uses.
+    ///
+    /// # Panics
+    /// The kernel's code does not use one of the bindings, or uses another one.
     pub fn bind(&self, gpu: &Gpu, buffers: &[(u32, &Buffer)]) -> Bound {
         let entries: Vec<_> = buffers
             .iter()
@@ -71,12 +75,21 @@ impl Kernel {
                 resource: buffer.as_entire_binding(),
             })
             .collect();
-        let buffers = gpu.device.create_bind_group(&BindGroupDescriptor {
+        let scope = gpu.device.push_error_scope(ErrorFilter::Validation);
+        let group = gpu.device.create_bind_group(&BindGroupDescriptor {
             label: Some(self.name),
             layout: &self.pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
-        Bound { pipeline: self.pipeline.clone(), buffers, name: self.name }
+        if let Some(error) = pollster::block_on(scope.pop()) {
+            let bindings: Vec<u32> = buffers.iter().map(|(binding, _)| *binding).collect();
+            panic!(
+                "the kernel '{}' must use its buffers @binding {bindings:?}, and no other: is one of them missing in its \
+                 code? The device says: {error}",
+                self.name
+            );
+        }
+        Bound { pipeline: self.pipeline.clone(), buffers: group, name: self.name }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The search of a rank with a strip.
 
 use common::hard::Disc;
+use common_mpi::note;
 use hard_discs::{Candidate, Collisions, Find, Hit, Square, Window};
 use mpi::traits::*;
 
@@ -57,6 +58,7 @@ impl<T: Deciding> SpatialCuts<T> {
 
 /// The wall collisions that could happen to `discs` in this step.
 pub fn walls_of<C: Collisions>(discs: &[DiscWire], square: Square) -> Vec<Candidate> {
+    note("walls_of");
     discs
         .iter()
         .filter_map(|disc| C::wall_hit(disc.number as u32, &Disc::from(disc), square))

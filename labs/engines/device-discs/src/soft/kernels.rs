@@ -22,7 +22,7 @@ pub trait SoftKernels: Launcher + Sized + 'static {
     fn discs() -> &'static str;
 
     /// The kernels `scan_blocks` and `add_sums` of a prefix sum: binding 0 the numbers, binding 1 the sums of
-    /// their blocks.
+    /// their blocks. They see the functions `put`, `fetch` and `meet` of a workgroup's shared numbers, and set `own`.
     fn scan() -> &'static str;
 
     /// The kernels `count`, `scatter` and `order` of a counting sort.

@@ -17,7 +17,7 @@ impl Scan {
         len: u32,
         threads: u32,
     ) -> Result<Self, GpuError> {
-        let sources = [K::scan()];
+        let sources = [K::scan(), include_str!("shared.wgsl")];
         let limits = gpu.limits();
         // Blocks of one number would never become fewer.
         let threads = threads.max(2);
