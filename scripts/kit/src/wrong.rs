@@ -16,6 +16,10 @@
 //! ```
 //! ````
 //!
+//! A long body can be a diff of the answer instead: the block is called `diff`, lines with `-` give way to those with
+//! `+`, lines with a blank stay, and an empty line ends a change. The lines of a change that are in the answer must be
+//! there once.
+//!
 //! A program loses the marks of its region's task. Where another task cannot be asked without that
 //! one, the line `also loses` names it.
 //!
@@ -24,9 +28,9 @@
 
 use std::collections::BTreeSet;
 
-use anyhow::{Context, Result, anyhow, ensure};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 
-use crate::answers::{self, Part, RegionId, Task};
+use crate::answers::{self, MarkedFile, Part, RegionId, Task};
 use crate::files::read_text;
 use crate::kit::Kit;
 use crate::lab::Lab;
@@ -68,9 +72,10 @@ fn read_page(kit: &Kit, lab: Lab, page: &str) -> Result<Vec<Wrong>> {
         return Ok(Vec::new());
     }
     let text = read_text(&path)?;
+    let files = answers::read_solution(kit, lab)?;
     let sections = text.split("\n## ").skip(1);
     let all: Vec<Wrong> = sections
-        .map(|section| parse(lab, section).with_context(|| page.to_owned()))
+        .map(|section| complete(lab, section, &files).with_context(|| page.to_owned()))
         .collect::<Result<_>>()?;
     let mut names = BTreeSet::new();
     for wrong in &all {
@@ -108,6 +113,44 @@ impl Wrong {
     }
 }
 
+/// A section of the page, with a whole body.
+fn complete(lab: Lab, section: &str, files: &[MarkedFile]) -> Result<Wrong> {
+    let mut wrong = parse(lab, section)?;
+    if section.contains("\n```diff\n") {
+        let (name, region) = (&wrong.name, wrong.region);
+        let mut regions = files.iter().flat_map(MarkedFile::regions);
+        let answer = regions.find(|answer| answer.id == region);
+        let answer = answer.with_context(|| format!("'{name}': no region {region}"))?;
+        let body = patched(&answer.body, &wrong.body).with_context(|| format!("'{name}'"))?;
+        wrong.body = body;
+    }
+    Ok(wrong)
+}
+
+/// An answer with the changes of a diff, without the indentation of the whole.
+fn patched(answer: &str, diff: &str) -> Result<String> {
+    let indents = answer.lines().filter(|line| !line.is_empty());
+    let indent = indents.map(|line| line.len() - line.trim_start().len()).min().unwrap_or(0);
+    let mut lines: Vec<&str> =
+        answer.lines().map(|line| line.get(indent..).unwrap_or_default()).collect();
+    for change in diff.split("\n\n") {
+        let without = |sign: char| change.lines().filter(move |line| !line.starts_with(sign));
+        let [old, new] =
+            ['+', '-'].map(|sign| without(sign).map(|line| &line[1..]).collect::<Vec<_>>());
+        let is_there = |first: &usize| lines[*first..].starts_with(&old);
+        let places: Vec<usize> = (0..lines.len()).filter(is_there).collect();
+        let &[place] = &places[..] else {
+            bail!(
+                "{} places of the answer have these lines, not one:\n{}",
+                places.len(),
+                old.join("\n")
+            );
+        };
+        lines.splice(place..place + old.len(), new);
+    }
+    Ok(lines.join("\n") + "\n")
+}
+
 /// A section of the page, from its name to the end of its code.
 fn parse(lab: Lab, section: &str) -> Result<Wrong> {
     let (name, rest) = section.split_once('\n').context("the last section is empty")?;
@@ -136,7 +179,7 @@ fn parse(lab: Lab, section: &str) -> Result<Wrong> {
 
 #[cfg(test)]
 mod tests {
-    use super::{parse, read};
+    use super::{parse, patched, read};
     use crate::kit::Kit;
 
     const SECTION: &str = "corner\n\nOne:\ntwo.\n\n- region: 2.4b\n- fails: `task_2_4::a`, `task_2_5::b`\n\n\
@@ -149,6 +192,21 @@ mod tests {
         assert_eq!(wrong.fails, ["task_2_4::a", "task_2_5::b"]);
         assert!(wrong.loses.is_empty());
         assert_eq!(wrong.body, "// why\nreturn 1;\n");
+    }
+
+    #[test]
+    fn a_diff_changes_the_answer() {
+        let answer = "    let a = 1;\n    if a {\n        b();\n    }\n";
+        let body = patched(answer, "-let a = 1;\n+let a = 2;\n\n     b();\n+    c();\n").unwrap();
+        assert_eq!(body, "let a = 2;\nif a {\n    b();\n    c();\n}\n");
+        let error = patched(answer, "-let b = 1;\n").unwrap_err().to_string();
+        assert!(error.starts_with("0 places of the answer"), "{error}");
+    }
+
+    #[test]
+    fn every_diff_fits_its_answer() {
+        let kit = Kit::find().unwrap();
+        kit.solutions().into_iter().for_each(|lab| _ = read(&kit, lab).unwrap());
     }
 
     #[test]
