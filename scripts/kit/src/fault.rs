@@ -6,7 +6,7 @@
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 
-use crate::files::{files_below, read_text};
+use crate::files::{read_text, sources_below};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -48,5 +48,5 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Fault>> {
         let unread = || format!("cannot read {}", path.display());
         serde_json::from_str(&read_text(&path)?).with_context(unread)
     };
-    files_below(&kit.starter(lab).join("faults"))?.into_iter().map(of).collect()
+    sources_below(&kit.starter(lab).join("faults"))?.into_iter().map(of).collect()
 }

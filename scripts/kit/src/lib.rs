@@ -3,7 +3,7 @@
 //! [`Kit`] knows where things are, [`Facts`] what a [`Lab`] says about itself. [`answers`] reads the tasks
 //! in a solution and [`starter`] makes a starter of it; [`hints`], [`wrong`], [`fault`] and [`rubric`]
 //! read what is written beside it. [`harness`] runs a lab's tests, [`binaries`] are its programs, both
-//! in a [`process`] of their own; [`cargo`] shows what it builds. A [`command`] of the kit begins and ends alike, wherever it is.
+//! in a [`process`] of their own; [`cargo`] shows what it builds, and [`fresh`] builds of the sources as they are now. A [`command`] of the kit begins and ends alike, wherever it is.
 
 pub mod answers;
 pub mod binaries;
@@ -13,6 +13,7 @@ pub mod excerpt;
 pub mod facts;
 pub mod fault;
 pub mod files;
+pub mod fresh;
 pub mod harness;
 pub mod hints;
 pub mod kit;
@@ -30,6 +31,6 @@ pub mod table;
 pub mod wrong;
 
 pub use facts::{Discs, Facts, Workers};
-pub use files::files_below;
+pub use files::{files_below, sources_below};
 pub use kit::Kit;
 pub use lab::Lab;

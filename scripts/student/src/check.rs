@@ -12,6 +12,7 @@ use crate::results::{self, Run};
 use crate::tasks::{self, State};
 use crate::test::run_tests;
 use lab_kit::cargo::run_visibly;
+use lab_kit::fresh;
 use lab_kit::page::folded;
 use lab_kit::process;
 use lab_kit::starter::Record;
@@ -124,9 +125,10 @@ fn format(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
 fn lints(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     let mut cargo = kit.cargo();
     cargo.args(["clippy", "--no-deps", "--package", &format!("lab{lab}")]);
-    cargo.args(["--lib", "--bins", "--", "-D", "warnings", "-D", "unused"]);
+    cargo.args(["--message-format=json-render-diagnostics", "--lib", "--bins"]);
+    cargo.args(["--", "-D", "warnings", "-D", "unused"]);
     cargo.args(["-Dclippy::print_stdout", "-Dclippy::print_stderr", "-Dclippy::dbg_macro"]);
-    let output = run_visibly(&mut cargo).context("cargo clippy did not start")?;
+    let output = fresh::build(&mut cargo, run_visibly).context("cargo clippy did not start")?;
     Ok(if output.status.success() {
         Ok("clippy has nothing to say, and nothing is unused".into())
     } else {

@@ -9,7 +9,7 @@ use lab_kit::files::read_bytes;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::hints;
 use lab_kit::page::folded;
-use lab_kit::{Kit, Lab, files_below};
+use lab_kit::{Kit, Lab, sources_below};
 
 /// How far a task has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -119,7 +119,7 @@ struct Todo {
 /// All of a lab.
 fn todos(kit: &Kit, lab: Lab) -> Result<Vec<Todo>> {
     let mut todos = Vec::new();
-    for path in files_below(&kit.starter(lab).join("src"))? {
+    for path in sources_below(&kit.starter(lab).join("src"))? {
         let shown = path.strip_prefix(kit.root()).unwrap_or(&path).display();
         for (line, number) in String::from_utf8_lossy(&read_bytes(&path)?).lines().zip(1..) {
             let Some((id, title)) = todo(line) else { continue };

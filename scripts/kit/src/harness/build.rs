@@ -10,6 +10,7 @@ use thiserror::Error;
 
 use super::verdict::Outcome;
 use crate::cargo::run_visibly;
+use crate::fresh;
 use crate::lab::Lab;
 use crate::process;
 
@@ -66,7 +67,11 @@ pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
     let target = format!("lab{lab}");
     cargo.args(["test", "--no-run", "--package", package, "--test", &target]);
     cargo.arg(format!("--message-format={format}"));
-    let output = if shown { run_visibly(&mut cargo) } else { cargo.arg("--quiet").output() };
+    let output = if shown {
+        fresh::build(&mut cargo, run_visibly)
+    } else {
+        fresh::build(cargo.arg("--quiet"), Command::output)
+    };
     let output = output.map_err(|e| trouble(&format!("cargo did not start: {e}")))?;
     let mut program = None;
     let mut errors = Vec::new();

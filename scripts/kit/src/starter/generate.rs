@@ -10,23 +10,23 @@ use std::process::{Command, Stdio};
 use anyhow::{Context, Result, bail};
 
 use crate::answers::{self, Part, Region};
-use crate::files::{files_below, read_bytes, read_toml_at};
+use crate::files::{read_bytes, read_toml_at, sources_below};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
 /// The files of a starter, by their path in its folder.
 pub type Files = BTreeMap<PathBuf, Vec<u8>>;
 
-/// All files below a folder; none if there is no such folder.
+/// The [sources](sources_below) below a folder; none if there is no such folder.
 pub fn read_below(folder: &Path) -> Result<Files> {
     let read = |path: PathBuf| Ok((path.strip_prefix(folder)?.to_owned(), read_bytes(&path)?));
-    files_below(folder)?.into_iter().map(read).collect()
+    sources_below(folder)?.into_iter().map(read).collect()
 }
 
 /// What lies where a starter's files belong, in src/ and tests/, by path in its folder.
 pub fn own_paths(folder: &Path) -> Result<Vec<PathBuf>> {
-    let mut paths = files_below(&folder.join("src"))?;
-    paths.extend(files_below(&folder.join("tests"))?);
+    let mut paths = sources_below(&folder.join("src"))?;
+    paths.extend(sources_below(&folder.join("tests"))?);
     Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
 }
 
