@@ -2,7 +2,7 @@
 //!
 //! [`Kit`] knows where things are, [`Facts`] what a [`Lab`] says about itself. [`answers`] reads the tasks
 //! in a solution and [`starter`] makes a starter of it; [`hints`], [`wrong`], [`fault`] and [`rubric`]
-//! read what is written beside it. [`harness`] runs a lab's tests, [`binaries`] are its programs, both
+//! read what is written beside it. [`given`] says what of a submission is built. [`harness`] runs a lab's tests, [`binaries`] are its programs, both
 //! in a [`process`] of their own; [`cargo`] shows what it builds, and [`fresh`] builds of the sources as they are now. A [`command`] of the kit begins and ends alike, wherever it is.
 
 pub mod answers;
@@ -14,6 +14,7 @@ pub mod facts;
 pub mod fault;
 pub mod files;
 pub mod fresh;
+pub mod given;
 pub mod harness;
 pub mod hints;
 pub mod kit;
@@ -32,5 +33,6 @@ pub mod wrong;
 
 pub use facts::{Discs, Facts, Workers};
 pub use files::{files_below, sources_below};
+pub use given::Given;
 pub use kit::Kit;
 pub use lab::Lab;

@@ -4,6 +4,7 @@ mod calls;
 mod check;
 mod door;
 mod fault;
+mod graded;
 mod hint;
 mod list;
 mod memory;

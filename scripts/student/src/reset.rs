@@ -9,7 +9,7 @@ use clap::Args;
 
 use lab_kit::files::{read_bytes, write_file};
 use lab_kit::machine::date;
-use lab_kit::starter::{Files, GIVEN, Record, generate, own_paths, read_below};
+use lab_kit::starter::{Files, Record, given, own_paths};
 use lab_kit::{Kit, Lab};
 
 /// Where work is kept: not under `target/`, which `cargo clean` empties.
@@ -41,7 +41,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 /// Returns where the work is now, below the top folder; none if there was none.
 fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
     let folder = kit.starter(lab);
-    let (given, there) = (given(kit, lab)?, work(&folder)?);
+    let given = given(kit, lab)?;
+    let there = work(&folder)?;
     if there == given {
         return Ok(None);
     }
@@ -55,16 +56,6 @@ fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
     }
     Record::of(&given).write(&folder).with_context(partly)?;
     Ok(Some(kept))
-}
-
-/// The starter as it was given: as it was kept or, in a kit that has not kept it, made from the solution.
-fn given(kit: &Kit, lab: Lab) -> Result<Files> {
-    let kept = kit.starter(lab).join(GIVEN);
-    if kept.is_dir() {
-        return read_below(&kept);
-    }
-    kit.chosen_solutions(Some(lab))?;
-    generate(kit, lab)
 }
 
 /// The files that a student may have changed or added, by their path in the lab's folder.

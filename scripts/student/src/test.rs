@@ -1,7 +1,7 @@
 //! `cargo lab test`: how far is my lab?
 
 use std::io::IsTerminal;
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 use std::str::FromStr;
 use std::sync::Mutex;
 
@@ -13,7 +13,7 @@ use crate::report::report;
 use crate::results::{self, Run, Step};
 use crate::tasks;
 use lab_kit::answers::Task;
-use lab_kit::harness::{BuildError, CompileError, Outcome};
+use lab_kit::harness::{Build, BuildError, CompileError, Outcome};
 use lab_kit::process;
 use lab_kit::system;
 use lab_kit::{Kit, Lab};
@@ -79,9 +79,25 @@ pub(crate) fn expect_task(kit: &Kit, task: Task) -> Result<()> {
     Ok(())
 }
 
-/// Builds and runs the tests of a lab, or of one task; a bar on a terminal names the test that has run
-/// longest. None if the lab does not compile, which is said.
+/// Builds and runs the tests of a lab, or of one task. None if the lab does not compile, which is said.
 pub(crate) fn run_tests(kit: &Kit, lab: Lab, only: Option<Task>) -> Result<Option<Run>> {
+    let package = format!("lab{lab}");
+    run_build(kit, lab, only, own_build(kit.cargo(), lab, &package))
+}
+
+/// How the tests of a package are built for somebody who looks on.
+pub(crate) fn own_build(cargo: Command, lab: Lab, package: &str) -> Build<'_> {
+    let colour = std::io::stdout().is_terminal();
+    Build { cargo, package, lab, shown: true, colour }
+}
+
+/// The same for tests that are built so. A bar on a terminal names the test that has run longest.
+pub(crate) fn run_build(
+    kit: &Kit,
+    lab: Lab,
+    only: Option<Task>,
+    build: Build<'_>,
+) -> Result<Option<Run>> {
     kit.expect_starter(lab)?;
     if let Some(what) = system::missing(kit, lab)? {
         bail!("lab {lab} needs {what}");
@@ -89,8 +105,7 @@ pub(crate) fn run_tests(kit: &Kit, lab: Lab, only: Option<Task>) -> Result<Optio
     let bar = ProgressBar::hidden();
     bar.set_style(ProgressStyle::with_template("{bar:30} test {pos} of {len}  {wide_msg}")?);
     let running = Mutex::new(Vec::new());
-    let colour = std::io::stdout().is_terminal();
-    let run = results::run(kit, lab, only, colour, |step| {
+    let run = results::run(kit, lab, only, build, |step| {
         let mut running = running.lock().expect("drawing does not panic");
         match step {
             Step::Tests(count) => {

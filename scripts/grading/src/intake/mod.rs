@@ -3,7 +3,6 @@
 mod archive;
 mod folder;
 pub(crate) mod forbidden;
-mod given;
 pub(crate) mod known_wrong;
 pub(crate) mod names;
 
@@ -19,9 +18,8 @@ use crate::record::LeftOut;
 use crate::roll;
 pub(crate) use folder::read;
 use folder::unpacker;
-pub(crate) use given::Given;
 use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
-use lab_kit::{Kit, Lab};
+use lab_kit::{Given, Kit, Lab};
 use names::{ELSEWHERE, is_macos, resolve};
 
 /// How the reason begins why a task's file at another place is not taken.
@@ -160,7 +158,7 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
     let mut files = handed_in.labs.remove(&lab).unwrap_or_default();
     let left_out = handed_in.left_out.into_iter().map(|(path, why)| LeftOut {
         path: cut(&path.to_string_lossy(), SHOWN),
-        reason: if why == ELSEWHERE && given.misplaced(&path) {
+        reason: if why == ELSEWHERE && is_misplaced(given, &path) {
             format!("{MISPLACED} labs/lab{lab}/src")
         } else {
             why.to_owned()
@@ -179,6 +177,13 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
         bail!("{path} in it is a file and a folder");
     }
     Ok(Intake { files, left_out, changed })
+}
+
+/// Whether a file that is not below labs/ has the name of one with a task.
+fn is_misplaced(given: &Given, path: &Path) -> bool {
+    let name = path.file_name();
+    let is_task = given.tasks.iter().any(|task| Path::new(task).file_name() == name);
+    is_task && !path.iter().any(|part| part == "labs")
 }
 
 /// Whether there is anything of a lab in it.

@@ -12,9 +12,9 @@ use zip::CompressionMethod;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
 use super::names::ELSEWHERE;
-use super::{Given, Intake, SHOWN, listed, nothing, read, submissions, take};
-use lab_kit::Kit;
+use super::{Intake, SHOWN, listed, nothing, read, submissions, take};
 use lab_kit::submission::{COUNT_LIMIT, Sources, pack};
+use lab_kit::{Given, Kit};
 
 /// An archive's file, and what is in it.
 type Archive = (&'static str, Vec<u8>);
@@ -31,7 +31,7 @@ fn taken((name, bytes): &Archive) -> Result<Intake> {
 
 /// A lab of one file.
 fn given() -> Given {
-    Given { files: Sources::new(), tasks: ["src/lib.rs".to_owned()].into() }
+    Given { tasks: ["src/lib.rs".to_owned()].into(), ..Given::default() }
 }
 
 /// What somebody has written.
@@ -175,7 +175,7 @@ fn what_is_broken_or_means_harm_is_refused() {
     cut.truncate(cut.len() / 2);
     let cases: [(Archive, &str); 10] = [
         (("twice.zip", renamed(b"bb")), "two files in it have the same name"),
-        (("file-and-folder.tar.gz", conflict("src/a")), "src/a in it is a file and a folder"),
+        (("file-and-folder.tar.gz", conflict("src/a.rs")), "src/a.rs in it is a file and a folder"),
         (("below-a-file.tgz", conflict("src/lib.rs")), "src/lib.rs in it is a file and a folder"),
         (("broken.tar.gz", b"no archive".to_vec()), "cannot be unpacked"),
         (("broken.zip", b"PK no archive".to_vec()), "cannot be unpacked"),

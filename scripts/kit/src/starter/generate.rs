@@ -9,6 +9,7 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
+use super::GIVEN;
 use crate::answers::{self, Part, Region};
 use crate::files::{read_bytes, read_toml_at, sources_below};
 use crate::kit::Kit;
@@ -28,6 +29,16 @@ pub fn own_paths(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut paths = sources_below(&folder.join("src"))?;
     paths.extend(sources_below(&folder.join("tests"))?);
     Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
+}
+
+/// The starter as it was given: as it was kept or, in a kit that has not kept it, made from the solution.
+pub fn given(kit: &Kit, lab: Lab) -> Result<Files> {
+    let kept = kit.starter(lab).join(GIVEN);
+    if kept.is_dir() {
+        return read_below(&kept);
+    }
+    kit.chosen_solutions(Some(lab))?;
+    generate(kit, lab)
 }
 
 /// Makes the starter of `lab`, in memory.
