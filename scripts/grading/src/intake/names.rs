@@ -2,6 +2,8 @@
 
 use std::path::{Component, Path, PathBuf};
 
+use unicode_normalization::UnicodeNormalization;
+
 use lab_kit::Lab;
 use lab_kit::submission::{NOT_UTF8, refused};
 
@@ -35,9 +37,15 @@ fn full(path: &Path) -> String {
     let whole = || path.canonicalize().ok();
     let name =
         path.file_name().map(ToOwned::to_owned).or_else(|| Some(whole()?.file_name()?.into()));
-    let mut name = name.unwrap_or_default().to_string_lossy().into_owned();
+    let mut name = composed(&name.unwrap_or_default().to_string_lossy());
     name.truncate(name.floor_char_boundary(MOST));
     name
+}
+
+/// A name with each accent in its letter, as most systems write it. macOS writes them apart, so both must be made the
+/// same before names are compared.
+pub(crate) fn composed(name: &str) -> String {
+    name.nfc().collect()
 }
 
 /// Whether the packer of macOS made it, to keep what only macOS knows of files.
@@ -52,7 +60,7 @@ pub(super) const ELSEWHERE: &str = "not below labs/labN/src: grading has its own
 /// `..`, an absolute path or an odd name leads nowhere.
 pub(super) fn resolve(path: &Path) -> Result<(Lab, String), &'static str> {
     // Windows' own packers write its separators.
-    let path = path.to_str().ok_or(NOT_UTF8)?.replace('\\', "/");
+    let path = composed(&path.to_str().ok_or(NOT_UTF8)?.replace('\\', "/"));
     let mut parts = Vec::new();
     for part in Path::new(&path).components() {
         match part {
