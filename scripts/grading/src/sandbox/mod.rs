@@ -6,6 +6,7 @@
 mod filter;
 pub(crate) mod memory;
 pub(crate) mod processes;
+mod registry;
 mod scratch;
 mod self_test;
 
@@ -18,6 +19,7 @@ use rustix::process::getuid;
 use tempfile::TempDir;
 
 use lab_kit::Kit;
+use registry::Registry;
 use scratch::Scratch;
 
 /// The longest times.
@@ -91,6 +93,8 @@ pub(crate) struct Sandbox {
     sysroot: PathBuf,
     /// Where cargo keeps the sources of dependencies.
     cargo_home: PathBuf,
+    /// And how it reaches them.
+    registry: Registry,
     /// Whether code is kept in: it can be made here.
     pub(crate) keeps: bool,
     pub(crate) limits: Limits,
@@ -116,8 +120,9 @@ impl Sandbox {
         let cargo_home = home.context("there is no home folder with cargo's in it")?;
         let scratch = Scratch::below(&std::env::temp_dir())?;
         let filter = filter::write(scratch.path()).context("cannot write a filter")?;
+        let registry = Registry::of(&cargo_home, scratch.path())?;
         let keeps = true;
-        let mut sandbox = Self { sysroot, cargo_home, keeps, limits, scratch, filter };
+        let mut sandbox = Self { sysroot, cargo_home, registry, keeps, limits, scratch, filter };
         if let Err(why) = self_test::check(&sandbox) {
             let none = "foreign code cannot be kept in a sandbox here";
             if !trusted {
@@ -142,6 +147,7 @@ impl Sandbox {
         let cargo = self.sysroot.join("bin/cargo");
         if !self.keeps {
             let mut command = Command::new(cargo);
+            self.registry.set(&mut command);
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
             command.env("CARGO_INCREMENTAL", "0").args(SETTINGS);
             return command;
@@ -152,9 +158,14 @@ impl Sandbox {
         command.arg("--bind").arg(tree).arg("/kit");
         command.arg("--ro-bind").arg(&self.sysroot).arg(&self.sysroot);
         command.args(["--dir", "/cargo"]);
-        for part in ["registry", "config.toml", "git"] {
+        for part in ["registry", "git"] {
             let path = self.cargo_home.join(part);
             command.arg("--ro-bind-try").arg(path).arg(format!("/cargo/{part}"));
+        }
+        command.arg("--ro-bind").arg(self.registry.home.join("config.toml"));
+        command.arg("/cargo/config.toml");
+        for folder in &self.registry.folders {
+            command.arg("--ro-bind-try").args([folder, folder]);
         }
         let path = format!("{}/bin:{PATH}", self.sysroot.display());
         for (name, value) in [
