@@ -9,12 +9,15 @@ use anyhow::{Result, bail, ensure};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::memory::{recall, remember};
 use crate::report::report;
 use crate::results::{self, Run, Step};
 use crate::tasks;
 use lab_kit::answers::Task;
 use lab_kit::harness::{Build, BuildError, CompileError, Outcome};
+use lab_kit::page::folded;
 use lab_kit::process;
+use lab_kit::submission;
 use lab_kit::system;
 use lab_kit::{Kit, Lab};
 
@@ -102,6 +105,7 @@ pub(crate) fn run_build(
     if let Some(what) = system::missing(kit, lab)? {
         bail!("lab {lab} needs {what}");
     }
+    name_unread(kit, lab)?;
     let bar = ProgressBar::hidden();
     bar.set_style(ProgressStyle::with_template("{bar:30} test {pos} of {len}  {wide_msg}")?);
     let running = Mutex::new(Vec::new());
@@ -132,6 +136,21 @@ pub(crate) fn run_build(
             bail!("the tests of lab {lab} cannot be built: {trouble}")
         }
     }
+}
+
+/// Names what lies in src and is not read, unless that was said before.
+fn name_unread(kit: &Kit, lab: Lab) -> Result<()> {
+    let file = format!("unread/lab{lab}.json");
+    let mut unread = Vec::new();
+    for (path, why) in submission::collect(&kit.starter(lab))?.left_out {
+        unread.push(format!("labs/lab{lab}/{}: {why}", path.display()));
+    }
+    let named: Option<Vec<String>> = recall(kit, &file);
+    if named.unwrap_or_default() != unread {
+        unread.iter().for_each(|line| print!("{}", folded("not read: ", line)));
+        remember(kit, &file, &unread)?;
+    }
+    Ok(())
 }
 
 /// Says where and what the compiler says, the first error only: the others often follow from it.
