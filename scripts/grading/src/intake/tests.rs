@@ -222,26 +222,27 @@ fn archives_beside_a_folder_labs_are_not_passed_over() {
 #[test]
 fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    zip.start_file("lab1/src/lib.rs", PLAIN).unwrap();
+    zip.start_file("lab2/src/lib.rs", PLAIN).unwrap();
     let intake = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap();
     let said = nothing("1".parse().unwrap(), &intake.left_out);
     assert!(
-        intake.files.is_empty() && said.contains("but lab1/src/lib.rs. 'cargo lab submit 1'"),
+        intake.files.is_empty() && said.contains("but lab2/src/lib.rs. 'cargo lab submit 1'"),
         "{said}"
     );
 }
 
 #[test]
-fn a_file_at_the_top_is_said_to_be_in_the_wrong_place() {
+fn a_file_in_two_places_is_said_to_be_in_the_wrong_one() {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    for path in ["lib.rs", "report.pdf"] {
+    for path in ["new/lib.rs", "old/lib.rs", "report.pdf"] {
         zip.start_file(path, PLAIN).unwrap();
     }
     let left_out = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap().left_out;
     let reasons = left_out.iter().map(|left| left.reason.as_str()).collect::<Vec<_>>();
-    assert_eq!(reasons, ["it does not lie in labs/lab1/src", ELSEWHERE]);
+    let misplaced = "it does not lie in labs/lab1/src";
+    assert_eq!(reasons, [misplaced, misplaced, ELSEWHERE]);
     let said = nothing("1".parse().unwrap(), &left_out);
-    assert!(said.contains("in it, but lib.rs. 'cargo lab submit 1'"), "{said}");
+    assert!(said.contains("in it, but new/lib.rs. 'cargo lab submit 1'"), "{said}");
 }
 
 #[test]

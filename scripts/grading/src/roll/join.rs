@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::roster::{Roster, Student, key};
 use crate::escape::line;
-use crate::intake::names::composed;
+use crate::intake::names::{bare, composed};
 use crate::record::{Attempt, Record};
 
 /// Which of a student's submissions counts.
@@ -230,7 +230,7 @@ fn all_named(students: &[Student], name: &str) -> Vec<usize> {
 /// accident; a word is not, and then nobody is meant.
 fn by_parts(students: &[Student], name: &str) -> Option<usize> {
     let mut meant: Vec<usize> = Vec::new();
-    for part in [name].into_iter().chain(name.split('_')) {
+    for part in [name, bare(name)].into_iter().chain(name.split('_').map(bare)) {
         let named = all_named(students, part);
         let both: Vec<usize> =
             named.iter().copied().filter(|student| meant.contains(student)).collect();
