@@ -13,6 +13,7 @@ mod event;
 mod program;
 mod room;
 mod scene_error;
+mod threads;
 mod variant;
 mod vec2;
 mod whole_file;

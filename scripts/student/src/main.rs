@@ -39,7 +39,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    command::end_quietly_when_nobody_reads();
+    command::end_in_one_line();
     command::finish(Kit::find().and_then(|kit| {
         if let Some(code) = door::elsewhere(&kit)? {
             return Ok(code);

@@ -1,6 +1,5 @@
 //! `cargo lab test`: how far is my lab?
 
-use std::io::IsTerminal;
 use std::process::{Command, ExitCode};
 use std::str::FromStr;
 use std::sync::Mutex;
@@ -17,6 +16,7 @@ use lab_kit::answers::Task;
 use lab_kit::harness::{Build, BuildError, CompileError, Outcome};
 use lab_kit::page::folded;
 use lab_kit::process;
+use lab_kit::progress::can_draw;
 use lab_kit::submission;
 use lab_kit::system;
 use lab_kit::{Kit, Lab};
@@ -90,7 +90,7 @@ pub(crate) fn run_tests(kit: &Kit, lab: Lab, only: Option<Task>) -> Result<Optio
 
 /// How the tests of a package are built for somebody who looks on.
 pub(crate) fn own_build(cargo: Command, lab: Lab, package: &str) -> Build<'_> {
-    let colour = std::io::stdout().is_terminal();
+    let colour = can_draw(&std::io::stdout()) && std::env::var_os("NO_COLOR").is_none();
     Build { cargo, package, lab, shown: true, colour }
 }
 
@@ -114,8 +114,9 @@ pub(crate) fn run_build(
         match step {
             Step::Tests(count) => {
                 bar.set_length(count as u64);
-                // Hidden by itself where there is no terminal.
-                bar.set_draw_target(ProgressDrawTarget::stderr());
+                if can_draw(&std::io::stderr()) {
+                    bar.set_draw_target(ProgressDrawTarget::stderr());
+                }
             }
             Step::Begun(test) => running.push(test.to_owned()),
             Step::Ended(test) => {
