@@ -44,9 +44,19 @@ pub fn is_left_by_a_tool(name: &str) -> bool {
     name.starts_with('.') || COPIES.iter().any(|ending| name.ends_with(ending))
 }
 
-/// A text file.
+/// A text file, with the line endings of Unix.
 pub fn read_text(path: &Path) -> Result<String> {
-    fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
+    let text = fs::read_to_string(path);
+    let text = text.with_context(|| format!("cannot read {}", path.display()))?;
+    Ok(text.replace("\r\n", "\n"))
+}
+
+/// What a text is with the line endings of Unix: two texts are the same if these are. Other files are as they are.
+pub fn with_unix_lines(bytes: Vec<u8>) -> Vec<u8> {
+    match String::from_utf8(bytes) {
+        Ok(text) => text.replace("\r\n", "\n").into_bytes(),
+        Err(other) => other.into_bytes(),
+    }
 }
 
 /// What a TOML file says.

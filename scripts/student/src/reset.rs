@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::Args;
 
-use lab_kit::files::{read_bytes, write_file};
+use lab_kit::files::{read_bytes, with_unix_lines, write_file};
 use lab_kit::machine::date;
 use lab_kit::starter::{Files, Record, given, own_paths};
 use lab_kit::{Kit, Lab};
@@ -61,7 +61,11 @@ fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
 /// The files that a student may have changed or added, by their path in the lab's folder.
 fn work(folder: &Path) -> Result<Files> {
     let paths = own_paths(folder)?.into_iter().chain(["Cargo.toml".into()]);
-    paths.map(|path| Ok((path.clone(), read_bytes(&folder.join(path))?))).collect()
+    let read = |path: PathBuf| {
+        let bytes = read_bytes(&folder.join(&path))?;
+        Ok((path, with_unix_lines(bytes)))
+    };
+    paths.map(read).collect()
 }
 
 /// Writes the files, all or none, to a folder that is not there yet.
@@ -138,6 +142,23 @@ pub fn f() -> u8 {
         assert!(!kit.path("labs/lab1/src/deep/own.rs").exists());
         assert!(kit.path("labs/lab1/notes.md").is_file());
         assert_eq!(reset(&kit, lab).unwrap(), None, "nothing is left to reset");
+    }
+
+    #[test]
+    fn line_endings_are_no_work() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = kit(folder.path());
+        let lab = "1".parse().unwrap();
+        // As a clone made on Windows has them, the solution's too.
+        for folder in ["labs/lab1", "solutions/lab1"] {
+            for path in ["src/lib.rs", "Cargo.toml"].map(|path| kit.path(folder).join(path)) {
+                let text = fs::read_to_string(&path).unwrap();
+                fs::write(&path, text.replace('\n', "\r\n")).unwrap();
+            }
+        }
+        assert_eq!(reset(&kit, lab).unwrap(), None);
+        fs::write(kit.path("labs/lab1/src/lib.rs"), "mine\r\n").unwrap();
+        assert!(reset(&kit, lab).unwrap().is_some());
     }
 
     #[test]

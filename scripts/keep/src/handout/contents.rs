@@ -14,9 +14,10 @@ use lab_kit::starter::{Files, GIVEN, Record, generate};
 use lab_kit::{Facts, Kit, Lab, Workers};
 
 /// Files at the top that go along as they are. README is the students' own.
-const TOP: [&str; 10] = [
+const TOP: [&str; 11] = [
     ".cargo/config.toml",
     ".devcontainer/devcontainer.json",
+    ".gitattributes",
     ".gitignore",
     ".helix/languages.toml",
     ".vscode/settings.json",

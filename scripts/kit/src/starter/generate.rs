@@ -1,7 +1,6 @@
 //! What the starter of a lab must be, from its solution.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::io::Write;
 use std::iter;
 use std::path::{Path, PathBuf};
@@ -11,7 +10,7 @@ use anyhow::{Context, Result, bail};
 
 use super::GIVEN;
 use crate::answers::{self, Part, Region};
-use crate::files::{read_bytes, read_toml_at, sources_below};
+use crate::files::{read_bytes, read_text, read_toml_at, sources_below, with_unix_lines};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -35,7 +34,8 @@ pub fn own_paths(folder: &Path) -> Result<Vec<PathBuf>> {
 pub fn given(kit: &Kit, lab: Lab) -> Result<Files> {
     let kept = kit.starter(lab).join(GIVEN);
     if kept.is_dir() {
-        return read_below(&kept);
+        let files = read_below(&kept)?.into_iter();
+        return Ok(files.map(|(path, bytes)| (path, with_unix_lines(bytes))).collect());
     }
     kit.chosen_solutions(Some(lab))?;
     generate(kit, lab)
@@ -62,7 +62,7 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     }
     // What is neither Rust nor a shader is given as it is.
     for (path, bytes) in read_below(&folder.join("src"))? {
-        files.entry(Path::new("src").join(path)).or_insert(bytes);
+        files.entry(Path::new("src").join(path)).or_insert_with(|| with_unix_lines(bytes));
     }
     let manifest = manifest(kit, lab).with_context(|| format!("solutions/lab{lab}/Cargo.toml"))?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
@@ -70,7 +70,8 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     // documentation, which a file that a solution includes cannot have.
     let root = PathBuf::from(format!("tests/lab{lab}.rs"));
     for path in kit.test_sources(lab)? {
-        let (path, mut bytes) = (path.strip_prefix(kit.root())?.to_owned(), read_bytes(&path)?);
+        let (path, mut bytes) =
+            (path.strip_prefix(kit.root())?.to_owned(), with_unix_lines(read_bytes(&path)?));
         if path == root {
             bytes.splice(..0, format!("//! Lab {lab}'s graders.\n\n").into_bytes());
         }
@@ -155,7 +156,7 @@ fn formatted(kit: &Kit, text: &str) -> Result<Vec<u8>> {
 /// about what is unused, because beside a `todo!` everything is. What stands below the lints is the
 /// solution's alone.
 fn manifest(kit: &Kit, lab: Lab) -> Result<String> {
-    let text = fs::read_to_string(kit.solution(lab).join("Cargo.toml"))?;
+    let text = read_text(&kit.solution(lab).join("Cargo.toml"))?;
     let text = rename(&text, lab).replacen(": the solution\"", ": your work\"", 1);
     let (before, _) =
         text.split_once("\n[lints]\nworkspace = true").context("no workspace's lints")?;
