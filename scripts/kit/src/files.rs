@@ -44,11 +44,11 @@ pub fn is_left_by_a_tool(name: &str) -> bool {
     name.starts_with('.') || COPIES.iter().any(|ending| name.ends_with(ending))
 }
 
-/// A text file, with the line endings of Unix.
+/// A text file, with the line endings of Unix and without the mark of its byte order that editors of Windows write.
 pub fn read_text(path: &Path) -> Result<String> {
     let text = fs::read_to_string(path);
     let text = text.with_context(|| format!("cannot read {}", path.display()))?;
-    Ok(text.replace("\r\n", "\n"))
+    Ok(text.trim_start_matches('\u{feff}').replace("\r\n", "\n"))
 }
 
 /// What a text is with the line endings of Unix: two texts are the same if these are. Other files are as they are.
