@@ -44,7 +44,7 @@ pub fn is_left_by_a_tool(name: &str) -> bool {
     name.starts_with('.') || COPIES.iter().any(|ending| name.ends_with(ending))
 }
 
-/// A text file, with the line endings of Unix and without the mark of its byte order that editors of Windows write.
+/// A text file with the line endings of Unix, without a byte order mark.
 pub fn read_text(path: &Path) -> Result<String> {
     let text = fs::read_to_string(path);
     let text = text.with_context(|| format!("cannot read {}", path.display()))?;
