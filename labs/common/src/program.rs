@@ -1,5 +1,4 @@
-//! The common part of all labs' programs: the choice of a variant, its
-//! configuration, the one line of complaint, the progress bar.
+//! The common part of all labs' programs: options, the error line, the progress bar, and JSON.
 
 use std::env;
 use std::io::{self, IsTerminal, Write};
@@ -15,10 +14,10 @@ use serde_json::{Map, Value, json};
 
 use crate::{Config, Event, Variant, threads, write_whole};
 
-/// How long a rank leaves it to the root to complain.
+/// Time that a rank waits for the root to report an error for all ranks.
 const GRACE: Duration = Duration::from_secs(1);
 
-/// One clear line for the user.
+/// An error message for the user, in one line.
 pub(crate) type Complaint = String;
 
 /// The options of every lab.
@@ -30,7 +29,7 @@ pub(crate) struct Choice {
     /// Number of threads [default: one per core]
     #[arg(short, value_name = "THREADS", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
-    /// Which program of this lab to run [default: the first]
+    /// Name of the program of this lab to run [default: the first]
     #[arg(long, value_name = "NAME")]
     pub(crate) variant: Option<String>,
     /// List this lab's programs and their parameters
@@ -39,7 +38,7 @@ pub(crate) struct Choice {
     /// Adjust a parameter of the variant
     #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
     pub(crate) param: Vec<(String, f64)>,
-    /// Write what each rank does when, in seconds: lines 'rank step activity begin end'
+    /// Write the activities of each rank, in seconds: lines 'rank step activity begin end'
     #[arg(long, value_name = "FILE")]
     pub(crate) events: Option<PathBuf>,
     /// Print the results, or the list, as one line of JSON
@@ -47,9 +46,11 @@ pub(crate) struct Choice {
     pub(crate) json: bool,
 }
 
-/// Parses the command line and runs the program. Of several processes with the same command line,
-/// only the `root` prints. What went wrong for all is the root's
-/// to say; another rank speaks only if the job has not ended [`GRACE`] later.
+/// Parses the command line and runs the program.
+///
+/// Of several processes with the same command line, only the `root` prints. The root reports an
+/// error that all processes have; another process prints its error only if the job has not ended
+/// after [`GRACE`].
 pub(crate) fn run<O: Parser>(
     root: bool,
     program: impl FnOnce(&O) -> Result<(), Complaint>,
@@ -78,7 +79,7 @@ pub(crate) fn run<O: Parser>(
     }
 }
 
-/// A task that is still to be done, and a thread that the system refuses, end the program with one line.
+/// Makes a task that is not done yet, and a thread that the system refuses, end the program with one line.
 fn end_in_one_line() {
     let usual = panic::take_hook();
     panic::set_hook(Box::new(move |panic| {
@@ -108,7 +109,7 @@ fn complain(root: bool, line: &str, code: u8) -> ExitCode {
 }
 
 impl Choice {
-    /// The variant that was asked for, or the first.
+    /// Returns the variant that the user chose, or the first one.
     pub(crate) fn variant<'v, S: ?Sized>(
         &self,
         variants: &'v [Variant<S>],
@@ -122,7 +123,7 @@ impl Choice {
         })
     }
 
-    /// The arguments.
+    /// Returns the configuration that the user chose for a variant.
     pub(crate) fn config<S: ?Sized>(&self, variant: &Variant<S>) -> Result<Config, Complaint> {
         let threads = match self.threads {
             Some(threads) => threads.into(),
@@ -137,7 +138,7 @@ impl Choice {
         Ok(config)
     }
 
-    /// Writes the events that were asked for, on the root.
+    /// Writes the events to the user's file, on the root, if the user has named a file.
     pub(crate) fn write_events(
         &self,
         variant: &str,
@@ -171,7 +172,7 @@ pub(crate) fn list<S: ?Sized>(variants: &[Variant<S>], json: bool) -> Result<(),
     say(&text)
 }
 
-/// A variant and its parameters as JSON.
+/// Returns a variant and its parameters as JSON.
 fn as_json<S: ?Sized>(variant: &Variant<S>) -> Value {
     let parameters = variant.parameters.iter().map(|parameter| {
         json!({
@@ -185,7 +186,7 @@ fn as_json<S: ?Sized>(variant: &Variant<S>) -> Value {
     })
 }
 
-/// Prints a text.
+/// Prints a text to standard output.
 pub(crate) fn say(text: &str) -> Result<(), Complaint> {
     say_to(io::stdout().lock(), text)
 }
@@ -194,8 +195,9 @@ fn say_to(mut out: impl Write, text: &str) -> Result<(), Complaint> {
     none_if_closed(out.write_all(text.as_bytes()).and_then(|()| out.flush())).map(drop)
 }
 
-/// What writing to standard output brought. A reader that has closed it, such as `head`, is no error:
-/// then it brought nothing.
+/// Converts the result of writing to standard output.
+///
+/// Returns `None` if the reader has closed it, as `head` does; that is not an error.
 pub(crate) fn none_if_closed<T>(written: io::Result<T>) -> Result<Option<T>, Complaint> {
     match written {
         Ok(result) => Ok(Some(result)),
@@ -204,7 +206,7 @@ pub(crate) fn none_if_closed<T>(written: io::Result<T>) -> Result<Option<T>, Com
     }
 }
 
-/// The bar of a run of `steps` steps, hidden where no terminal shows it.
+/// Returns the progress bar of a run of `steps` steps. It is hidden if there is no terminal.
 pub(crate) fn progress(root: bool, steps: u64) -> ProgressBar {
     // An editor's shell calls itself dumb, because it knows no escape codes.
     let is_dumb = env::var_os("TERM").is_some_and(|terminal| terminal == "dumb");
@@ -216,7 +218,7 @@ pub(crate) fn progress(root: bool, steps: u64) -> ProgressBar {
     ProgressBar::new(steps).with_style(style)
 }
 
-/// A variant's counters as a JSON object.
+/// Returns a variant's counters as a JSON object.
 pub(crate) fn counters_as_json(counters: Vec<(&'static str, f64)>) -> Map<String, Value> {
     counters.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect()
 }

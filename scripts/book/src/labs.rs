@@ -1,18 +1,22 @@
-//! What pages say of the labs, from their facts: the opening of a chapter, the labs at a glance, and what every task and
-//! every measure is worth.
+//! Texts about labs, made from their facts.
+//!
+//! They are the opening of a chapter, the table of all labs, and the points of every task and
+//! measurement.
 
 use anyhow::Result;
 
-use lab_kit::facts::{TaskFacts, Timed};
+use lab_kit::facts::Timed;
 use lab_kit::{Facts, Kit, Lab, Workers, answers, hints, rubric, wrong};
 
-/// How long a lab takes and what it needs, in one line.
+use crate::tasks::difficulty;
+
+/// Returns a line with the hours that a lab takes and the tools that it needs.
 pub(crate) fn needs(facts: &Facts) -> String {
     let hours = facts.reading + facts.tasks.values().map(|task| task.hours).sum::<f64>();
     format!("About {hours:.0} hours. You need {}.", facts.workers.need())
 }
 
-/// The opening of a lab's chapter.
+/// Returns the opening of a lab's chapter.
 pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
     let lab: Lab = lab.parse().map_err(anyhow::Error::msg)?;
     let facts = kit.facts(lab)?;
@@ -27,17 +31,15 @@ pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
     out += "\n<details><summary>Hours and difficulty, task by task</summary>\n\n\
             | task | | hours | difficulty |\n|---|---|---:|---|\n";
     for hint in hints::read(kit, lab)? {
-        let Some(TaskFacts { hours, mark, .. }) = facts.tasks.get(&hint.task.to_string()) else {
-            continue;
-        };
-        let mark = "●".repeat(*mark) + &"○".repeat(3_usize.saturating_sub(*mark));
-        out += &format!("| {} | {} | {hours} | {mark} |\n", hint.task, hint.title);
+        let Some(task) = facts.tasks.get(&hint.task.to_string()) else { continue };
+        let mark = difficulty(task);
+        out += &format!("| {} | {} | {} | {mark} |\n", hint.task, hint.title, task.hours);
     }
     out += &format!("| | to read, predict, measure and explain | {} | |\n", facts.reading);
     Ok(out + "\n</details>\n")
 }
 
-/// A row for each lab: how long it takes, how large it is, what it needs.
+/// Returns a table with a row for each lab: its time, its size and its needs.
 pub(crate) fn labs(kit: &Kit) -> Result<String> {
     let mut out = String::from(
         "| lab | title | time and needs | tasks | known-wrong answers |\n|---|---|---|---|---|\n",
@@ -52,7 +54,7 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
     Ok(out)
 }
 
-/// The numbers of the labs with such workers, as `5, 6, 8`.
+/// Returns the numbers of the labs with such workers, as `5, 6, 8`.
 pub(crate) fn labs_with(kit: &Kit, workers: &str) -> Result<String> {
     let workers: Workers = serde_json::from_value(workers.into())?;
     let mut numbers = Vec::new();
@@ -64,7 +66,8 @@ pub(crate) fn labs_with(kit: &Kit, workers: &str) -> Result<String> {
     Ok(numbers.join(", "))
 }
 
-/// A section for each lab that can be graded: its tasks with their points, and what is timed.
+/// Returns a section for each lab that can be graded: its tasks with their points, and its
+/// measurements.
 pub(crate) fn rubric(kit: &Kit) -> Result<String> {
     let mut out = String::new();
     for (lab, rubric) in rubric::all(kit)? {

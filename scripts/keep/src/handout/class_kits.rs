@@ -13,7 +13,7 @@ fn lab(number: &str) -> Lab {
     number.parse().unwrap()
 }
 
-/// A class's tree with these labs, each committed.
+/// Returns a class's tree with these labs, each in one commit.
 fn handout(labs: &[&str]) -> (tempfile::TempDir, Kit) {
     let folder = tempfile::tempdir().unwrap();
     labs.iter().for_each(|lab| drop(add(folder.path(), lab)));
@@ -45,7 +45,6 @@ fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
         ("tests/wrong", false),
         ("labs/common-mpi", false),
         ("labs/lab3/README.md", true),
-        ("labs/lab3/faults", false),
         ("labs/lab3/lab.toml", true),
         ("book/src/lab3.md", true),
         ("book/src/instructor", false),
@@ -54,6 +53,7 @@ fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
         (".cargo/config.toml", true),
         (".devcontainer/devcontainer.json", true),
         ("README.md", true),
+        ("AGENTS.md", true),
     ] {
         assert_eq!(kit.path(path).exists(), there, "{path}");
     }
@@ -65,8 +65,11 @@ fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
         assert!(record.paths().all(|path| record.is_own(&kit.starter(lab), path)));
     }
     add(folder.path(), "4");
-    let faults = ["3", "4"].map(|number| kit.starter(lab(number)).join("faults").exists());
-    assert_eq!(faults, [true, false], "they show much of an answer, and come with the next lab");
+    let quizzes = ["3", "4"].map(|number| {
+        let chapter = fs::read_to_string(kit.path(format!("book/src/lab{number}.md"))).unwrap();
+        chapter.matches("class=\"quiz\"").count()
+    });
+    assert_eq!(quizzes, [2, 0], "they show much of an answer, and come with the next lab");
 }
 
 #[test]
@@ -103,16 +106,19 @@ fn a_student_pulls_a_lab_beside_their_work() {
     assert!(mine.join("labs/lab2/src/lib.rs").is_file());
 }
 
-/// The lines of a text that are long enough to be somebody's own: shorter ones, such as `let result = work();`, are
-/// written twice without being copied.
+/// Returns the lines of a text that are so long that equal lines are copies.
+///
+/// Shorter lines, such as `let result = work();`, are written twice without being copied.
 fn lines(text: &str) -> impl Iterator<Item = &str> {
     text.lines().map(str::trim).filter(|line| line.len() >= LONG && !line.starts_with("//"))
 }
 
 const LONG: usize = 30;
 
-/// The lines of the answers to lab 3 and later ones, less what is given somewhere or was an answer before: nothing
-/// in the tree of labs 1 to 3, its book or its history has one of them.
+/// No line of the answers to lab 3 and later labs may be in the tree of labs 1 to 3, its book or
+/// its history.
+///
+/// Lines that are given in some file, or that were in an earlier answer, do not count.
 #[test]
 fn no_line_of_an_answer_is_in_a_class_s_tree() {
     let whole = Kit::find().unwrap();
