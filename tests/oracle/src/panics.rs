@@ -16,7 +16,7 @@ pub(crate) fn name_the_lab() {
                 let thread = thread::current();
                 let name = thread.name().unwrap_or("without a name");
                 let why = info.payload_as_str().unwrap_or("no reason is given");
-                eprint!("{}", format!("\nthread '{name}' panicked at {at}:\n{why}\n"));
+                eprintln!("\nthread '{name}' panicked at {at}:\n{why}");
             }
         }));
     });

@@ -5,6 +5,7 @@
 
 mod filter;
 pub(crate) mod memory;
+mod nobody;
 pub(crate) mod processes;
 mod registry;
 mod scratch;
@@ -97,6 +98,8 @@ pub(crate) struct Sandbox {
     registry: Registry,
     /// Whether code is kept in: it can be made here.
     pub(crate) keeps: bool,
+    /// Whether code runs at least as [`nobody`], where nothing keeps it in.
+    as_nobody: bool,
     pub(crate) limits: Limits,
     scratch: Scratch,
     /// See [`filter`].
@@ -122,7 +125,9 @@ impl Sandbox {
         let filter = filter::write(scratch.path()).context("cannot write a filter")?;
         let registry = Registry::of(&cargo_home, scratch.path())?;
         let keeps = true;
-        let mut sandbox = Self { sysroot, cargo_home, registry, keeps, limits, scratch, filter };
+        let as_nobody = false;
+        let mut sandbox =
+            Self { sysroot, cargo_home, registry, keeps, as_nobody, limits, scratch, filter };
         if let Err(why) = self_test::check(&sandbox) {
             let none = "foreign code cannot be kept in a sandbox here";
             if !trusted {
@@ -130,8 +135,10 @@ impl Sandbox {
                 return Err(why.context(format!("{none}; {advice}")));
             }
             eprintln!("{none}: {why:#}");
-            eprintln!("NO SANDBOX: what was handed in runs with all your rights");
             sandbox.keeps = false;
+            sandbox.as_nobody = nobody::can_build(&sandbox.sysroot, &sandbox.cargo_home);
+            let rights = if sandbox.as_nobody { "as nobody" } else { "with all your rights" };
+            eprintln!("NO SANDBOX: what was handed in runs {rights}");
         }
         Ok(sandbox)
     }
@@ -147,6 +154,9 @@ impl Sandbox {
         let cargo = self.sysroot.join("bin/cargo");
         if !self.keeps {
             let mut command = Command::new(cargo);
+            if self.as_nobody {
+                command = nobody::cargo(&self.sysroot, &self.cargo_home, tree);
+            }
             self.registry.set(&mut command);
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
             command.env("CARGO_INCREMENTAL", "0").args(SETTINGS);
@@ -184,7 +194,9 @@ impl Sandbox {
     /// A program that lies in `folder` and may write one file, whose name is then its first argument, or none.
     pub(crate) fn program(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
         let mut command = Command::new(folder.join(name));
-        if self.keeps {
+        if self.as_nobody {
+            command = nobody::program(&folder.join(name));
+        } else if self.keeps {
             command = self.inside(folder, written);
             command.arg(Path::new("/kit").join(name));
         }

@@ -51,6 +51,7 @@ fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
         ("scripts/student/src/main.rs", true),
         ("scripts/grading", false),
         (".cargo/config.toml", true),
+        (".vscode/tasks.json", true),
         (".devcontainer/devcontainer.json", true),
         ("README.md", true),
         ("AGENTS.md", true),

@@ -14,13 +14,16 @@ use lab_kit::starter::{Files, GIVEN, Record, generate};
 use lab_kit::{Facts, Kit, Lab, Workers};
 
 /// Files in the top folder that are copied as they are. The README is written for students instead.
-const TOP: [&str; 11] = [
+const TOP: [&str; 14] = [
     ".cargo/config.toml",
+    ".config/nextest.toml",
     ".devcontainer/devcontainer.json",
     ".gitattributes",
     ".gitignore",
     ".helix/languages.toml",
+    ".vscode/extensions.json",
     ".vscode/settings.json",
+    ".vscode/tasks.json",
     ".zed/settings.json",
     "LICENSE-APACHE",
     "LICENSE-MIT",
@@ -55,10 +58,8 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
     // The measuring commands show its numbers with their measurements.
     add(kit, &mut files, &kit.path("book/published.toml"))?;
     add_all(kit, &mut files, &kit.path("scripts/slurm"))?;
-    // These scripts grade a class and build the book.
-    for name in ["grade.sh", "book.sh"] {
-        files.remove(&Path::new("scripts/slurm").join(name));
-    }
+    // This script grades a class.
+    files.remove(Path::new("scripts/slurm/grade.sh"));
     book::add_pages(kit, labs, &mut files)?;
     files.insert("README.md".into(), readme(kit, labs).into_bytes());
     files.insert("AGENTS.md".into(), include_bytes!("agents.md").into());
