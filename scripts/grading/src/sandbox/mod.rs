@@ -7,6 +7,7 @@ mod filter;
 pub(crate) mod memory;
 mod nobody;
 pub(crate) mod processes;
+mod registry;
 mod scratch;
 mod self_test;
 
@@ -19,6 +20,7 @@ use rustix::process::getuid;
 use tempfile::TempDir;
 
 use lab_kit::Kit;
+use registry::Registry;
 use scratch::Scratch;
 
 /// The longest times.
@@ -92,6 +94,8 @@ pub(crate) struct Sandbox {
     sysroot: PathBuf,
     /// Where cargo keeps the sources of dependencies.
     cargo_home: PathBuf,
+    /// And how it reaches them.
+    registry: Registry,
     /// Whether code is kept in: it can be made here.
     pub(crate) keeps: bool,
     /// Whether code runs at least as [`nobody`], where nothing keeps it in.
@@ -119,9 +123,11 @@ impl Sandbox {
         let cargo_home = home.context("there is no home folder with cargo's in it")?;
         let scratch = Scratch::below(&std::env::temp_dir())?;
         let filter = filter::write(scratch.path()).context("cannot write a filter")?;
+        let registry = Registry::of(&cargo_home, scratch.path())?;
         let keeps = true;
+        let as_nobody = false;
         let mut sandbox =
-            Self { sysroot, cargo_home, keeps, as_nobody: false, limits, scratch, filter };
+            Self { sysroot, cargo_home, registry, keeps, as_nobody, limits, scratch, filter };
         if let Err(why) = self_test::check(&sandbox) {
             let none = "foreign code cannot be kept in a sandbox here";
             if !trusted {
@@ -151,6 +157,7 @@ impl Sandbox {
             if self.as_nobody {
                 command = nobody::cargo(&self.sysroot, &self.cargo_home, tree);
             }
+            self.registry.set(&mut command);
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
             command.env("CARGO_INCREMENTAL", "0").args(SETTINGS);
             return command;
@@ -161,9 +168,14 @@ impl Sandbox {
         command.arg("--bind").arg(tree).arg("/kit");
         command.arg("--ro-bind").arg(&self.sysroot).arg(&self.sysroot);
         command.args(["--dir", "/cargo"]);
-        for part in ["registry", "config.toml", "git"] {
+        for part in ["registry", "git"] {
             let path = self.cargo_home.join(part);
             command.arg("--ro-bind-try").arg(path).arg(format!("/cargo/{part}"));
+        }
+        command.arg("--ro-bind").arg(self.registry.home.join("config.toml"));
+        command.arg("/cargo/config.toml");
+        for folder in &self.registry.folders {
+            command.arg("--ro-bind-try").args([folder, folder]);
         }
         let path = format!("{}/bin:{PATH}", self.sysroot.display());
         for (name, value) in [
