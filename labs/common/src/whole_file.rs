@@ -1,4 +1,4 @@
-//! Files that are written whole or not at all.
+//! Writes files completely or not at all.
 
 use std::ffi::OsString;
 use std::fs::{self, File};
@@ -7,12 +7,12 @@ use std::path::Path;
 
 use tempfile::Builder;
 
-/// Writes a file through `fill`. The file appears under its name only once it is complete; after
-/// an error an older file of that name is still there, untouched.
+/// Writes a file through `fill`, so that an incomplete file never appears under its name.
 ///
-/// Until then it is a hidden file beside it, which a program that is killed leaves behind.
-///
-/// A path that is no regular file, such as `/dev/stdout`, is written to directly.
+/// The contents go to a hidden file in the same folder, which gets the name once it is complete.
+/// After an error, an older file of that name is unchanged. A program that is killed leaves the
+/// hidden file behind. A path that is not a regular file, such as `/dev/stdout`, is written to
+/// directly.
 ///
 /// # Errors
 /// The folder or file cannot be written, or `fill` failed.

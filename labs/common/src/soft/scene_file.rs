@@ -1,4 +1,4 @@
-//! Reading a scene from a text file.
+//! Reads a scene from a text file.
 
 use std::io::{self, BufRead};
 
@@ -6,32 +6,34 @@ use thiserror::Error;
 
 use super::{Particle, Scene, SceneError};
 
-/// Why a file holds no scene.
+/// The reason why a file does not contain a scene.
 #[derive(Debug, Error)]
 pub enum SceneFileError {
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// It ends too early, or a line has the wrong form.
+    /// The file ends too early, or a line has the wrong form.
     #[error("{0}")]
     Text(String),
-    /// The numbers are there but make no scene.
+    /// The numbers do not make a valid scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
 }
 
-/// Reads a scene: a line `n size`, then n lines `x y vx vy`. What follows is not looked at, so
-/// that a file of full frames (`--full`) is a scene: its first frame.
+/// Reads a scene: a line `n size`, then n lines `x y vx vy`. Later lines are ignored.
+///
+/// So a file of full frames (`--full`) is a scene: its first frame.
 ///
 /// # Errors
-/// See [`SceneFileError`], which names the line.
+/// A [`SceneFileError`], which names the line.
 pub fn read_scene(input: impl BufRead) -> Result<Scene, SceneFileError> {
     let mut lines = input.lines();
     let first = lines.next().transpose()?.unwrap_or_default();
     let (n, size) = header(&first).ok_or_else(|| bad(1, "'n size'", &first))?;
     Scene::check_count(n)?;
 
-    // No memory on the header's word alone: a file that promises a billion may hold three.
+    // The list grows particle by particle, because a file may claim a billion particles and contain
+    // three.
     let mut particles = Vec::new();
     for line in 2.. {
         if particles.len() as u64 == n {
