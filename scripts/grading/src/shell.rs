@@ -30,7 +30,7 @@ pub(crate) struct Options {
 /// Builds, says what can be done, and gives the terminal to a shell.
 pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let (lab, limit) = (options.lab, Duration::from_secs(900));
-    let sandbox = Sandbox::find(kit, false, Limits { run: limit, build: limit })?;
+    let sandbox = Sandbox::find(kit, false, Limits { run: limit, build: limit, loopback: true })?;
     let intake = intake::take(kit, lab, &Given::of(kit, lab)?, &options.path)?;
     ensure!(!intake.files.is_empty(), "{}", intake::nothing(lab, &intake.left_out));
     if let Some(why) = forbidden::find(&intake.files) {

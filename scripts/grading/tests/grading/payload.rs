@@ -3,7 +3,7 @@
 use std::fs;
 use std::io::Write;
 use std::iter::from_fn;
-use std::net::{TcpStream, ToSocketAddrs, UdpSocket};
+use std::net::{TcpListener, TcpStream, ToSocketAddrs, UdpSocket};
 use std::os::unix::net::UnixStream;
 use std::process::Command;
 use std::sync::Once;
@@ -64,6 +64,8 @@ fn sockets() {
     must_fail("a name server", "example.org:80".to_socket_addrs());
     let sent = UdpSocket::bind("0.0.0.0:0").and_then(|socket| socket.send_to(b"x", "1.1.1.1:53"));
     must_fail("a datagram", sent);
+    // What waits in a connection to itself would be memory that no limit counts.
+    must_fail("a connection to itself", TcpListener::bind("127.0.0.1:0"));
 }
 
 /// The user who started this program is not to be seen, nor is what it knows.
