@@ -3,14 +3,19 @@
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
+#[cfg(target_os = "linux")]
+use std::os::fd::AsRawFd;
 use std::path::Path;
 
+#[cfg(target_os = "linux")]
+use rustix::fs::{AtFlags, CWD, Mode, OFlags, linkat};
 use tempfile::Builder;
 
 /// Writes a file through `fill`. The file appears under its name only once it is complete; after
 /// an error an older file of that name is still there, untouched.
 ///
-/// Until then it is a hidden file beside it, which a program that is killed leaves behind.
+/// Until then it has no name where the system can do that (Linux), so that a program which is killed leaves nothing
+/// behind. Elsewhere it is a hidden file beside its place.
 ///
 /// A path that is no regular file, such as `/dev/stdout`, is written to directly.
 ///
@@ -34,13 +39,36 @@ pub fn write_whole<T>(
     prefix.push(path.file_name().unwrap_or_default());
     prefix.push("-");
     let mut builder = Builder::new();
+    builder.prefix(&prefix);
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut out = BufWriter::new(builder.prefix(&prefix).tempfile_in(folder)?);
+    #[cfg(target_os = "linux")]
+    if let Ok(file) = without_name(folder) {
+        let mut out = BufWriter::new(file);
+        let value = fill(&mut out)?;
+        out.flush()?;
+        let file = out.into_inner()?;
+        builder.make_in(folder, |path| give_name(&file, path))?.persist(path)?;
+        return Ok(value);
+    }
+    let mut out = BufWriter::new(builder.tempfile_in(folder)?);
     let value = fill(&mut out)?;
     out.flush()?;
     out.into_inner()?.persist(path)?;
     Ok(value)
+}
+
+/// A file in a folder that has no name yet. It is gone if its program is.
+#[cfg(target_os = "linux")]
+fn without_name(folder: &Path) -> io::Result<File> {
+    let flags = OFlags::TMPFILE | OFlags::WRONLY | OFlags::CLOEXEC;
+    Ok(rustix::fs::open(folder, flags, Mode::from_raw_mode(0o666))?.into())
+}
+
+#[cfg(target_os = "linux")]
+fn give_name(file: &File, path: &Path) -> io::Result<()> {
+    let own = format!("/proc/self/fd/{}", file.as_raw_fd());
+    Ok(linkat(CWD, own, CWD, path, AtFlags::SYMLINK_FOLLOW)?)
 }
 
 #[cfg(test)]
@@ -59,5 +87,20 @@ mod tests {
         assert!(failed.is_err());
         assert_eq!(fs::read(&path).unwrap(), b"old");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "nothing else is left");
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn a_killed_program_would_leave_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("out.txt");
+        let seen = write_whole(&path, |out| {
+            out.write_all(b"half")?;
+            out.flush()?;
+            Ok(fs::read_dir(folder.path())?.count())
+        });
+        assert_eq!(seen.unwrap(), 0, "the file has no name while it is written");
+        assert_eq!(fs::read(&path).unwrap(), b"half");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 }
