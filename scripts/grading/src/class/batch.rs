@@ -13,7 +13,7 @@ use anyhow::Result;
 use indicatif::{ProgressBar, ProgressStyle};
 use tempfile::TempDir;
 
-use super::grader::{Grader, Reference, hash, said};
+use super::grader::{Grader, Reference, hash};
 use super::{Named, Options, finish};
 use crate::build::Tree;
 use crate::escape::line;
@@ -182,7 +182,9 @@ fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>)
         fs::read(record).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
     let Some(record) = record else { return false };
     let same = match grader.take(path) {
-        Err(error) => record.status == Status::Unreadable && record.message == said(&error),
+        Err(error) => {
+            record.status == Status::Unreadable && record.message == grader.said(&error, path)
+        }
         Ok(intake) if intake.files.is_empty() => record.status == Status::Empty,
         Ok(intake) => record.hash == hash(&intake.files),
     };

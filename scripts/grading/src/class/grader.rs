@@ -74,6 +74,24 @@ impl<'a> Grader<'a> {
         self.seed.unwrap_or_else(|| RandomState::new().hash_one(()))
     }
 
+    /// An error about the submission at `path`, as it is written down.
+    pub(crate) fn said(&self, error: &anyhow::Error, path: &Path) -> String {
+        cut(&self.shown(&format!("{error:#}"), path), SAID)
+    }
+
+    /// A text without the folders of this machine: a student reads it.
+    fn shown(&self, text: &str, path: &Path) -> String {
+        let class = path.parent().unwrap_or(path);
+        let own = self.sandbox.folders().into_iter().chain([self.kit.root(), class]);
+        // The longest first: one may be in another.
+        let mut folders: Vec<String> = own.map(|folder| folder.display().to_string()).collect();
+        folders.sort_by_key(|folder| std::cmp::Reverse(folder.len()));
+        folders.retain(|folder| folder.len() > 1 && folder.starts_with('/'));
+        folders.iter().fold(text.to_owned(), |text, folder| {
+            text.replace(&format!("{folder}/"), "").replace(folder, "")
+        })
+    }
+
     fn blank(&self, name: &str) -> Record {
         Record {
             format: FORMAT,
@@ -100,7 +118,7 @@ impl<'a> Grader<'a> {
         path: &Path,
     ) -> (Record, Option<TempDir>) {
         self.try_to_grade(tree, reference, name, path).unwrap_or_else(|error| {
-            let (status, message) = (Status::Failed, said(&error));
+            let (status, message) = (Status::Failed, self.said(&error, path));
             (Record { status, message, ..self.blank(name) }, None)
         })
     }
@@ -114,14 +132,14 @@ impl<'a> Grader<'a> {
     ) -> Result<(Record, Option<TempDir>)> {
         let mut record = self.blank(name);
         let ended = |mut record: Record, status, message: String| {
-            (record.status, record.message) = (status, cut(&message, SAID));
+            (record.status, record.message) = (status, cut(&self.shown(&message, path), SAID));
             Ok((record, None))
         };
         let intake = match self.take(path) {
             Ok(intake) => intake,
             // The system cannot read it, which is no word about what is in it.
             Err(error) if is_of_the_system(&error) => return Err(error),
-            Err(error) => return ended(record, Status::Unreadable, said(&error)),
+            Err(error) => return ended(record, Status::Unreadable, format!("{error:#}")),
         };
         (record.left_out, record.changed) = (intake.left_out, intake.changed);
         if intake.files.is_empty() {
@@ -143,7 +161,7 @@ impl<'a> Grader<'a> {
         let said = questions.ask(self.sandbox, folder.path(), tasks, record.seed)?;
         for (task, said) in record.tasks.iter_mut().zip(said) {
             (task.passed, task.share) = (said.wrong.is_none(), said.share);
-            task.message = cut(&said.wrong.unwrap_or_default(), SAID);
+            task.message = cut(&self.shown(&said.wrong.unwrap_or_default(), path), SAID);
             if !said.printed.trim().is_empty() {
                 let path = self.printed.join(name).join(format!("{}.txt", task.id));
                 write_file(&path, cut(&plain(&said.printed), PRINTED))?;
@@ -182,11 +200,6 @@ impl Reference {
 fn is_of_the_system(error: &anyhow::Error) -> bool {
     let refused = |cause: &std::io::Error| cause.raw_os_error().is_some();
     error.chain().any(|cause| cause.downcast_ref().is_some_and(refused))
-}
-
-/// An error, as it is written down.
-pub(crate) fn said(error: &anyhow::Error) -> String {
-    cut(&format!("{error:#}"), SAID)
 }
 
 /// SHA-256 of sources and their paths.

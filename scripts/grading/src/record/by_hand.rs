@@ -25,6 +25,9 @@ pub(crate) struct Decision {
     pub(crate) reason: String,
 }
 
+/// The most points of a submission. Labs are worth about a hundred: a larger number is a slip.
+const MOST: f64 = 1000.0;
+
 impl Decision {
     /// Whether it can be: of a task that there is, with points that it has.
     pub(crate) fn check(&self, rubric: &Facts) -> Result<()> {
@@ -32,7 +35,7 @@ impl Decision {
         ensure!(!self.student.is_empty(), "it names no student");
         ensure!(self.days.is_none() || self.task.is_none(), "days are of a submission, not a task");
         let most = match &self.task {
-            None => f64::INFINITY,
+            None => MOST,
             Some(task) => worth(rubric, task)
                 .with_context(|| format!("there is no task or measure {task}"))?,
         };

@@ -5,7 +5,7 @@
 //! - Memory that belongs to no process's addresses is in no limit.
 //! - In a user namespace of its own a program would be root, and so much more of the kernel be in reach.
 //! - Where programs need not connect to each other, there are no connections: what waits in one is in no limit.
-//! - Nothing changes a program that runs: not its own memory by way of the kernel, and no other process.
+//! - Nothing changes or watches a program that runs: not its own memory by way of the kernel, and no other process.
 //!
 //! A refused call fails as if this kernel did not have it.
 
@@ -29,6 +29,7 @@ pub(super) fn write(folder: &Path, loopback: bool) -> Result<Option<PathBuf>> {
 #[cfg(target_os = "linux")]
 fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
     use libc::{SYS_add_key, SYS_keyctl, SYS_memfd_create, SYS_memfd_secret, SYS_request_key};
+    use libc::{SYS_bpf, SYS_kcmp, SYS_perf_event_open, SYS_pidfd_getfd, SYS_userfaultfd};
     use libc::{SYS_clone, SYS_clone3, SYS_sched_setaffinity, SYS_setns, SYS_unshare};
     use libc::{SYS_io_uring_setup, SYS_process_vm_readv, SYS_process_vm_writev, SYS_ptrace};
     use libc::{SYS_mmap, SYS_msgget, SYS_semget, SYS_setsockopt, SYS_shmget, SYS_socket};
@@ -43,6 +44,11 @@ fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
         SYS_process_vm_readv,
         SYS_process_vm_writev,
         SYS_ptrace,
+        SYS_bpf,
+        SYS_kcmp,
+        SYS_perf_event_open,
+        SYS_pidfd_getfd,
+        SYS_userfaultfd,
         SYS_sched_setaffinity,
         SYS_add_key,
         SYS_request_key,

@@ -146,6 +146,11 @@ impl Sandbox {
         Ok(sandbox)
     }
 
+    /// Folders of this machine that a program or the compiler may name.
+    pub(crate) fn folders(&self) -> [&Path; 3] {
+        [&self.sysroot, &self.cargo_home, self.scratch()]
+    }
+
     /// A new temporary folder, into which programs can look.
     pub(crate) fn folder(&self) -> Result<TempDir> {
         self.scratch.folder()

@@ -21,6 +21,8 @@ pub(crate) fn all() {
         kernels();
         uncounted();
         memories();
+        answers();
+        others();
         overwrites_itself();
     });
 }
@@ -154,8 +156,48 @@ fn memories() {
     call("ptrace(0, 0, 0, 0)");
     call("process_vm_readv(1, None, 0, None, 0, 0)");
     call("process_vm_writev(1, None, 0, None, 0, 0)");
-    // 425 is io_uring_setup.
+    // 425 is io_uring_setup, and 438 pidfd_getfd of the first process, of which 434 makes a descriptor.
     call("syscall(425, 1, ctypes.create_string_buffer(120))");
+    call("syscall(438, libc.syscall(434, 1, 0), 0, 0)");
+    // 323 is userfaultfd, 298 perf_event_open, 321 bpf, 312 kcmp.
+    call("syscall(323, 1)");
+    call("syscall(298, ctypes.create_string_buffer(120), 0, -1, -1, 0)");
+    call("syscall(321, 0, ctypes.create_string_buffer(120), 120)");
+    call("syscall(312, 1, 1, 1, 0, 0)");
+}
+
+/// What judges is not here, and what runs here knows no answer.
+fn answers() {
+    must_fail("the program that judges", fs::read("/kit/judge"));
+    let own = fs::read("/proc/self/exe").unwrap_or_default();
+    // Parts of symbols, and words that only a verdict has; in two halves, so that they are not found here.
+    for halves in [["6oracle", "5model"], ["6oracle", "5right"], ["which does not point ", "straight away"]] {
+        let word = halves.concat();
+        if own.windows(word.len()).any(|window| window == word.as_bytes()) {
+            succeeded(&word);
+        }
+    }
+}
+
+/// Other processes: their memory, their descriptors, and what they have open.
+fn others() {
+    let own = std::process::id();
+    for number in 1..100 {
+        if number == own {
+            continue;
+        }
+        let process = format!("/proc/{number}");
+        let written = fs::OpenOptions::new().write(true).open(format!("{process}/mem"));
+        must_fail("another's memory to write", written);
+        for entry in fs::read_dir(format!("{process}/fd")).into_iter().flatten().flatten() {
+            let target = fs::read_link(entry.path()).unwrap_or_default();
+            if target.starts_with("/kit") || target.to_string_lossy().contains("grade") {
+                succeeded(&format!("a descriptor of process {number}: {}", target.display()));
+            }
+        }
+    }
+    must_fail("the setting of a process", fs::write("/proc/self/oom_score_adj", "-1000"));
+    must_fail("the setting of a process", fs::write("/proc/1/comm", "x"));
 }
 
 fn overwrites_itself() {
