@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Result, ensure};
 
 use crate::sandbox::Sandbox;
-use crate::sandbox::faults::{believed, could_end, machine_works};
+use crate::sandbox::faults::{believed, could_end, machine_works, named};
 use answering::Answers;
 pub(crate) use judged::Judge;
 use judged::Judged;
@@ -95,13 +95,10 @@ impl Questions {
         let limit = PATIENCE * sandbox.limits.run;
         let answers = Answers::of(sandbox, &self.solution, question, seed, limit)?;
         let judged = self.judge.judge(question, seed, &answers.file())?;
-        ensure!(
-            judged.wrong.is_empty() && !judged.broke_off,
-            "the solution is wrong in {}: {}\n{}",
-            question.test,
-            judged.wrong,
-            answers.finished.stderr
-        );
+        let test = &question.test;
+        let complaint = &answers.finished.stderr;
+        ensure!(!judged.broke_off, "the solution fails in {test}: {}", named(complaint));
+        ensure!(judged.wrong.is_empty(), "the solution is wrong in {test}: {}", judged.wrong);
         Ok(judged)
     }
 

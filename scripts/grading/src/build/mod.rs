@@ -15,7 +15,7 @@ use anyhow::{Context, Result, anyhow, bail, ensure};
 use tempfile::TempDir;
 
 use crate::asking;
-use crate::sandbox::faults::believed;
+use crate::sandbox::faults::{believed, named};
 use crate::sandbox::{BUILD_QUOTA, BUILT_FILE, GIVEN_FILE, Sandbox};
 use lab_keep::handout;
 use lab_kit::files::{read_bytes, write_file};
@@ -93,7 +93,7 @@ impl Tree {
         let is_doubtful = |built: &Built| built.as_ref().is_err_and(|why| !is_of_a_source(why));
         let control = || match self.build_once(sandbox, &of(&self.solution))? {
             Ok(_) => Ok(()),
-            Err(why) => bail!("the solution cannot be built either: {}", first_line(&why)),
+            Err(why) => bail!("the solution cannot be built either: {}", named(&why)),
         };
         believed(|| self.build_once(sandbox, &of(sources)), is_doubtful, control)
     }
@@ -191,10 +191,6 @@ fn is_of_a_source(why: &str) -> bool {
     why.starts_with(LATE) || why.lines().any(is_place)
 }
 
-fn first_line(text: &str) -> &str {
-    text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default()
-}
-
 /// Downloads what the programs of a laid tree depend on, and this machine lacks: a build in the
 /// sandbox has no network. To list the dependencies is to have them; if that fails, the build says
 /// what is missing.
@@ -263,4 +259,24 @@ pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
         sources.insert(name, read_bytes(&path)?);
     }
     Ok(sources)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LATE, is_of_a_source};
+
+    #[test]
+    fn an_error_with_a_place_is_of_a_source() {
+        for (why, own) in [
+            ("error[E0425]: `x`\n  --> src/lib.rs:3:5\n", true),
+            ("it compiles, but not:\nsrc/bin/answer.rs:3:5: error[E0308]: types\n", true),
+            (&format!("{LATE} 120 s"), true),
+            ("error: failed to write x: No space left on device (os error 28)", false),
+            ("error: linking with `cc` failed\ncollect2: error: ld returned 1 exit status", false),
+            ("its build needed more memory than it may have", false),
+            ("thread 'rustc' panicked", false),
+        ] {
+            assert_eq!(is_of_a_source(why), own, "{why}");
+        }
+    }
 }

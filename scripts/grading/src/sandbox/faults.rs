@@ -89,6 +89,13 @@ pub(crate) fn is_sign(complaint: &str) -> bool {
     SIGNS.iter().any(|sign| complaint.contains(sign))
 }
 
+/// The line of a complaint that names what is missing, or else its first.
+pub(crate) fn named(complaint: &str) -> &str {
+    let mut lines = complaint.lines().map(str::trim).filter(|line| !line.is_empty());
+    let first = lines.clone().next().unwrap_or("it says nothing");
+    lines.find(|line| is_sign(line)).unwrap_or(first)
+}
+
 #[cfg(test)]
 mod tests {
     use std::cell::Cell;
@@ -97,15 +104,15 @@ mod tests {
 
     use anyhow::bail;
 
-    use super::{RUNS, believed, could_end};
+    use super::{RUNS, believed, could_end, named};
     use lab_kit::process::run;
 
     #[test]
+    #[expect(clippy::unit_arg, reason = "counting is all that is done")]
     fn a_doubtful_end_counts_only_on_a_machine_that_works() {
         let (runs, controls) = (Cell::new(0), Cell::new(0));
-        let count = |cell: &Cell<usize>| cell.set(cell.get() + 1);
-        let once = || Ok(count(&runs));
-        let works = || Ok(count(&controls));
+        let once = || Ok(runs.set(runs.get() + 1));
+        let works = || Ok(controls.set(controls.get() + 1));
         believed(once, |()| false, works).unwrap();
         assert_eq!((runs.take(), controls.take()), (1, 0));
         believed(once, |()| true, works).unwrap();
@@ -115,6 +122,14 @@ mod tests {
         let error = believed(once, |()| true, || bail!("the disk is full")).unwrap_err();
         assert!(format!("{error:#}").ends_with("a fault of this machine: the disk is full"));
         assert_eq!(runs.take(), 1);
+    }
+
+    #[test]
+    fn what_is_missing_is_named() {
+        let said =
+            "error: failed to write x\n\nCaused by:\n  No space left on device (os error 28)\n";
+        assert_eq!(named(said), "No space left on device (os error 28)");
+        assert_eq!(named("\nkilled\nby whom?"), "killed");
     }
 
     #[test]

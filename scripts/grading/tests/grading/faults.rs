@@ -7,16 +7,11 @@ use std::process::Command;
 use crate::class::Class;
 use crate::command::{NO_SANDBOX, TASKS, grade, program, record, script};
 
-/// What a faulty machine does instead of the third build and later ones: the first two are the solution's.
-const WHILE_BUILDING: [&str; 2] = [
-    "echo 'error: failed to write x: No space left on device (os error 28)' >&2; exit 101",
-    "kill -9 $$",
-];
-
-/// And instead of asking a program that was built as the third or later.
-const WHILE_ASKING: [&str; 2] = [
-    "echo 'the file of answers can be written: Os { code: 28, kind: StorageFull }' >&2; exit 101",
-    "echo '/bin/sh: 1: exec: bwrap: not found' >&2; exit 127",
+/// When a faulty machine does what instead: of the third build and later ones, because the first two are the solution's,
+/// or of asking a program that was built then.
+const FAULTS: [(&str, &str); 2] = [
+    ("building", "echo 'error: failed to write x: No space left on device' >&2; exit 101"),
+    ("asking", "echo '/bin/sh: 1: exec: bwrap: not found' >&2; exit 127"),
 ];
 
 /// Lays a bubblewrap that has a fault as long as its folder has a file `building` or `asking`, which says what it
@@ -51,8 +46,7 @@ fn a_fault_of_the_machine_costs_no_marks() {
         let output = grade(&class, &into, options).env("PATH", &path).output().unwrap();
         (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
     };
-    let building = WHILE_BUILDING.map(|fault| ("building", fault));
-    for (when, fault) in building.into_iter().chain(WHILE_ASKING.map(|fault| ("asking", fault))) {
+    for (when, fault) in FAULTS {
         fs::write(bin.join(when), fault).unwrap();
         let (code, said) = run(TASKS);
         if said.contains(NO_SANDBOX) {
