@@ -93,8 +93,8 @@ impl Questions {
     /// Its answer is wrong.
     fn ask_solution(&self, sandbox: &Sandbox, question: &Question, seed: u64) -> Result<Judged> {
         let limit = PATIENCE * sandbox.limits.run;
-        let answers = Answers::of(sandbox, &self.solution, question, seed, limit)?;
-        let judged = self.judge.judge(question, seed, &answers.file())?;
+        let Answered { answers, judged } =
+            self.answered(sandbox, &self.solution, question, seed, limit)?;
         let test = &question.test;
         let complaint = &answers.finished.stderr;
         ensure!(!judged.broke_off, "the solution fails in {test}: {}", named(complaint));
@@ -141,18 +141,29 @@ impl Questions {
         Asked { question, limit, .. }: &Asked,
         seed: u64,
     ) -> Result<Answered> {
-        let once = || {
-            let answers = Answers::of(sandbox, folder, question, seed, *limit)?;
-            let judged = self.judge.judge(question, seed, &answers.file())?;
-            Ok(Answered { answers, judged })
-        };
-        let is_doubtful = |it: &Answered| it.judged.broke_off && could_end(&it.answers.finished);
-        let control = || self.ask_solution(sandbox, question, seed).map(drop);
-        let answered = believed(once, is_doubtful, control)?;
+        let answered = believed(
+            || self.answered(sandbox, folder, question, seed, *limit),
+            |it| it.judged.broke_off && could_end(&it.answers.finished),
+            || self.ask_solution(sandbox, question, seed).map(drop),
+        )?;
         if !answered.judged.wrong.is_empty() {
-            machine_works(control)?;
+            machine_works(|| self.ask_solution(sandbox, question, seed).map(drop))?;
         }
         Ok(answered)
+    }
+
+    /// Has a program answer, and judges the answer.
+    fn answered(
+        &self,
+        sandbox: &Sandbox,
+        folder: &Path,
+        question: &Question,
+        seed: u64,
+        limit: Duration,
+    ) -> Result<Answered> {
+        let answers = Answers::of(sandbox, folder, question, seed, limit)?;
+        let judged = self.judge.judge(question, seed, &answers.file())?;
+        Ok(Answered { answers, judged })
     }
 }
 

@@ -53,6 +53,12 @@ struct Order<'a> {
     most: u64,
 }
 
+impl<'a> Order<'a> {
+    fn of_submission(sandbox: &Sandbox, sources: &'a Sources) -> Self {
+        Self { sources, names: &NAMES, limit: sandbox.limits.build, most: BUILT_FILE }
+    }
+}
+
 /// A folder of the programs that were built; or what the compiler said, or that it took too long.
 type Built = std::result::Result<TempDir, String>;
 
@@ -84,18 +90,19 @@ impl Tree {
     /// # Errors
     /// The solution cannot be built now either: that is no submission's mistake.
     pub(crate) fn build(&self, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
-        let of = |sources| Order {
-            sources,
-            names: &NAMES,
-            limit: sandbox.limits.build,
-            most: BUILT_FILE,
-        };
-        let is_doubtful = |built: &Built| built.as_ref().is_err_and(|why| !is_of_a_source(why));
-        let control = || match self.build_once(sandbox, &of(&self.solution))? {
+        believed(
+            || self.build_once(sandbox, &Order::of_submission(sandbox, sources)),
+            |built| built.as_ref().is_err_and(|why| !is_of_a_source(why)),
+            || self.build_solution(sandbox),
+        )
+    }
+
+    /// Builds the solution in the place of a submission.
+    fn build_solution(&self, sandbox: &Sandbox) -> Result<()> {
+        match self.build_once(sandbox, &Order::of_submission(sandbox, &self.solution))? {
             Ok(_) => Ok(()),
             Err(why) => bail!("the solution cannot be built either: {}", named(&why)),
-        };
-        believed(|| self.build_once(sandbox, &of(sources)), is_doubtful, control)
+        }
     }
 
     /// First the submission, with nothing of our programs in reach; then these, with nothing of the
@@ -182,13 +189,14 @@ fn compile(
 
 /// Whether a build failed because of the sources: it took too long, or an error has a place in one.
 fn is_of_a_source(why: &str) -> bool {
-    let is_place = |line: &str| {
-        // `src/lib.rs:3:5: error`, where nothing but the place comes before.
-        let mut parts = line.split(": error").next().unwrap_or_default().rsplit(':');
-        let mut number = || parts.next().is_some_and(|part| part.parse::<u32>().is_ok());
-        line.trim_start().starts_with("--> ") || number() && number()
-    };
-    why.starts_with(LATE) || why.lines().any(is_place)
+    why.starts_with(LATE) || why.lines().any(names_a_place)
+}
+
+/// Whether a line of the compiler's is `--> src/lib.rs:3:5` or `src/lib.rs:3:5: error`.
+fn names_a_place(line: &str) -> bool {
+    let mut parts = line.split(": error").next().unwrap_or_default().rsplit(':');
+    let mut is_number = || parts.next().is_some_and(|part| part.parse::<u32>().is_ok());
+    line.trim_start().starts_with("--> ") || is_number() && is_number()
 }
 
 /// Downloads what the programs of a laid tree depend on, and this machine lacks: a build in the

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::os::unix::fs::MetadataExt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use rustix::fs::statvfs;
 
@@ -39,14 +39,18 @@ fn device(folder: &Path) -> Option<u64> {
 }
 
 fn in_connections(number: u32) -> u64 {
-    let network = |process: &str| fs::read_link(format!("/proc/{process}/ns/net")).ok();
-    let own = number.to_string();
-    if network(&own).is_none_or(|own| Some(own) == network("self")) {
+    let process = number.to_string();
+    if network(&process).is_none_or(|own| Some(own) == network("self")) {
         return 0;
     }
-    let table =
-        |kind: &str| fs::read_to_string(format!("/proc/{own}/net/{kind}")).unwrap_or_default();
-    SPREAD * ["tcp", "tcp6"].map(|kind| waiting(&table(kind))).iter().sum::<u64>()
+    let tables =
+        ["tcp", "tcp6"].map(|kind| fs::read_to_string(format!("/proc/{process}/net/{kind}")));
+    SPREAD * tables.into_iter().flatten().map(|table| waiting(&table)).sum::<u64>()
+}
+
+/// The network that a process has.
+fn network(process: &str) -> Option<PathBuf> {
+    fs::read_link(format!("/proc/{process}/ns/net")).ok()
 }
 
 /// Bytes that wait in the connections of a table of the system's: its fifth column, sent and received.

@@ -93,16 +93,22 @@ pub(crate) fn check(
 /// # Errors
 /// The solution's program fails.
 fn wrong(sandbox: &Sandbox, own: &Path, solution: &Path, whole: &Whole) -> Result<Option<String>> {
-    let trusted = || {
-        let right = result(sandbox, solution, whole)?;
-        right.map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", whole.run.variant))
-    };
-    let right = trusted()?;
-    let control = || trusted().map(drop);
-    Ok(match believed(|| result(sandbox, own, whole), is_doubtful, control)? {
+    let right = trusted(sandbox, solution, whole)?;
+    let taken = believed(
+        || result(sandbox, own, whole),
+        is_doubtful,
+        || trusted(sandbox, solution, whole).map(drop),
+    )?;
+    Ok(match taken {
         Ok(taken) => difference(&right.state, &taken.state, 0.0),
         Err((_, why)) => Some(why),
     })
+}
+
+/// What came of the solution's program.
+fn trusted(sandbox: &Sandbox, solution: &Path, whole: &Whole) -> Result<Taken> {
+    let right = result(sandbox, solution, whole)?;
+    right.map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", whole.run.variant))
 }
 
 #[cfg(test)]
