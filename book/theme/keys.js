@@ -15,6 +15,29 @@
     event.preventDefault();
     contents.click();
   });
+  // The first stops lead past the table of contents.
+  const skip = (element, id, textContent) => {
+    if (!element) return;
+    Object.assign(element, { id, tabIndex: -1 });
+    const link = Object.assign(document.createElement("a"), { href: `#${id}`, className: "skip", textContent });
+    body.insertBefore(link, document.getElementById("mdbook-help-container"));
+  };
+  skip(document.querySelector("main"), "text", "Skip to the text");
+  skip(document.querySelector(".live-box"), "box", "Skip to the figure that plays");
+  // mdBook's switches that fold the table of contents have no name and no key.
+  for (const fold of document.querySelectorAll(".chapter-fold-toggle")) {
+    const chapter = fold.parentElement.querySelector("a").textContent;
+    const isOpen = () => fold.closest("li").classList.contains("expanded");
+    const say = () => fold.setAttribute("aria-expanded", isOpen());
+    Object.assign(fold, { role: "button", tabIndex: 0, ariaLabel: `Pages of ${chapter}` });
+    say();
+    fold.addEventListener("click", say);
+    fold.addEventListener("keydown", event => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      fold.click();
+    });
+  }
   const blocks = document.querySelectorAll("main :is(pre > code, .table-wrapper, .formula)");
   const mark = () => {
     for (const block of blocks)

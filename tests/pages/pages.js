@@ -193,6 +193,45 @@ async function inaccessible(page) {
   });
 }
 
+// A prediction that is committed is shown below its question and beside its answer, and stored. (Chromium without a
+// window loses what a page from a file has stored every now and then, so the page is not loaded again.)
+async function predict(page) {
+  const form = page.locator("form.prediction").first();
+  if ((await form.count()) === 0) return [];
+  const beside = page.locator(".predicted").first();
+  await form.getByRole("textbox").fill("twice");
+  await form.getByRole("button", { name: "Commit" }).click();
+  const stored = () => Object.values(localStorage).includes("twice");
+  const shown = [await form.locator("output").textContent(), await beside.textContent(), await page.evaluate(stored)];
+  await form.getByRole("button", { name: "Change" }).click();
+  const isGone = await beside.isHidden();
+  return shown.join() === "twice,You predicted: twice,true" && isGone ? [] : [`a prediction is lost: ${shown}`];
+}
+
+// The links that the Tab key meets first lead past the table of contents.
+async function skip(page) {
+  const found = [];
+  for (const link of await page.locator("a.skip").all()) {
+    await link.focus();
+    await page.keyboard.press("Enter");
+    const id = (await link.getAttribute("href")).slice(1);
+    const reached = await page.evaluate(() => document.activeElement.id);
+    if (reached !== id) found.push(`the link to ${id} leads to ${reached || "nothing"}`);
+  }
+  return found;
+}
+
+// On paper the columns of a stepper stay below their names: no line wraps.
+function wrapped() {
+  const found = [];
+  for (const code of document.querySelectorAll("figure.steps pre > code")) {
+    const lines = code.textContent.trimEnd().split("\n").length;
+    const height = parseFloat(getComputedStyle(code).lineHeight) || 1.5 * parseFloat(getComputedStyle(code).fontSize);
+    if (code.getBoundingClientRect().height > (lines + 2) * height * 1.2) found.push("a line of a stepper wraps");
+  }
+  return found;
+}
+
 // An arrow key turns the page, unless something has the focus: a button, a fold, a block that can be scrolled.
 async function turns(page) {
   const url = page.url();
@@ -203,7 +242,12 @@ async function turns(page) {
     await page.waitForTimeout(20);
     if (page.url() !== url) return [`an arrow key on ${what} turns the page`];
   }
-  return [];
+  const canvas = page.locator("figure.live canvas").first();
+  if ((await canvas.count()) === 0) return [];
+  await canvas.click();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForTimeout(20);
+  return page.url() === url ? [] : ["an arrow key after a click into a box turns the page"];
 }
 
 // A click on a drawing shows it larger, in the page.
@@ -252,12 +296,15 @@ async function look(page, file, { width, theme, prints }) {
   (await stepThrough(page)).forEach(note);
   (await turns(page)).forEach(note);
   (await enlarge(page)).forEach(note);
+  (await skip(page)).forEach(note);
+  (await predict(page)).forEach(note);
   (await inaccessible(page)).forEach(note);
   if (prints) {
     // A4 with the usual margins.
     await page.setViewportSize({ width: 718, height: 900 });
     await page.emulateMedia({ media: "print" });
     (await page.evaluate(cutOff, true)).forEach(text => note(`in print ${text}`));
+    (await page.evaluate(wrapped)).forEach(text => note(`in print ${text}`));
     await page.emulateMedia({ media: "screen" });
     await page.setViewportSize({ width, height: 900 });
   }

@@ -6,6 +6,8 @@
   for (const figure of document.querySelectorAll("figure.live:not(.is-live)")) {
     const box = document.createElement("div");
     box.className = "live-box";
+    // A click anywhere in the box gives it the focus, so that the arrow keys turn no page.
+    box.tabIndex = -1;
     figure.insertBefore(box, figure.querySelector("figcaption"));
     figure.classList.add("is-live");
     boxes[figure.dataset.box](box);

@@ -5,7 +5,7 @@ use common::soft::{Observer, Particle, Scene, Simulation, Statistics};
 
 use crate::{add_pair, advance};
 
-/// The naive program: every particle looks at every other.
+/// The naive program: every particle looks at every other particle.
 #[derive(Default)]
 pub struct AllPairs<O> {
     size: f64,
@@ -15,18 +15,19 @@ pub struct AllPairs<O> {
 }
 
 impl<O: Observer> AllPairs<O> {
-    /// Sums into `accelerations[i]` what all particles do to particle i, and tells `observer` how
-    /// many ordered pairs it looked at.
+    /// Computes the acceleration of each particle i by all particles into `accelerations[i]`.
     ///
-    /// The sum starts at zero and takes the neighbours in ascending order, j = 0 … n−1. It may
-    /// include j = i, which adds zero. Floating-point sums depend on their order: a sum in another
-    /// order has another last digit, and after a thousand steps the picture is another.
+    /// - The sum starts at zero and takes the neighbours in ascending order, j = 0 … n−1. It may
+    ///   include j = i, which adds zero.
+    /// - [`Particle::to`] returns the vector from a particle to its neighbour. [`add_pair`] adds the
+    ///   acceleration that this neighbour causes.
+    /// - All forces come from the positions at the *start* of the step, so no particle moves before all
+    ///   sums are complete.
+    /// - At the end, report to the observer how many ordered pairs were tested
+    ///   ([`tested`](Observer::tested)).
     ///
-    /// [`Particle::to`] gives the vector from a particle to its neighbour, and [`add_pair`] adds to a
-    /// sum what the neighbour there causes.
-    ///
-    /// All forces come from where particles are at the *start* of the step, so no particle moves
-    /// before all sums are complete.
+    /// A floating-point sum depends on its order. A different order gives a different last digit,
+    /// and after a thousand steps the picture is different.
     ///
     /// Book: chapter 1, *A step*.
     fn sum_forces(&mut self) {

@@ -3,13 +3,13 @@
 use common::Vec2;
 use common::soft::{DT, Particle};
 
-/// The most reflections that are done one by one.
+/// The greatest number of reflections that are computed one by one.
 const FEW: usize = 8;
 
 /// Moves a particle for one time step under acceleration `a`, in a box of side `size`.
 ///
-/// The velocity changes first, the position follows with the new velocity (symplectic Euler):
-/// v += a dt, then x += v dt. Then the walls: see [`bounce`].
+/// First the velocity changes: v += a dt. Then the position changes with the new velocity:
+/// x += v dt (symplectic Euler). Last, the walls reflect the particle: see [`bounce`].
 #[inline]
 pub fn advance(particle: &mut Particle, a: Vec2, size: f64) {
     particle.vx += a.x * DT;
@@ -18,16 +18,19 @@ pub fn advance(particle: &mut Particle, a: Vec2, size: f64) {
     (particle.y, particle.vy) = bounce(particle.y + particle.vy * DT, particle.vy, size);
 }
 
-/// Brings a coordinate `x` that may lie outside the walls back between 0 and `size`, and returns
-/// it with its velocity.
+/// Reflects a coordinate `x` that may be outside the walls until it is between 0 and `size`.
 ///
-/// - While x < 0 or x > `size`, x is reflected at that wall: x becomes −x or 2 `size` − x, and v
-///   changes its sign. On the wall is inside.
-/// - Most particles need none, a few one. A particle that is very fast, or a box that is very
-///   small, may need millions: after `FEW` reflections, neither more nor fewer, say where it ends
-///   without a loop. From there the path repeats itself every 2 `size`, and [`f64::rem_euclid`]
-///   folds it; what then lies beyond `size` is on its way back. Each way has its own last digits,
-///   and every lab must have the same ones.
+/// Returns the coordinate and its velocity.
+///
+/// - While x < 0 or x > `size`, reflect x at that wall: x becomes −x or 2 `size` − x, and v
+///   changes its sign. A particle on a wall is inside.
+/// - Most particles need no reflection, and a few need one. A very fast particle in a small box may
+///   need millions. So after exactly `FEW` reflections, compute the rest without a loop: the path
+///   repeats every 2 `size`, and [`f64::rem_euclid`] folds it. A folded coordinate beyond `size`
+///   belongs to a particle on its way back.
+///
+/// Loop and fold round differently, and every lab must have the same last digits. Therefore the number
+/// `FEW` is fixed.
 ///
 /// Book: chapter 1, *Walls*.
 #[inline]

@@ -2,7 +2,7 @@
 
 use common::soft::{CUTOFF, Observer, Statistics};
 
-/// The observer that counts.
+/// The observer that collects the statistics of a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Tally(Statistics);
 
@@ -12,12 +12,14 @@ impl Observer for Tally {
         self.0.pair_tests += pairs;
     }
 
-    /// Takes an ordered pair at squared distance `r2` ≤ cutoff² into the statistics of the step:
-    /// the least distance `dmin`, the sum of distances `davg`, the number of pairs `navg`.
+    /// Adds an ordered pair at squared distance `r2` ≤ cutoff² to the statistics of the step.
     ///
-    /// Distances are in units of the cutoff: the square root of `r2 / (CUTOFF * CUTOFF)`. A pair
-    /// at distance 0 is the particle with itself (or two at one position, which exert no force): it
-    /// does not count.
+    /// The statistics are the least distance `dmin`, the sum of distances `davg` and the number of
+    /// pairs `navg`. Distances are in units of the cutoff: the square root of
+    /// `r2 / (CUTOFF * CUTOFF)`.
+    ///
+    /// A pair at distance 0 does not count. It is a particle with itself, or two particles at one
+    /// position, which exert no force.
     ///
     /// Book: chapter 1, *Statistics*.
     #[inline]

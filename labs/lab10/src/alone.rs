@@ -1,5 +1,6 @@
-//! Loops of tasks 10.1, 10.2 and 10.4 alone, without an engine: as functions whose machine code one can look at, and
-//! as programs that one can time, in `lab10-alone`.
+//! The loops of tasks 10.1, 10.2 and 10.4 alone, without an engine.
+//!
+//! They are functions whose machine code you can inspect, and programs that you can time (`lab10-alone`).
 //!
 //! Book: chapter 10, *Is it vector code?*.
 
@@ -12,7 +13,9 @@ use crate::Tasks;
 use crate::drift::drift;
 use crate::filter::filter;
 
-/// The programs of `lab10-alone`: a step of each is one pass of a loop over all particles, which stay where they are.
+/// The programs of `lab10-alone`.
+///
+/// A step of each program is one pass of a loop over all particles. The particles do not move.
 pub static ALONE: &[Variant<dyn Simulation>] = &[
     bitwise(
         "drift",
@@ -35,13 +38,13 @@ pub static ALONE: &[Variant<dyn Simulation>] = &[
     ),
 ];
 
-/// [`drift`], not inlined.
+/// Calls [`drift`]. The function is not inlined, so that its machine code can be found.
 #[inline(never)]
 pub fn drift_alone(x: &mut [f64], v: &mut [f64], a: &[f64], dt: f64, size: f64) -> bool {
     drift(x, v, a, dt, size)
 }
 
-/// [`filter`], not inlined.
+/// Calls [`filter`]. The function is not inlined, so that its machine code can be found.
 #[inline(never)]
 pub fn filter_alone(
     pairs: &[Pair],

@@ -4,24 +4,27 @@ use std::ops::Range;
 
 use neighbour_list_core::kernels::{EIGHT, Pair, Positions, Signs, pack};
 
-/// Writes a pair [i, j] for every particle j of `range` that is within `reach` of particle `i` (at
-/// `reach` is within) into `list`, in ascending order, and returns where the pairs now end.
+/// Writes a pair [i, j] into `list` for every particle j of `range` within `reach` of particle `i`.
 ///
-/// - `list`: `list[..len]` are pairs found before; behind them is room for all of `range` and
-///   eight more.
-/// - `positions`: of all particles, in units of length.
-/// - `i` and `range`: indices in the sorted order; `i` is not in `range`. The range may be empty,
-///   and mostly it is shorter than eight.
-/// - `signs`: says which of eight numbers have a minus sign, a bit for each.
+/// Returns the index in `list` at which the pairs now end. The new pairs are in ascending order. A
+/// particle exactly at `reach` is within reach.
 ///
-/// A branch on the distance would often be mispredicted. So would the end of a loop over `range`, which
-/// is short. Compare eight at a time, also where the range has fewer; a longer range in pieces of eight. Write down those that are in the
-/// range and within reach. [`Positions::eight`] fetches eight, and [`pack`] writes some of eight down.
+/// - `list`: `list[..len]` contains the pairs found before. After them, there is room for all of `range`
+///   and eight more pairs.
+/// - `positions`: the positions of all particles, in units of length.
+/// - `i` and `range`: indices in the sorted order; `i` is not in `range`. The range may be empty, and it
+///   is usually shorter than eight.
+/// - `signs`: computes which of eight numbers have a minus sign, as one bit for each number.
 ///
-/// [`Signs::negative`] takes eight `f32`. Compute in `f64`, and convert only the difference, as the last
-/// thing: that keeps its sign, however small it is, and a difference of 0 is +0.
+/// The processor would often mispredict a branch on the distance. It would also mispredict the end of a
+/// loop over `range`, which is short. So compare eight particles at a time, even if the range has fewer,
+/// and a longer range in pieces of eight. Keep only the particles in the range and within reach.
+/// [`Positions::eight`] fetches eight positions, and [`pack`] writes some of eight pairs.
 ///
-/// Book: chapter 10, *A list that lasts*.
+/// [`Signs::negative`] takes eight `f32`. Compute in `f64`, and convert only the difference, at the very
+/// end. The conversion keeps the sign of the smallest difference, and a difference of 0 becomes +0.
+///
+/// Book: chapter 10, *The neighbours of a particle*.
 #[inline(always)]
 pub fn collect(
     list: &mut [Pair],

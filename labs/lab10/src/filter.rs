@@ -2,17 +2,17 @@
 
 use neighbour_list_core::kernels::{Pair, Positions, ROOM};
 
-/// Writes the pairs of `pairs` that are near into `near`, in their order, and returns how many
-/// they are.
+/// Writes the near pairs of `pairs` into `near`, in the same order, and returns their number.
 ///
 /// - `pairs`: at most [`ROOM`] pairs [i, j] of indices in the sorted order.
-/// - `positions`: of consecutive particles; particle i is at `positions.x[i - positions.first]`.
-/// - `squared`: the square of the greatest distance that is near, in squared units of length; a pair
-///   at this very distance is near.
-/// - `near`: room for the pairs. What stands behind the near ones does not matter.
+/// - `positions`: the positions of consecutive particles; particle i is at
+///   `positions.x[i - positions.first]`.
+/// - `squared`: the square of the greatest distance of a near pair, in squared units of length. A pair
+///   at exactly this distance is near.
+/// - `near`: room for the pairs. The entries after the near pairs may have any value.
 ///
-/// Of a hundred listed pairs three touch. A branch on the distance is mispredicted for each of them. Write
-/// each pair down instead, and let the next one overwrite it unless it is near.
+/// Of a hundred listed pairs, three touch. The processor mispredicts a branch on the distance for each of
+/// the three. Write every pair instead, and let the next pair overwrite it unless it is near.
 ///
 /// Book: chapter 10, *A list within the list*.
 #[inline(always)]

@@ -1,4 +1,4 @@
-//! Runs loops of lab 10 alone: `cargo run --release -p lab10 --bin lab10-alone -- --help`.
+//! Runs the loops of lab 10 alone: `cargo run --release -p lab10 --bin lab10-alone -- --help`.
 
 use std::process::ExitCode;
 

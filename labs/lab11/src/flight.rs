@@ -1,14 +1,16 @@
-//! Free flight: where a particle goes in a window if no force bends its path, how close two come, and
-//! how far they may be off.
+//! Free flight: the path of a particle in a window if no force bends it.
+//!
+//! The tasks compute the path, the least distance of two paths, and the deviation that is allowed.
 
 use neighbour_list::kernels::larger;
 use windows::Span;
 
-/// Advances one coordinate `x` of particles in free flight by `steps` steps of length `dt`; `v` are as
-/// many velocities.
+/// Advances one coordinate `x` of particles in free flight by `steps` steps of length `dt`.
 ///
-/// The result has the bits of step by step: each step adds `v * dt`, rounded once, to the position, and
-/// that sum is rounded. But each particle is fetched from memory only once. No wall is near.
+/// `v` contains the velocity of each particle. No wall is near.
+///
+/// The result must have the bits of single steps: each step rounds the product `v * dt` once, adds it to
+/// the position, and rounds the sum. But fetch each particle from memory only once.
 ///
 /// Book: chapter 11, *Free flight*.
 #[inline(always)]
@@ -16,13 +18,15 @@ pub fn fly(x: &mut [f64], v: &[f64], steps: u32, dt: f64) {
     todo!("task 11.1: free flight")
 }
 
-/// The square of the least distance between two points within time `span`: they are (`dx`, `dy`)
-/// apart at its beginning, and the second moves with velocity (`wx`, `wy`) as seen by the first.
+/// Returns the square of the least distance between two points within the time `span`.
+///
+/// At the beginning, the second point is at (`dx`, `dy`) as seen from the first, and moves with velocity
+/// (`wx`, `wy`) as seen from the first.
 ///
 /// - The distance vector at time t is d + t w. Its length is least at t = −(d·w) / (w·w).
-/// - That may be before the beginning or after the end: t is clamped to 0 ..= `span`.
-/// - Two points that move alike have w = 0 and t = 0/0 = NaN; their distance is |d| at any time.
-///   `larger(t, 0.0)` is 0 if t is NaN: there needs to be no branch.
+/// - This time may be before the beginning or after the end, so clamp t to 0 ..= `span`.
+/// - Two points with the same velocity have w = 0 and t = 0/0 = NaN. Their distance is |d| at any time.
+///   `larger(t, 0.0)` is 0 if t is NaN, so you need no branch.
 ///
 /// Book: chapter 11, *Which particles could meet*.
 #[inline(always)]
@@ -30,25 +34,28 @@ pub fn closest_squared(dx: f64, dy: f64, wx: f64, wy: f64, span: f64) -> f64 {
     todo!("task 11.2: the closest approach of two paths")
 }
 
-/// Whether a particle with this `deviation` from its free flight, in units of length, may have come
-/// within the cutoff of a particle that the search did not list for it.
+/// Whether a particle may have come within the cutoff of a particle that is not in its list.
 ///
-/// The search listed all pairs whose free flights come within cutoff + `margin`. The other particle of
-/// an unlisted pair may be off its path, too, by as much at most: this is asked of the one that is off
-/// by more.
+/// - `deviation`: the distance of the particle from its free flight, in units of length.
+/// - `margin`: the search listed all pairs whose free flights come within cutoff + `margin`.
+///
+/// The other particle of an unlisted pair may also be off its path, by at most the same distance: the
+/// engine calls this function for the particle with the greater deviation.
 ///
 /// Book: chapter 11, *A margin that is checked*.
 #[inline(always)]
 pub fn too_far_off(deviation: f64, margin: f64) -> bool {
-    todo!("task 11.4: whether the margin held")
+    todo!("task 11.4: the check of the margin")
 }
 
-/// Whether the free flight from (`x`, `y`) with velocity (`vx`, `vy`) may touch a wall, at 0 or at
-/// `span.size`, before the window ends: then the particle is computed step by step.
+/// Whether the free flight from (`x`, `y`) with velocity (`vx`, `vy`) may touch a wall in the window.
 ///
-/// What counts is where it would be at the end of the window, after [`Span::whole`], not where it is
-/// now; a particle that ends within [`Span::rounding`] of a wall counts too, and so does a position that is
-/// no number.
+/// The walls are at 0 and at `span.size`. If the result is true, the engine computes the particle step by
+/// step.
+///
+/// Check the position at the end of the window, after [`Span::whole`], and not the position now. A
+/// particle that ends within [`Span::rounding`] of a wall touches it, and so does a particle whose position
+/// is NaN.
 ///
 /// Book: chapter 11, *Walls out of reach*.
 #[inline(always)]

@@ -1,10 +1,10 @@
-//! The tasks, as the engine asks for them.
+//! The tasks, in the form that the engine calls.
 
 use windows::{Rules, Span};
 
 use crate::{flight, union_find};
 
-/// The rules by which this lab's programs skip: your functions.
+/// Your functions, as the rules by which this lab's programs skip work.
 pub struct Tasks;
 
 impl Rules for Tasks {

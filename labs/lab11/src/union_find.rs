@@ -1,12 +1,13 @@
-//! Which group a particle belongs to: union-find.
+//! The groups of particles, by union-find.
 //!
-//! Particles are numbered from 0. Each number has a parent in its group, which is never a greater
-//! number; the least number of a group, its root, is its own parent. At first each particle is alone.
+//! Particles are numbered from 0. Each number has a parent, which is in the same group and is never a
+//! greater number. The least number of a group is its root, and the root is its own parent. At first,
+//! each particle is a group of its own.
 
-/// The root of the group of number `k`: follow the parents until a number is its own.
+/// Returns the root of the group of number `k`: follow the parents until a number is its own parent.
 ///
-/// Give each number that you pass its grandparent as its parent. It stays in its group, and the path
-/// is half as long for the next search.
+/// Replace the parent of each number that you pass by its grandparent. The number stays in its group, and
+/// the path is half as long for the next search.
 ///
 /// Book: chapter 11, *Groups*.
 #[inline]
@@ -14,8 +15,10 @@ pub fn root(parent: &mut [u32], k: u32) -> u32 {
     todo!("task 11.3: the root of a group")
 }
 
-/// Makes one group of the groups of `a` and `b`, two particles that may touch; they may be in one
-/// already. The lesser root stays the root: so no parent is ever greater than its child.
+/// Joins the groups of `a` and `b`, two particles that may touch.
+///
+/// They may be in the same group already. The lesser root becomes the root of the joined group, so that no
+/// parent is ever greater than its child.
 ///
 /// Book: chapter 11, *Groups*.
 #[inline]

@@ -1,4 +1,4 @@
-//! How long a window should be.
+//! The length of a window.
 
 use std::f64::consts::SQRT_2;
 
@@ -6,20 +6,22 @@ use common::soft::{CUTOFF, DT};
 
 /// The longest window, in steps.
 pub const LONGEST: u32 = 48;
-/// Particles that one particle may sweep over in a window.
+/// The number of other particles that a particle may sweep over in a window.
 const SWEPT: f64 = 0.14;
 
-/// How many steps a window should have, where there are `density` particles per area and their mean
-/// speed is `speed`.
+/// Returns the number of steps of a window, at least 1 and at most [`LONGEST`].
 ///
-/// A longer window spares sorting and searching, but more particles meet in it. At each step, of
-/// length [`DT`], a particle sweeps, relative to the other particles, an area of about 2 cutoffs times
-/// √2 times its displacement. Take the most steps, at least 1 and at most [`LONGEST`], in which it
-/// sweeps over no more than 0.14 (`SWEPT`) particles.
+/// - `density`: particles per area.
+/// - `speed`: the mean speed of the particles.
 ///
-/// A box without motion gives 0/0 or x/0: then take [`LONGEST`].
+/// A longer window needs less sorting and searching, but more particles meet in it. In each step, of length
+/// [`DT`], a particle sweeps over an area relative to the other particles. The area is about 2 cutoffs times
+/// √2 times its displacement. The result is the greatest number of steps in which a particle sweeps over
+/// at most 0.14 (`SWEPT`) other particles.
+///
+/// In a box without motion, you would divide by zero. The result is then [`LONGEST`].
 ///
 /// Book: chapter 11, *How long a window*.
 pub fn window_length(density: f64, speed: f64) -> u32 {
-    todo!("task 11.6: how long a window")
+    todo!("task 11.6: the length of a window")
 }

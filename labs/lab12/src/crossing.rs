@@ -1,47 +1,56 @@
-//! When something falls through zero within a step: a distance less the cutoff, a coordinate less
-//! its wall.
+//! Zero crossings within a step: the moments at which a number falls through zero.
+//!
+//! The number is a distance minus the cutoff, or a coordinate minus its wall.
 
 use integrators::Watched;
 
-/// The moment between `low` and `high` at which `value` falls through zero. It is at least 0 at
-/// `low` and below 0 at `high`. What comes out is at most 10⁻¹² · (`high` − `low`) behind that moment,
-/// and never before it: `value` is at most 0 there.
+/// Returns the moment between `low` and `high` at which `value` falls through zero.
 ///
-/// Each look at `value` is a Runge-Kutta step of a whole group of particles, so few looks are
-/// wanted: halving takes 42 of them, a good method a dozen, and more than 30 are too many.
+/// `value` is at least 0 at `low` and below 0 at `high`. The result is at most 10⁻¹² · (`high` − `low`)
+/// after the zero crossing, and never before it: `value` is at most 0 at the result.
 ///
-/// Both ends of the stretch must close in. A guess that lands on an end, or within rounding of it, moves
-/// nothing, and the next one is the same: keep guesses a little away from both ends, by less than half of
-/// 10⁻¹² of the whole stretch. And `value` may be so near to zero everywhere that its product with a short time
-/// is 0: divide first.
+/// Each call of `value` is a Runge-Kutta step of a whole group of particles, so call it rarely. Bisection
+/// needs 42 calls, a good method needs a dozen, and more than 30 calls fail the test.
+///
+/// Two things can go wrong:
+///
+/// - Both ends of the interval must close in. A guess at an end, or within rounding of it, moves
+///   nothing, and the next guess is the same. So keep guesses a little away from both ends, by less than
+///   half of 10⁻¹² of the whole interval.
+/// - `value` may be so close to zero everywhere that its product with a short time is 0. So divide
+///   before you multiply.
 ///
 /// Book: chapter 12, *The moment of contact*.
 pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
-    todo!("task 12.3: the moment at which something falls through zero")
+    todo!("task 12.3: the moment of a zero crossing")
 }
 
-/// The first moment from 0 to `h` at which the watched number falls through zero, if it does.
+/// Returns the first moment from 0 to `h` at which the watched number falls through zero.
 ///
-/// `start` is its value and slope at 0, `end` at `h`, and `at` computes them anywhere between, for the
-/// price of a Runge-Kutta step. The step is so short that the slope changes its sign at most once
-/// in it.
+/// The result is `None` if the number does not fall through zero in this step.
 ///
-/// - A number at 0 or below at the start, with a negative slope, falls at once: 0.
-/// - A number at 0 or below at the start that rises has just been through an event. It falls again
-///   only behind its top, where the slope falls through zero; at the top itself, if the number is no
-///   higher than 0 there. If it rises to the end there is no fall, wherever it ends.
-/// - A number above 0 at both ends may still dip below 0 between them, if it falls at first and
-///   rises at last: look at the bottom, where the slope rises through zero.
+/// - `start` and `end`: the value and the slope of the number at 0 and at `h`.
+/// - `at`: computes value and slope at any moment between, at the cost of a Runge-Kutta step.
 ///
-/// A slope of exactly 0 may be taken for falling or for rising: both find the same moment. Only the first rule needs
-/// one below 0.
+/// The step is so short that the slope changes its sign at most once.
 ///
-/// Book: chapter 12, *What falls, and when*.
+/// - If the number is at most 0 at the start and its slope is negative, it falls at once: the result is 0.
+/// - If the number is at most 0 at the start and rises, an event has just happened. The number falls again
+///   only after its top, where the slope falls through zero. If the number is at most 0 at the top, the
+///   result is the top itself. If the number rises until the end, the result is `None`, whatever its
+///   value at the end.
+/// - If the number is above 0 at both ends, falls first and then rises, it may be below 0 between the two
+///   ends. Check the bottom, where the slope rises through zero.
+///
+/// You may treat a slope of exactly 0 as falling or as rising, because both give the same moment. Only
+/// the first rule needs a slope below 0.
+///
+/// Book: chapter 12, *Is there a zero crossing?*.
 pub fn first_fall(
     start: Watched,
     end: Watched,
     h: f64,
     at: &mut dyn FnMut(f64) -> Watched,
 ) -> Option<f64> {
-    todo!("task 12.4: whether something falls within the step")
+    todo!("task 12.4: a zero crossing within the step")
 }

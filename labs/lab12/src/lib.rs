@@ -25,7 +25,7 @@ fn integrated(config: &Config, method: impl Method + 'static) -> Built {
     Ok(Box::new(Integrated::new(config.threads, method, divide(config), stretch)))
 }
 
-/// A program that gives the same bits in every run.
+/// Makes a variant that gives the same bits in every run.
 const fn variant(
     name: &'static str,
     about: &'static str,

@@ -1,4 +1,4 @@
-//! The tasks, as the engines ask for them.
+//! The tasks, in the form that the engines call.
 
 use common::Vec2;
 use integrators::{Method, Rules, State, System, Watched};
@@ -21,7 +21,7 @@ impl Method for Composition {
     }
 }
 
-/// What Runge-Kutta and its located events ask for: your functions.
+/// Your functions, for the engines with Runge-Kutta and located events.
 pub struct Tasks;
 
 impl Rules for Tasks {

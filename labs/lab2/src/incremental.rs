@@ -1,4 +1,4 @@
-//! Task 2.5: only what changed its bin is moved.
+//! Task 2.5: only the particles that changed their bins are moved.
 
 use common::Vec2;
 use common::soft::{Observer, Particle, Scene, Simulation, Statistics, read_by_id};
@@ -6,11 +6,12 @@ use solution1::advance;
 
 use crate::{Grid, VecBins};
 
-/// Takes the particles that no longer lie in bin number `bin` of `grid` out of its list `inside`
-/// and adds them to `changed`. The rest stay, in any order.
+/// Moves the particles that have left bin `bin` of `grid` from its list `inside` to `changed`.
 ///
-/// To take a particle out of the middle of a `Vec` and close the gap would move all that follow.
-/// [`Vec::swap_remove`] moves only the last one, into the gap. Mind that it has not been looked at.
+/// The other particles stay in `inside`, in any order.
+///
+/// Closing the gap of a removed particle would move all particles after it. [`Vec::swap_remove`]
+/// moves only the last particle, into the gap. Remember that this particle has not been checked yet.
 ///
 /// Book: chapter 2, *Incremental*.
 #[inline]
@@ -23,26 +24,26 @@ pub fn take_leavers(
     todo!("task 2.5: take out the leavers, by swap-remove")
 }
 
-/// Incremental: the bins own the particles, and a particle is moved to another bin when it has
-/// left its own (CSC581 report, section 3.3; CS267 report, section 3.1.2).
+/// The incremental engine: the bins own the particles, and a particle that has left its bin is moved
+/// to its new bin (CSC581 report, section 3.3; CS267 report, section 3.1.2).
 ///
-/// In a time step of the official scene one particle in forty crosses an edge of these bins, and
-/// neighbours in the box stay close in memory: they lie in the same list or in the next.
+/// In a time step of the official scene, one particle in forty crosses an edge of these bins.
+/// Neighbours in the box stay close in memory: they are in the same list or in the next.
 ///
-/// Results are repeatable: neighbours are summed bin by bin, in an order that depends on which
-/// particles came and went.
+/// Results are repeatable, because neighbours are summed bin by bin. The order in a bin depends on the
+/// particles that came and went.
 #[derive(Default)]
 pub struct Incremental<O> {
     bin_size: f64,
     bins: VecBins,
-    /// In the order of the particles in the bins.
+    /// The accelerations, in the order of the particles in the bins.
     accelerations: Vec<Vec2>,
     changed: Vec<Particle>,
     observer: O,
 }
 
 impl<O: Observer> Incremental<O> {
-    /// An engine whose bins have sides of `bin_size` cutoffs or more.
+    /// Makes an engine whose bins have sides of `bin_size` cutoffs or more.
     pub fn new(bin_size: f64) -> Self {
         Self { bin_size, ..Self::default() }
     }

@@ -8,14 +8,16 @@ use solution1::{advance, pair_acceleration};
 
 use crate::Grid;
 
-/// The end of a list.
+/// The number that marks the end of a list.
 const NONE: u32 = u32::MAX;
 
 /// A linked list of particles for each bin, whose nodes are made once and used again.
 ///
-/// Particle i has node i, and a node is in one list at a time, so that all the links fit in one
-/// array: `next[i]` is the particle after i in the list that i is in. `heads[b]` is the first
-/// particle of bin b. `NONE` ends a list.
+/// Particle i has node i, and a node is in one list at a time. So all links fit in one array:
+///
+/// - `heads[b]` is the first particle of bin b.
+/// - `next[i]` is the particle after i in its list.
+/// - `NONE` ends a list.
 #[derive(Debug, Default)]
 pub struct BinLists {
     heads: Vec<u32>,
@@ -23,7 +25,7 @@ pub struct BinLists {
 }
 
 impl BinLists {
-    /// Empty lists for `bins` bins, with nodes for `particles` particles.
+    /// Makes empty lists for `bins` bins, with nodes for `particles` particles.
     pub fn new(bins: usize, particles: usize) -> Self {
         Self { heads: vec![NONE; bins], next: vec![NONE; particles] }
     }
@@ -59,7 +61,7 @@ impl BinLists {
         self.heads[bin] == NONE
     }
 
-    /// Puts `particle`, which is in no list, at the head of the list of `bin`.
+    /// Puts `particle`, which is not in a list yet, at the head of the list of `bin`.
     ///
     /// Book: chapter 2, *Linked lists*.
     #[inline]
@@ -68,12 +70,14 @@ impl BinLists {
     }
 }
 
-/// Writes into `bins` the bins that come after bin (`row`, `column`) and touch it, and returns how
-/// many there are: the one to its right and the three in the next row, as far as they exist.
+/// Writes the forward bins of bin (`row`, `column`) into `bins`, and returns their number.
 ///
-/// If every bin takes care of the pairs inside it and of those with its forward bins, then every
-/// pair of adjoining bins has been taken care of once. With bin numbers alone, bin + 1 of the last
-/// column would be a bin at the other end of the next row: look at rows and columns.
+/// The forward bins are the neighbouring bins that come after the bin: the bin to its right and the
+/// three bins in the next row, as far as they exist. If every bin handles the pairs inside it and the
+/// pairs with its forward bins, every pair of neighbouring bins is handled once.
+///
+/// Compare rows and columns instead of bin numbers. For a bin in the last column, bin + 1 is at the
+/// other end of the next row.
 ///
 /// Book: chapter 2, *Every pair once*.
 #[inline]
@@ -81,13 +85,13 @@ pub fn forward(grid: &Grid, row: usize, column: usize, bins: &mut [usize; 4]) ->
     todo!("task 2.7: the four bins that come after")
 }
 
-/// Linked lists and two-way forces (CSC367 report, section 2.1): a pair is looked at once, and the
-/// force that one particle feels is given, with the opposite sign, to the other.
+/// The engine with linked lists and two-way forces (CSC367 report, section 2.1).
 ///
-/// Half the pairs, then. In return a particle's acceleration is written from many pairs, which
-/// is harmless here and becomes the problem of lab 4.
+/// It tests each pair once, and applies the force to both particles, with opposite signs. So it tests
+/// half as many pairs. In return, many pairs write the acceleration of a particle. This is
+/// harmless here and becomes the problem of lab 4.
 ///
-/// Promises repeatable results: each acceleration is a sum in the order in which pairs are met.
+/// Results are repeatable, because the program finds the pairs in the same order in every run.
 #[derive(Default)]
 pub struct LinkedList<O> {
     bin_size: f64,
@@ -99,7 +103,7 @@ pub struct LinkedList<O> {
 }
 
 impl<O: Observer> LinkedList<O> {
-    /// An engine whose bins have sides of `bin_size` cutoffs or more.
+    /// Makes an engine whose bins have sides of `bin_size` cutoffs or more.
     pub fn new(bin_size: f64) -> Self {
         Self { bin_size, ..Self::default() }
     }
@@ -117,7 +121,7 @@ impl<O: Observer> LinkedList<O> {
         for row in 0..self.grid.rows() {
             for column in 0..self.grid.columns() {
                 let bin = row * self.grid.columns() + column;
-                // Four of five bins of one cutoff are empty.
+                // If a bin's side is one cutoff, four of five bins are empty.
                 if self.lists.is_empty(bin) {
                     continue;
                 }
@@ -127,10 +131,13 @@ impl<O: Observer> LinkedList<O> {
         }
     }
 
-    /// Adds the forces of all pairs with one particle in `bin` and the other after it in `bin` or
-    /// in one of the bins `ahead`, to both particles. `self.observer` is told of each pair once as
-    /// looked at (`tested`), and if it is within the cutoff twice of its squared distance (`seen`): it is two
-    /// ordered pairs.
+    /// Adds the forces of the pairs of a bin to both particles of each pair.
+    ///
+    /// One particle of a pair is in `bin`. The other comes after it in the list of `bin`, or is in one of
+    /// the bins `ahead`.
+    ///
+    /// Report each pair to `self.observer` once as tested (`tested`). If the pair is within the cutoff,
+    /// also report its squared distance twice (`seen`), because it is two ordered pairs.
     ///
     /// Book: chapter 2, *Every pair once*.
     #[inline]

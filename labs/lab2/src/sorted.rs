@@ -1,4 +1,4 @@
-//! The engine that the later labs are compared with.
+//! The reference engine for the later labs.
 
 use common::Vec2;
 use common::soft::{Observer, Particle, Scene, Simulation, Statistics, read_by_id};
@@ -6,22 +6,22 @@ use solution1::advance;
 
 use crate::{Gather, Grid, SortedBins};
 
-/// Sorted: the particles lie in memory as they lie in the box, bin by bin, and are sorted again
-/// after each step.
+/// The sorting engine: the particles are in memory in the order of their bins, and are sorted again after
+/// each step.
 ///
-/// Promises the bits of all-pairs on any scene, because [`Gather`] sums in ascending id.
+/// It gives the bits of all-pairs on any scene, because [`Gather`] sums in ascending id.
 #[derive(Default)]
 pub struct Sorted<O> {
     bin_size: f64,
     bins: SortedBins,
-    /// In the order of the particles in the bins.
+    /// The accelerations, in the order of the particles in the bins.
     accelerations: Vec<Vec2>,
     gather: Gather,
     observer: O,
 }
 
 impl<O: Observer> Sorted<O> {
-    /// An engine whose bins have sides of `bin_size` cutoffs or more.
+    /// Makes an engine whose bins have sides of `bin_size` cutoffs or more.
     pub fn new(bin_size: f64) -> Self {
         Self { bin_size, ..Self::default() }
     }

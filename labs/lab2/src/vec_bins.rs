@@ -8,10 +8,9 @@ use solution1::add_pair;
 
 use crate::Grid;
 
-/// Bins that each own a `Vec` of the particles in it.
+/// Bins that each own a `Vec` of their particles.
 ///
-/// A `Vec` remembers its memory when it is cleared, so that after a few steps nothing is allocated
-/// any more.
+/// A `Vec` keeps its memory when it is cleared, so after a few steps the bins allocate no more memory.
 #[derive(Debug, Default)]
 pub struct VecBins {
     grid: Grid,
@@ -19,17 +18,17 @@ pub struct VecBins {
 }
 
 impl VecBins {
-    /// Empty bins.
+    /// Makes empty bins.
     pub fn new(grid: Grid) -> Self {
         Self { grid, bins: vec![Vec::new(); grid.bins()] }
     }
 
-    /// Bins of `bin_size` cutoffs or more for the box of `scene`, still empty.
+    /// Makes empty bins of `bin_size` cutoffs or more for the box of `scene`.
     pub fn of_scene(scene: &Scene, bin_size: f64) -> Self {
         Self::new(Grid::of_scene(scene, bin_size))
     }
 
-    /// The geometry.
+    /// The geometry of the bins.
     #[inline]
     pub fn grid(&self) -> &Grid {
         &self.grid
@@ -41,7 +40,7 @@ impl VecBins {
         &self.bins
     }
 
-    /// The bins, row by row, to be changed: `chunks_mut(columns)` gives the rows.
+    /// The bins, row by row, to be changed. `chunks_mut(columns)` yields the rows.
     #[inline]
     pub fn bins_mut(&mut self) -> &mut [Vec<Particle>] {
         &mut self.bins
@@ -52,7 +51,7 @@ impl VecBins {
         self.bins.iter().flatten()
     }
 
-    /// Puts a particle into the bin that it lies in, however many are there already.
+    /// Adds a particle to the bin that contains its position. A bin takes any number of particles.
     ///
     /// Book: chapter 2, *Rebuild*.
     #[inline]
@@ -60,20 +59,20 @@ impl VecBins {
         todo!("task 2.3: a particle goes into its bin")
     }
 
-    /// Forgets what the bins hold and puts `particles` into them.
+    /// Empties all bins and puts `particles` into them.
     ///
     /// Book: chapter 2, *Rebuild*.
     pub fn refill(&mut self, particles: &[Particle]) {
         todo!("task 2.3b: clear and fill again")
     }
 
-    /// What the particles in the bin of `particle` and in the bins around it do to it, summed in
-    /// the order in which they are found. `observer` is told how many particles were looked at
-    /// (`tested`), a number of type `u64`; the particle itself counts as one. `add_pair` tells it which were within
-    /// the cutoff.
+    /// Sums the accelerations of `particle` by the particles in its bin and in the bins around it.
     ///
-    /// The particle itself is among those in its bin; it does nothing to itself. With
-    /// [`Grid::near`] there are up to nine bins, less at a wall, and each counts once.
+    /// - The sum starts at zero and takes the neighbours in the order in which they are found.
+    /// - [`Grid::near`] gives up to nine bins, and fewer at a wall. Visit each bin once.
+    /// - The particle's own bin contains the particle itself, which adds zero.
+    /// - For each bin, report to `observer` how many particles were tested (`tested`, a `u64`).
+    ///   The particle itself counts as one. `add_pair` reports the pairs within the cutoff.
     ///
     /// Book: chapter 2, *Nine bins*.
     #[inline]

@@ -3,8 +3,10 @@
 
 use anyhow::Result;
 
-use lab_kit::facts::{TaskFacts, Timed};
+use lab_kit::facts::Timed;
 use lab_kit::{Facts, Kit, Lab, Workers, answers, hints, rubric, wrong};
+
+use crate::tasks::difficulty;
 
 /// How long a lab takes and what it needs, in one line.
 pub(crate) fn needs(facts: &Facts) -> String {
@@ -27,11 +29,9 @@ pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
     out += "\n<details><summary>Hours and difficulty, task by task</summary>\n\n\
             | task | | hours | difficulty |\n|---|---|---:|---|\n";
     for hint in hints::read(kit, lab)? {
-        let Some(TaskFacts { hours, mark, .. }) = facts.tasks.get(&hint.task.to_string()) else {
-            continue;
-        };
-        let mark = "●".repeat(*mark) + &"○".repeat(3_usize.saturating_sub(*mark));
-        out += &format!("| {} | {} | {hours} | {mark} |\n", hint.task, hint.title);
+        let Some(task) = facts.tasks.get(&hint.task.to_string()) else { continue };
+        let mark = difficulty(task);
+        out += &format!("| {} | {} | {} | {mark} |\n", hint.task, hint.title, task.hours);
     }
     out += &format!("| | to read, predict, measure and explain | {} | |\n", facts.reading);
     Ok(out + "\n</details>\n")

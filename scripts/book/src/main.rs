@@ -1,10 +1,10 @@
 //! The book: `cargo lab book`, and the preprocessor that mdBook calls.
 
+mod alignment;
 mod digits;
 mod drawings;
 mod ending;
 mod entries;
-mod folds;
 mod glossary;
 mod labs;
 mod locations;
@@ -12,14 +12,14 @@ mod markers;
 mod math;
 mod mdbook;
 mod pages;
-
+mod predictions;
 mod preprocessor;
 mod printed;
 mod query;
 mod reports;
 mod sections;
 mod snippets;
-
+mod tasks;
 mod variants;
 
 use std::process::ExitCode;

@@ -13,7 +13,7 @@ use mdbook_preprocessor::parse_input;
 use lab_kit::Kit;
 
 use crate::entries::Data;
-use crate::{drawings, ending, folds, markers, math};
+use crate::{alignment, drawings, ending, markers, math, predictions, tasks};
 
 /// Set where the preprocessor is to leave the hints out.
 pub(crate) const WITHOUT_HINTS: &str = "CUTOFF_BOOK_WITHOUT_HINTS";
@@ -42,9 +42,8 @@ pub(crate) fn run(kit: &Kit) -> Result<ExitCode> {
 fn page(data: &mut Data, chapter: &Chapter, edit: &str, with_hints: bool) -> Result<String> {
     let file = chapter.path.as_deref().unwrap_or(Path::new(""));
     let mut text = markers::fill(data, &chapter.content)?;
-    if with_hints {
-        text = folds::beside_tasks(data.kit, file, &text)?;
-    }
+    text = tasks::placed(data.kit, file, &text, with_hints)?;
+    text = alignment::aligned(&predictions::unfolded(&text)?);
     let folder = data.kit.path("book/src").join(file.parent().unwrap_or(Path::new("")));
     let text = drawings::link(&math::render(&text)?, &folder);
     let text = ending::scripts(text, file.components().count().saturating_sub(1));

@@ -1,7 +1,7 @@
 //! What every part of the `cargo lab` command needs.
 //!
 //! [`Kit`] knows where things are, [`Facts`] what a [`Lab`] says about itself. [`answers`] reads the tasks
-//! in a solution and [`starter`] makes a starter of it; [`hints`], [`wrong`], [`fault`] and [`rubric`]
+//! in a solution and [`starter`] makes a starter of it; [`hints`], [`wrong`], [`quiz`] and [`rubric`]
 //! read what is written beside it. [`harness`] runs a lab's tests, [`binaries`] are its programs, both
 //! in a [`process`] of their own; [`cargo`] shows what it builds. A [`command`] of the kit begins and ends alike, wherever it is.
 
@@ -11,7 +11,6 @@ pub mod cargo;
 pub mod command;
 pub mod excerpt;
 pub mod facts;
-pub mod fault;
 pub mod files;
 pub mod harness;
 pub mod hints;
@@ -22,6 +21,7 @@ pub mod page;
 pub mod process;
 pub mod program;
 pub mod progress;
+pub mod quiz;
 pub mod rubric;
 pub mod starter;
 pub mod submission;

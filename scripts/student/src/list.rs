@@ -7,7 +7,6 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::Args;
 
-use crate::fault::Found;
 use crate::results::{self, Results};
 use crate::tasks::{self, Progress, State, print_tasks};
 use lab_kit::system;
@@ -32,8 +31,6 @@ pub(crate) struct Overview {
     /// Whether its source is not what was tested.
     pub(crate) stale: bool,
     tasks: Vec<Progress>,
-    /// The faults of 'cargo lab fault'.
-    faults: Found,
     /// What to install before it can run.
     missing: Option<&'static str>,
 }
@@ -49,7 +46,6 @@ impl Overview {
             title: kit.title(lab),
             stale: fresh == Some(false),
             tasks: tasks::progress(kit, lab, outcomes)?,
-            faults: Found::of(kit, lab)?,
             missing: None,
         })
     }
@@ -123,12 +119,6 @@ fn table(overviews: &[Overview]) -> String {
     let bar = "█".repeat(filled) + &"░".repeat(30 - filled);
     out += &format!("\n     {bar}  {done} of {all} tasks, {percent} %\n");
     out += "     █ done   x fails   ░ to do   · not tested\n";
-    let (found, of) = overviews.iter().fold((0, 0), |(found, of), overview| {
-        (found + overview.faults.found, of + overview.faults.of)
-    });
-    if of > 0 {
-        out += &format!("     {found} of {of} faults found: cargo lab fault LAB\n");
-    }
     out
 }
 
@@ -144,7 +134,7 @@ fn mark(state: State) -> char {
 
 #[cfg(test)]
 mod tests {
-    use super::{Found, Overview, table};
+    use super::{Overview, table};
     use crate::tasks::{Progress, State};
 
     fn overview(lab: u8, title: &str, stale: bool, states: &[State]) -> Overview {
@@ -159,7 +149,6 @@ mod tests {
             title: title.into(),
             stale,
             tasks: states.iter().enumerate().map(of).collect(),
-            faults: Found { found: usize::from(lab == 2), of: 2 * usize::from(lab < 10) },
             missing: (lab == 10).then_some("a driver: scripts/setup.sh installs it"),
         }
     }
@@ -179,7 +168,6 @@ mod tests {
 
      ███████████████░░░░░░░░░░░░░░░  4 of 8 tasks, 50 %
      █ done   x fails   ░ to do   · not tested
-     1 of 4 faults found: cargo lab fault LAB
 "
         );
     }

@@ -3,7 +3,6 @@
 mod calls;
 mod check;
 mod door;
-mod fault;
 mod hint;
 mod list;
 mod memory;
@@ -29,7 +28,6 @@ enum Command {
     Test(test::Options),
     Watch(watch::Options),
     Hint(hint::Options),
-    Fault(fault::Options),
     Check(check::Options),
     Submit(submit::Options),
     Reset(reset::Options),
@@ -49,7 +47,6 @@ fn main() -> ExitCode {
             Command::Test(options) => test::run(&kit, options),
             Command::Watch(options) => watch::run(&kit, options),
             Command::Hint(options) => hint::run(&kit, options),
-            Command::Fault(options) => fault::run(&kit, options),
             Command::Check(options) => check::run(&kit, options),
             Command::Submit(options) => submit::run(&kit, options),
             Command::Reset(options) => reset::run(&kit, options),

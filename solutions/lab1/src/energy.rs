@@ -5,12 +5,15 @@ use common::soft::{CUTOFF, MASS, MIN_R, Particle, Scene, Simulation, Statistics}
 
 use crate::{AllPairs, Tally};
 
-/// The potential energy of two particles at distance vector `d`: the work it took to push them
+/// Returns the potential energy of two particles at distance vector `d`: the work that pushes them
 /// together from the cutoff.
 ///
-/// With r = |d| it is 0 beyond the cutoff c and else U(r) = c/r − 1 − ln(c/r). The force stops
-/// growing below the least distance q = [`MIN_R`]; it is then proportional to r, so the potential goes
-/// on as a parabola: U(q) + κ (q² − r²) / 2 with κ = (c/q − 1) / q².
+/// With the distance r = |d|, the cutoff c and the least distance q = [`MIN_R`]:
+///
+/// - Beyond the cutoff, the energy is 0.
+/// - From q to the cutoff, it is U(r) = c/r − 1 − ln(c/r).
+/// - Below q, the force is proportional to r, so the energy continues as a parabola:
+///   U(q) + κ (q² − r²) / 2 with κ = (c/q − 1) / q².
 ///
 /// Book: chapter 1, *Energy*.
 pub fn pair_potential(d: Vec2) -> f64 {
@@ -29,7 +32,7 @@ pub fn pair_potential(d: Vec2) -> f64 {
     // end 1.5
 }
 
-/// The potential energy of all particles: every pair once.
+/// Returns the potential energy of all particles. Every pair counts once.
 pub fn potential_energy(particles: &[Particle]) -> f64 {
     // task 1.5b: the potential energy of all pairs
     let pairs = particles
@@ -40,14 +43,14 @@ pub fn potential_energy(particles: &[Particle]) -> f64 {
     // end 1.5b
 }
 
-/// The energy of motion, the sum of m v² / 2.
+/// Returns the energy of motion, the sum of m v² / 2 over all particles.
 pub fn kinetic_energy(particles: &[Particle]) -> f64 {
     // task 1.5c: the energy of motion
     particles.iter().map(|p| MASS * (p.vx * p.vx + p.vy * p.vy) / 2.0).sum()
     // end 1.5c
 }
 
-/// The momentum, the sum of m v. Pairs leave it alone; walls do not.
+/// Returns the momentum, the sum of m v over all particles. Pairs do not change it; walls do.
 pub fn momentum(particles: &[Particle]) -> Vec2 {
     // task 1.5d: the momentum
     let mut sum = Vec2::ZERO;
@@ -58,7 +61,7 @@ pub fn momentum(particles: &[Particle]) -> Vec2 {
     // end 1.5d
 }
 
-/// All pairs, with an eye on the energy: it should stay what it was. What it gains or loses is
+/// All pairs, with the energy computed after every step. The energy should stay constant: its change is
 /// the error of the time step.
 #[derive(Default)]
 pub struct WithEnergy {

@@ -3,18 +3,18 @@
 use common::Vec2;
 use common::soft::{CUTOFF, MASS, MIN_R, Observer};
 
-/// The acceleration that a neighbour causes, or `None` if it is too far away to be felt.
+/// Returns the acceleration that a neighbour causes, or `None` if it is beyond the cutoff.
 ///
 /// `d` is the vector from the particle to its neighbour. With r² = |d|²:
 ///
-/// - r² > cutoff²: none. At exactly the cutoff there is one (of zero).
-/// - Below [`MIN_R`] the force grows no more: r² counts as at least `MIN_R²`. The vector `d`
-///   itself stays as it is, so two particles at one position exert no force on each other.
-/// - The acceleration is `coef * d` with `coef = (1 - CUTOFF / r) / r² / MASS`: negative, away
-///   from the neighbour.
+/// - If r² > cutoff², the result is `None`. At exactly the cutoff there is an acceleration, of zero.
+/// - Below [`MIN_R`] the force stops growing: use `MIN_R²` instead of a lesser r². Do not change the
+///   vector `d`, so that two particles at one position exert no force on each other.
+/// - The acceleration is `coef * d` with `coef = (1 - CUTOFF / r) / r² / MASS`. `coef` is negative, so
+///   the acceleration points away from the neighbour.
 ///
-/// Write the formula just so. The graders compare bits, and floating-point numbers do not forgive
-/// `(r - CUTOFF) / (r * r² * MASS)`, which is the same only on paper.
+/// Use exactly this order of operations, because the graders compare bits.
+/// `(r - CUTOFF) / (r * r² * MASS)` is the same only on paper.
 ///
 /// Book: chapter 1, *The force of a pair*.
 #[inline]
@@ -31,7 +31,10 @@ pub fn pair_acceleration(d: Vec2) -> Option<Vec2> {
     // end 1.1
 }
 
-/// Adds to acceleration `a` what the neighbour at `d` causes, and tells the observer.
+/// Adds to `a` the acceleration that the neighbour at `d` causes.
+///
+/// Reports a pair within the cutoff to `observer`. An [`Observer`] collects statistics while forces
+/// are computed; the observer of a run without statistics does nothing.
 #[inline]
 pub fn add_pair<O: Observer>(a: &mut Vec2, d: Vec2, observer: &mut O) {
     if let Some(pair) = pair_acceleration(d) {

@@ -1,4 +1,4 @@
-//! Lab 1, all pairs: the solution. What the lab is about stands in `labs/lab1/README.md`.
+//! Lab 1, all pairs: the solution. The lab is described in `labs/lab1/README.md`.
 
 mod all_pairs;
 mod energy;

@@ -1,12 +1,13 @@
 //! The move of many particles at once.
 
-/// Moves one coordinate of consecutive particles by one step: `v += a dt`, then `x += v dt`, in
-/// this order of operations, so that the last digit is right too.
+/// Moves one coordinate of consecutive particles by one step: `v += a dt`, then `x += v dt`.
 ///
-/// The walls are at 0 and at `size`. Returns whether any particle is now outside. It does not reflect
-/// particles: the caller does, if one is outside.
+/// Use this order of operations, so that the last digit is right too.
 ///
-/// `v` and `a` are at least as long as `x`. What stands behind its length must not change.
+/// The walls are at 0 and at `size`. Returns whether any particle is now outside. The function does not
+/// reflect particles: its caller does so if the result is true.
+///
+/// `v` and `a` are at least as long as `x`. Do not change their entries beyond the length of `x`.
 ///
 /// Book: chapter 10, *Eight at a time, or not*.
 #[inline(always)]

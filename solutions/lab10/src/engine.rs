@@ -1,4 +1,4 @@
-//! The engine: a neighbour list, an inner list, forces, and the move, on one thread.
+//! The engine on one thread: a neighbour list, an inner list, forces and the move.
 
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
 use neighbour_list_core::kernels::{
@@ -12,31 +12,31 @@ use crate::collect::collect;
 use crate::filter::filter;
 use crate::skin::{best_skin, expired};
 
-/// Pairs of particles, and how long they may be used.
+/// Pairs of particles, with the skin and the displacement that limit how long they are valid.
 #[derive(Default)]
 pub struct List {
     /// Pairs [i, j], i < j, of indices in the sorted order.
     pub pairs: Vec<Pair>,
-    /// The list holds every pair that was within cutoff + skin when it was built, in units of length.
+    /// The skin, a length: the list contains every pair that was within cutoff + skin when it was built.
     pub skin: f64,
-    /// How far a particle may have gone since then, in units of length; infinite before the first list.
+    /// The greatest distance that a particle may have moved since then; infinite before the first list.
     pub displacement: f64,
 }
 
-/// The engine of variant `serial-list`.
+/// The engine of the variant `serial-list`.
 #[derive(Default)]
 pub struct Engine<O> {
-    /// The skin that was asked for, or 0 for the cheapest, in units of length.
+    /// The skin that the user chose, a length, or 0 for the cheapest skin.
     fixed_skin: f64,
-    /// Whether there is to be an inner list.
+    /// Whether the engine uses an inner list.
     has_inner: bool,
     size: f64,
     /// The particles, sorted by cell when the outer list was built.
     pub bodies: Bodies,
     sorter: Sorter,
-    /// Every pair that may touch until the next rebuild.
+    /// The list of all pairs that may touch until the next rebuild.
     pub outer: List,
-    /// The pairs of `outer` that may touch within the next few steps.
+    /// The list of the pairs of `outer` that may touch within the next few steps.
     pub inner: List,
     contacts: Contacts<Tasks>,
     /// The accelerations of a step along x.
@@ -46,24 +46,26 @@ pub struct Engine<O> {
     observer: O,
     steps: u64,
     rebuilds: u64,
-    /// Pairs of both lists that were looked at. Those that `collect` tests to build a list are not counted.
+    /// The number of pair tests in both lists, without the tests of `collect` when it builds a list.
     tests: u64,
 }
 
 impl<O: Observer> Engine<O> {
-    /// Builds the outer list anew. Afterwards there is no inner list: its displacement is infinite.
+    /// Builds a new outer list, and makes the inner list invalid.
     ///
-    /// - [`skin`](Self::skin) says the skin. Its argument is how far the fastest particle goes in a step: its
-    ///   speed, [`Bodies::fastest`], times [`DT`].
-    /// - Particles are sorted into cells that are as wide as the list looks ([`reach`](Self::reach)):
-    ///   [`Extent::of`], [`Grid::new`], [`Sorter::sort`] with [`Workers::default`], one thread.
-    /// - For each particle i in sorted order, [`Cells::ahead`](neighbour_list_core::Cells::ahead) names the two ranges of particles
-    ///   that may be near it; [`collect`] writes its pairs behind those found before. Each call needs a list
-    ///   that is long enough: [`make_room`] lengthens it. At the end the list is too long, and may have old
-    ///   pairs behind the new ones: truncate it.
-    /// - The list then knows its skin, and its displacement is 0.
+    /// 1. [`skin`](Self::skin) returns the skin. Its argument is the distance that the fastest particle moves in
+    ///    a step: its speed, [`Bodies::fastest`], times [`DT`].
+    /// 2. Sort the particles into cells of side [`reach`](Self::reach). Use [`Extent::of`], [`Grid::new`], and
+    ///    [`Sorter::sort`] with [`Workers::default`], which is one thread.
+    /// 3. Go through the particles i in sorted order. [`Cells::ahead`](neighbour_list_core::Cells::ahead)
+    ///    returns the two ranges of particles that may be near particle i. Before each call of
+    ///    [`collect`], let [`make_room`] lengthen the list. `collect` then writes the pairs of i after
+    ///    the pairs found before.
+    /// 4. Truncate the list. At this point it is too long, and may contain old pairs after the new ones.
+    /// 5. Set the skin of the list, and set its displacement to 0. Set the displacement of the inner list
+    ///    to infinity.
     ///
-    /// Book: chapter 10, *The loop*.
+    /// Book: chapter 10, *The engine*.
     #[inline(always)]
     pub fn rebuild(&mut self, signs: impl Signs) {
         // task 10.5: a new list
@@ -86,12 +88,13 @@ impl<O: Observer> Engine<O> {
         self.rebuilds += 1;
     }
 
-    /// Makes the inner list anew, of the pairs of the outer one that are within the
-    /// [`reach`](Self::reach) of the inner skin, in their order.
+    /// Builds a new inner list from the pairs of the outer list.
     ///
-    /// [`inner_skin`](Self::inner_skin) says the inner skin; its argument is how far the fastest particle goes
-    /// in a step. The list then knows its skin, and its displacement is 0. [`filter`] takes at most [`ROOM`] pairs at a time, and the square of
-    /// a distance.
+    /// The inner list contains the pairs within the [`reach`](Self::reach) of the inner skin, in the same
+    /// order. [`filter`] finds them: it takes at most [`ROOM`] pairs at a time, and the square of a distance.
+    ///
+    /// [`inner_skin`](Self::inner_skin) returns the inner skin. Its argument is the distance that the fastest
+    /// particle moves in a step. At the end, set the skin of the inner list, and set its displacement to 0.
     ///
     /// Book: chapter 10, *A list within the list*.
     #[inline(always)]
@@ -110,15 +113,18 @@ impl<O: Observer> Engine<O> {
         self.count(self.outer.pairs.len());
     }
 
-    /// Writes the accelerations of all particles into `ax` and `ay`, which may hold those of another step
-    /// and of fewer particles.
+    /// Writes the accelerations of all particles into `ax` and `ay`.
     ///
-    /// [`Contacts::for_each`] calls a closure with each pair [i, j] of the inner list that is within the
-    /// cutoff, the acceleration of i, and the pair's squared distance. The acceleration of j is the opposite.
-    /// Call the observer's [`seen`](Observer::seen) with the squared distance twice, once for each of the two.
-    /// Do not call [`tested`](Observer::tested): the line below does.
+    /// At first `ax` and `ay` may contain the accelerations of an earlier step, and of fewer particles.
     ///
-    /// Book: chapter 10, *The loop*.
+    /// [`Contacts::for_each`] calls a closure for each pair of the inner list within the cutoff. The closure
+    /// receives the pair [i, j], the acceleration of i, and the squared distance. The acceleration of
+    /// j is the opposite.
+    ///
+    /// Call the observer's [`seen`](Observer::seen) twice with the squared distance, once for each particle.
+    /// Do not call [`tested`](Observer::tested), because the given line below counts the tests.
+    ///
+    /// Book: chapter 10, *The engine*.
     #[inline(always)]
     pub fn accelerate(&mut self) {
         // task 10.6: forces
@@ -138,16 +144,16 @@ impl<O: Observer> Engine<O> {
         self.count(self.inner.pairs.len());
     }
 
-    /// A step of all particles.
+    /// Takes one step of all particles.
     ///
-    /// - A list that has [`expired`] is built anew, the outer one first.
-    /// - [`accelerate`](Self::accelerate) computes the forces.
-    /// - [`Moving::advance`](neighbour_list_core::Moving::advance) of [`Bodies::moving`] moves all particles by [`DT`] in
-    ///   the box of side `size`: `advance::<Tasks>(…)`, which calls your `drift`.
-    /// - Both lists are then older by as far as the fastest particle went in this step, and by
-    ///   [`rounding`](Self::rounding).
+    /// 1. Rebuild each list that has [`expired`], the outer list first.
+    /// 2. [`accelerate`](Self::accelerate) computes the forces.
+    /// 3. [`Moving::advance`](neighbour_list_core::Moving::advance) of [`Bodies::moving`] moves all particles by
+    ///    [`DT`] in the box of side `size`. Call it as `advance::<Tasks>(…)`, so that it calls your `drift`.
+    /// 4. Increase the displacement of both lists by the distance that the fastest particle moved in this
+    ///    step, plus [`rounding`](Self::rounding).
     ///
-    /// Book: chapter 10, *The loop*.
+    /// Book: chapter 10, *The engine*.
     #[inline(always)]
     pub fn advance(&mut self, signs: impl Signs) {
         // task 10.6b: a step
@@ -167,20 +173,20 @@ impl<O: Observer> Engine<O> {
     }
 }
 
-/// What the loop calls.
+/// The given functions that the loop calls.
 impl<O: Observer> Engine<O> {
-    /// An engine with a skin of `skin` cutoffs, 0 for the cheapest, and with an inner list or without.
+    /// Makes an engine with a skin of `skin` cutoffs (0: the cheapest skin), with or without an inner list.
     pub fn new(skin: f64, has_inner: bool) -> Self {
         Self { fixed_skin: skin * CUTOFF, has_inner, ..Self::default() }
     }
 
-    /// Counts pairs of a list that were looked at.
+    /// Counts pair tests in a list, and reports them to the observer.
     fn count(&mut self, pairs: usize) {
         self.tests += pairs as u64;
         self.observer.tested(pairs as u64);
     }
 
-    /// The skin of a list for particles that go no further than `displacement` in a step.
+    /// Returns the skin of a list for particles that move at most by `displacement` in a step.
     fn skin(&self, displacement: f64) -> f64 {
         if self.fixed_skin > 0.0 {
             return self.fixed_skin;
@@ -190,26 +196,30 @@ impl<O: Observer> Engine<O> {
         best_skin(self.bodies.len() as f64 / area, displacement)
     }
 
-    /// The skin of an inner list that lasts for the cheapest number of steps, and not longer than the
-    /// outer list; that of the outer list if an inner one does not pay.
+    /// Returns the skin of an inner list that lasts for the cheapest number of steps.
+    ///
+    /// It lasts at most as long as the outer list. If an inner list does not pay, the result is the rest of
+    /// the outer skin.
     fn inner_skin(&self, displacement: f64) -> f64 {
         let left = self.outer.skin - 2.0 * self.outer.displacement;
         let steps = lasting(self.outer.skin, displacement).filter(|_| self.has_inner);
         steps.map_or(left, |steps| left.min(2.0 * (steps - 1.0) * displacement))
     }
 
-    /// How far to look for pairs that may touch when they are closer by `skin`: rounding must not hide one.
+    /// Returns the distance within which a list with this skin contains all pairs.
+    ///
+    /// The distance is a little greater than cutoff + `skin`, so that rounding cannot hide a pair.
     fn reach(&self, skin: f64) -> f64 {
         (CUTOFF + skin) * (1.0 + 1e-9) + 1e-15 * self.size
     }
 
-    /// What rounding may add to a displacement in a step.
+    /// The length that rounding may add to a displacement in a step.
     fn rounding(&self) -> f64 {
         f64::EPSILON * self.size
     }
 }
 
-/// A step, as a vector kernel: [`dispatch`] runs the version of it that was compiled for this processor.
+/// A step as a vector kernel: [`dispatch`] runs the version that was compiled for this processor.
 struct Step<'a, O>(&'a mut Engine<O>);
 
 impl<O: Observer> Kernel for Step<'_, O> {

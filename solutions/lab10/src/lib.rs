@@ -1,4 +1,4 @@
-//! Lab 10, fast: the solution. What the lab is about stands in `labs/lab10/README.md`.
+//! Lab 10, fast: the solution. The lab is described in `labs/lab10/README.md`.
 
 mod alone;
 mod collect;
@@ -52,7 +52,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     ),
 ];
 
-/// The functions of tasks 10.1 to 10.4, as the library's engine takes them.
+/// The functions of tasks 10.1 to 10.4, in the form that the library's engine takes.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Tasks;
 

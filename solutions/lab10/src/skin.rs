@@ -1,17 +1,17 @@
-//! How far a neighbour list should look, and when it has expired.
+//! The skin of a neighbour list, and the test whether the list has expired.
 
 use std::f64::consts::PI;
 
 use common::soft::CUTOFF;
 use neighbour_list_core::{LISTED, REBUILD, TESTED};
 
-/// Whether a neighbour list has expired: whether it may lack a pair that is within the cutoff.
+/// Whether a neighbour list has expired: it may then lack a pair within the cutoff.
 ///
-/// - `displacement`: since the list was built no particle has gone further than this from where it was,
-///   in units of length; infinite if there is no list.
-/// - `skin`: the list holds every pair that was within cutoff + `skin` when it was built.
+/// - `displacement`: the greatest distance that a particle may have moved since the list was built, in
+///   units of length; infinite if there is no list.
+/// - `skin`: the list contains every pair that was within cutoff + `skin` when it was built.
 ///
-/// Two particles can move towards each other, both as far as that.
+/// Two particles can move towards each other, each by this displacement.
 ///
 /// Book: chapter 10, *A list that lasts*.
 pub fn expired(displacement: f64, skin: f64) -> bool {
@@ -20,17 +20,20 @@ pub fn expired(displacement: f64, skin: f64) -> bool {
     // end 10.3
 }
 
-/// The skin, in units of length, that makes a step cheapest: of 0.05, 0.1, … 3 cutoffs; of equally cheap
-/// ones the narrowest.
+/// Returns the skin that makes a step cheapest, in units of length.
 ///
-/// - `density`: particles per area where particles are.
-/// - `displacement`: how far a particle goes in a step, the fastest that the list is made for.
+/// The candidates are 0.05, 0.1, … 3 cutoffs. If several cost the same, the result is the narrowest.
 ///
-/// A wide skin makes long lists, a narrow one many rebuilds. Derive from the book's drawing what a step costs a
-/// particle, in nanoseconds: each pair is listed once, and costs [`LISTED`] in each step. When its list has
-/// expired, a particle costs [`REBUILD`], and [`TESTED`] for each pair that is tested, once, in square cells as
-/// wide as the list looks. A list lasts skin / (2 · displacement) steps, not rounded to whole steps, and never
-/// less than one.
+/// - `density`: particles per area in the part of the box where particles are.
+/// - `displacement`: the greatest distance that a particle moves in a step.
+///
+/// A wide skin makes lists long, and a narrow skin makes rebuilds frequent. Derive the cost of a step for
+/// one particle from the book's drawing, in nanoseconds:
+///
+/// - Each pair is listed once, and costs [`LISTED`] in each step.
+/// - When the list has expired, a particle costs [`REBUILD`], plus [`TESTED`] for each pair test. Each pair
+///   is tested once. The cells are squares of side cutoff + skin.
+/// - A list lasts skin / (2 · displacement) steps, at least one. Do not round this to whole steps.
 ///
 /// Book: chapter 10, *How thick a skin*.
 pub fn best_skin(density: f64, displacement: f64) -> f64 {

@@ -1,43 +1,43 @@
-//! Steps that are put together from drifts and kicks.
+//! Steps that are composed of drifts and kicks.
 
 /// Particles that can drift and be kicked.
 pub trait Motion {
-    /// Moves all positions with their velocities for a time `dt`: x += v dt, with the walls.
+    /// Moves all positions with their velocities for a time `dt`: x += v dt. The walls reflect.
     fn drift(&mut self, dt: f64);
 
-    /// Lets all velocities follow the forces for a time `dt`: v += a dt, with the forces at the
-    /// positions of the particles now.
+    /// Changes all velocities by the forces for a time `dt`: v += a dt, with the forces at the current
+    /// positions.
     fn kick(&mut self, dt: f64);
 }
 
-/// A way to take a step: a drift, a kick, a drift, a kick, …, a drift.
+/// A step that is composed of drifts and kicks: a drift, a kick, a drift, a kick, …, a drift.
 ///
-/// All are fractions of the step; some are negative and go back in time. The drifts add up to 1 and
-/// so do the kicks.
+/// The numbers are fractions of the step. Some are negative and go back in time. The drifts add up to 1,
+/// and the kicks add up to 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Composition {
-    /// The drifts, one more than there are kicks.
+    /// The drifts. There is one more drift than there are kicks.
     pub drifts: Vec<f64>,
     /// The kicks.
     pub kicks: Vec<f64>,
 }
 
-/// PEFRL's first drift.
+/// The first drift of PEFRL.
 pub const XI: f64 = 0.178_617_895_844_809_1;
-/// PEFRL's second kick.
+/// The second kick of PEFRL.
 pub const LAMBDA: f64 = -0.212_341_831_062_605_4;
-/// PEFRL's second drift.
+/// The second drift of PEFRL.
 pub const CHI: f64 = -0.066_264_582_669_818_5;
 
 impl Composition {
-    /// A kick, then a drift: the official step.
+    /// Returns the official step: a kick, then a drift.
     pub fn symplectic_euler() -> Self {
         Self { drifts: vec![0.0, 1.0], kicks: vec![1.0] }
     }
 
-    /// Velocity Verlet: half a kick, a drift, half a kick.
+    /// Returns velocity Verlet: half a kick, a drift, half a kick.
     ///
-    /// A composition begins and ends with a drift. Where it should not, the drift is 0.
+    /// A composition always begins and ends with a drift. Here these two drifts are 0.
     ///
     /// Book: chapter 12, *Drifts and kicks*.
     pub fn velocity_verlet() -> Self {
@@ -46,11 +46,11 @@ impl Composition {
         // end 12.1b
     }
 
-    /// Position Extended Forest-Ruth Like (Omelyan, Mryglod and Folk 2002): five drifts and four
-    /// kicks.
+    /// Returns PEFRL (Position Extended Forest-Ruth Like, by Omelyan, Mryglod and Folk 2002).
     ///
-    /// It is symmetric: backwards its drifts are the same, and so are its kicks. The first drift is
-    /// [`XI`], the second [`CHI`], the second kick [`LAMBDA`]; the other numbers follow.
+    /// It has five drifts and four kicks, and it is symmetric: the drifts are the same in reverse order,
+    /// and so are the kicks. The first drift is [`XI`], the second drift is [`CHI`], and the second kick is
+    /// [`LAMBDA`]. The remaining numbers follow.
     ///
     /// Book: chapter 12, *Drifts and kicks*.
     pub fn pefrl() -> Self {
@@ -63,8 +63,9 @@ impl Composition {
         // end 12.1c
     }
 
-    /// Takes one step of length `dt`, in units of time: drifts and kicks by turns, the first drift
-    /// first, each for its fraction of `dt`.
+    /// Takes one step of length `dt`, in units of time.
+    ///
+    /// Drifts and kicks take turns, beginning with the first drift. Each takes its fraction of `dt`.
     ///
     /// Book: chapter 12, *Drifts and kicks*.
     pub fn step(&self, motion: &mut dyn Motion, dt: f64) {

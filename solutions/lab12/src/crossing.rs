@@ -1,23 +1,28 @@
-//! When something falls through zero within a step: a distance less the cutoff, a coordinate less
-//! its wall.
+//! Zero crossings within a step: the moments at which a number falls through zero.
+//!
+//! The number is a distance minus the cutoff, or a coordinate minus its wall.
 
 use integrators::Watched;
 
-/// The moment between `low` and `high` at which `value` falls through zero. It is at least 0 at
-/// `low` and below 0 at `high`. What comes out is at most 10⁻¹² · (`high` − `low`) behind that moment,
-/// and never before it: `value` is at most 0 there.
+/// Returns the moment between `low` and `high` at which `value` falls through zero.
 ///
-/// Each look at `value` is a Runge-Kutta step of a whole group of particles, so few looks are
-/// wanted: halving takes 42 of them, a good method a dozen, and more than 30 are too many.
+/// `value` is at least 0 at `low` and below 0 at `high`. The result is at most 10⁻¹² · (`high` − `low`)
+/// after the zero crossing, and never before it: `value` is at most 0 at the result.
 ///
-/// Both ends of the stretch must close in. A guess that lands on an end, or within rounding of it, moves
-/// nothing, and the next one is the same: keep guesses a little away from both ends, by less than half of
-/// 10⁻¹² of the whole stretch. And `value` may be so near to zero everywhere that its product with a short time
-/// is 0: divide first.
+/// Each call of `value` is a Runge-Kutta step of a whole group of particles, so call it rarely. Bisection
+/// needs 42 calls, a good method needs a dozen, and more than 30 calls fail the test.
+///
+/// Two things can go wrong:
+///
+/// - Both ends of the interval must close in. A guess at an end, or within rounding of it, moves
+///   nothing, and the next guess is the same. So keep guesses a little away from both ends, by less than
+///   half of 10⁻¹² of the whole interval.
+/// - `value` may be so close to zero everywhere that its product with a short time is 0. So divide
+///   before you multiply.
 ///
 /// Book: chapter 12, *The moment of contact*.
 pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
-    // task 12.3: the moment at which something falls through zero
+    // task 12.3: the moment of a zero crossing
     let close = 1e-12 * (high - low);
     let (mut low, mut high) = (low, high);
     let (mut above, mut below) = (value(low), value(high));
@@ -26,15 +31,16 @@ pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
         if high - low <= close || below == 0.0 {
             break;
         }
-        // Where the chord falls through, kept a little away from both ends so that both close in;
-        // the middle if the numbers are too large to say.
+        // The guess is the zero crossing of the chord, a little away from both ends so that both close
+        // in. If the numbers are too large for this, it is the middle.
         let share = above / (above - below);
         let share = if share.is_finite() { share } else { 0.5 };
         let guess = (low + (high - low) * share).clamp(low + 0.4 * close, high - 0.4 * close);
         let found = value(guess);
         if found > 0.0 {
             (low, above) = (guess, found);
-            // Illinois: an end that stays twice counts half, so that the chord comes over to it.
+            // The Illinois rule: halve the value of an end that stays twice, so that the next chord
+            // crosses to its side.
             below *= if stayed == 1 { 0.5 } else { 1.0 };
             stayed = 1;
         } else {
@@ -47,30 +53,34 @@ pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
     // end 12.3
 }
 
-/// The first moment from 0 to `h` at which the watched number falls through zero, if it does.
+/// Returns the first moment from 0 to `h` at which the watched number falls through zero.
 ///
-/// `start` is its value and slope at 0, `end` at `h`, and `at` computes them anywhere between, for the
-/// price of a Runge-Kutta step. The step is so short that the slope changes its sign at most once
-/// in it.
+/// The result is `None` if the number does not fall through zero in this step.
 ///
-/// - A number at 0 or below at the start, with a negative slope, falls at once: 0.
-/// - A number at 0 or below at the start that rises has just been through an event. It falls again
-///   only behind its top, where the slope falls through zero; at the top itself, if the number is no
-///   higher than 0 there. If it rises to the end there is no fall, wherever it ends.
-/// - A number above 0 at both ends may still dip below 0 between them, if it falls at first and
-///   rises at last: look at the bottom, where the slope rises through zero.
+/// - `start` and `end`: the value and the slope of the number at 0 and at `h`.
+/// - `at`: computes value and slope at any moment between, at the cost of a Runge-Kutta step.
 ///
-/// A slope of exactly 0 may be taken for falling or for rising: both find the same moment. Only the first rule needs
-/// one below 0.
+/// The step is so short that the slope changes its sign at most once.
 ///
-/// Book: chapter 12, *What falls, and when*.
+/// - If the number is at most 0 at the start and its slope is negative, it falls at once: the result is 0.
+/// - If the number is at most 0 at the start and rises, an event has just happened. The number falls again
+///   only after its top, where the slope falls through zero. If the number is at most 0 at the top, the
+///   result is the top itself. If the number rises until the end, the result is `None`, whatever its
+///   value at the end.
+/// - If the number is above 0 at both ends, falls first and then rises, it may be below 0 between the two
+///   ends. Check the bottom, where the slope rises through zero.
+///
+/// You may treat a slope of exactly 0 as falling or as rising, because both give the same moment. Only
+/// the first rule needs a slope below 0.
+///
+/// Book: chapter 12, *Is there a zero crossing?*.
 pub fn first_fall(
     start: Watched,
     end: Watched,
     h: f64,
     at: &mut dyn FnMut(f64) -> Watched,
 ) -> Option<f64> {
-    // task 12.4: whether something falls within the step
+    // task 12.4: a zero crossing within the step
     if start.value <= 0.0 && start.slope < 0.0 {
         return Some(0.0);
     }
@@ -78,12 +88,12 @@ pub fn first_fall(
     match (falls(start.slope), falls(end.slope)) {
         (_, true) if end.value >= 0.0 => None,
         (true, true) => Some(crossing(0.0, h, &mut |t| at(t).value)),
-        // It rises and then falls: the crossing lies behind the top.
+        // The number rises and then falls: the crossing is after the top.
         (false, true) => {
             let top = crossing(0.0, h, &mut |t| at(t).slope);
             (at(top).value > 0.0).then(|| crossing(top, h, &mut |t| at(t).value)).or(Some(top))
         }
-        // It falls and then rises: it may dip below zero.
+        // The number falls and then rises: it may dip below zero.
         (true, false) => {
             let bottom = crossing(0.0, h, &mut |t| -at(t).slope);
             (at(bottom).value < 0.0).then(|| crossing(0.0, bottom, &mut |t| at(t).value))

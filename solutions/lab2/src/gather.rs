@@ -4,30 +4,32 @@ use common::Vec2;
 use common::soft::{CUTOFF, Observer, Particle};
 use solution1::add_pair;
 
-/// Sums what neighbours do to a particle in an order that depends on nothing but their ids.
+/// A sum over the neighbours of a particle, in an order that depends only on their ids.
 ///
-/// All-pairs adds up neighbours in ascending id. Bins find them in the order in which they lie in
-/// memory, and threads or processes find some of them in memory that belongs to another. Sorting the few
-/// that are within the cutoff before they are added gives the same bits in all these cases.
+/// All-pairs adds up neighbours in ascending id. Bins find neighbours in the order of memory.
+/// Threads and processes find some neighbours in the memory of other threads and processes. Sorting the
+/// few neighbours within the cutoff before the sum gives the same bits in all these cases.
 ///
-/// It keeps a little memory between particles: make one per thread, not one per particle.
+/// A `Gather` keeps memory from one particle to the next, so make one for each thread and not one for
+/// each particle.
 #[derive(Debug, Default)]
 pub struct Gather {
-    /// The neighbours within the cutoff: id and distance vector.
+    /// The id and the distance vector of each neighbour within the cutoff.
     found: Vec<(u32, Vec2)>,
 }
 
 impl Gather {
-    /// The acceleration of `particle` by those of the `candidates` that are within the cutoff,
-    /// summed from zero in ascending id.
+    /// Returns the acceleration of `particle` by the `candidates` within the cutoff.
     ///
-    /// `candidates` are slices, in any order, of particles in any order: those of the bins around.
-    /// No particle may be in them twice. `particle` itself may be among them and counts for
-    /// nothing. `observer` is told how many candidates there were (`tested`); `add_pair` tells it of every
-    /// pair summed: do not call `seen` yourself.
+    /// - The sum starts at zero and takes the neighbours in ascending id.
+    /// - `candidates` are the bins around the particle: slices in any order, with particles in any order.
+    ///   No particle is in them twice.
+    /// - If `particle` itself is among the candidates, leave it out.
+    /// - Report the number of all candidates to `observer` (`tested`). `add_pair` reports every pair
+    ///   within the cutoff, so do not call `seen` yourself.
     ///
-    /// With this density nine of ten particles have no neighbour, and hardly any has two: sort only if
-    /// there is something to sort.
+    /// At this density nine of ten particles have no neighbour, and hardly any particle has two. Sort only
+    /// if there is something to sort.
     ///
     /// Book: chapter 2, *The same bits*.
     #[inline]

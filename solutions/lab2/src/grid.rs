@@ -4,17 +4,21 @@ use std::ops::Range;
 
 use common::soft::{CUTOFF, Particle, Scene};
 
-/// The most bins for each particle. The official density has 5 at a bin size of one
-/// cutoff; a scene with few particles in a wide box would have millions.
+/// The greatest number of bins for each particle.
+///
+/// At the official density and a bin size of one cutoff, there are 5. Without this limit, a scene
+/// with few particles in a wide box would have millions of bins.
 const BINS_PER_PARTICLE: usize = 8;
 
-/// Bins are wider than asked for by this fraction, so that rounding can never put two particles
-/// within the cutoff two bins apart.
+/// The margin of the side of a bin, as a fraction of the least side.
+///
+/// Bins are wider by this margin, so that rounding never puts two particles within the cutoff two
+/// bins apart.
 const MARGIN: f64 = 1e-9;
 
-/// A square box of side `size`, cut into equal square bins, as many rows as columns.
+/// A square box of side `size`, cut into equal square bins, with as many rows as columns.
 ///
-/// Row 0 lies at y = 0 and column 0 at x = 0. Bins are numbered row by row: bin = row · columns +
+/// Row 0 is at y = 0, and column 0 is at x = 0. Bins are numbered row by row: bin = row · columns +
 /// column. All sides are lengths in the units of the scene.
 // ANCHOR: grid
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -25,72 +29,72 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// The grid for `n` particles in a box of side `size`, with bins of side `least` or more.
+    /// Makes the grid for `n` particles in a box of side `size`, with bins of side `least` or more.
     pub fn new(size: f64, least: f64, n: usize) -> Self {
         Self::with_bins_along(size, bins_along(size, least, n))
     }
 
-    /// The grid with exactly `along` bins along each wall, at least 1.
+    /// Makes the grid with exactly `along` bins along each wall, at least 1.
     pub fn with_bins_along(size: f64, along: usize) -> Self {
         Self { size, along, bins_per_length: along as f64 / size }
     }
     // ANCHOR_END: grid
 
-    /// The grid for `scene` with bins of `bin_size` cutoffs or more.
+    /// Makes the grid for `scene`, with bins of `bin_size` cutoffs or more.
     pub fn of_scene(scene: &Scene, bin_size: f64) -> Self {
         Self::new(scene.size(), bin_size * CUTOFF, scene.len())
     }
 
-    /// Side of the box.
+    /// The side of the box, a length.
     pub fn size(&self) -> f64 {
         self.size
     }
 
-    /// Side of a bin.
+    /// The side of a bin, a length.
     pub fn bin_side(&self) -> f64 {
         self.size / self.along as f64
     }
 
-    /// Number of rows of bins.
+    /// The number of rows of bins.
     #[inline]
     pub fn rows(&self) -> usize {
         self.along
     }
 
-    /// Number of bins in a row.
+    /// The number of bins in a row.
     #[inline]
     pub fn columns(&self) -> usize {
         self.along
     }
 
-    /// Number of bins.
+    /// The number of bins.
     pub fn bins(&self) -> usize {
         self.along * self.along
     }
 
-    /// The row of bins that `y` lies in.
+    /// The row of bins that contains `y`.
     #[inline]
     pub fn row(&self, y: f64) -> usize {
         self.index(y)
     }
 
-    /// The column of bins that `x` lies in.
+    /// The column of bins that contains `x`.
     #[inline]
     pub fn column(&self, x: f64) -> usize {
         self.index(x)
     }
 
-    /// The bin that a particle lies in.
+    /// The number of the bin that contains `particle`.
     #[inline]
     pub fn bin(&self, particle: &Particle) -> usize {
         self.row(particle.y) * self.columns() + self.column(particle.x)
     }
 
-    /// Which of the bins along a wall the coordinate `x`, 0 ≤ x ≤ `size`, lies in.
+    /// Returns the row or column that contains the coordinate `x`, 0 ≤ x ≤ `size`.
     ///
-    /// The box is closed: a particle may lie exactly on the wall at x = `size`, and a little below
-    /// it the product of `x` and `bins_per_length` may be rounded up to the number of bins. Both
-    /// belong to the last bin.
+    /// Two cases belong to the last bin. A particle may be exactly on the wall, at x = `size`. And
+    /// just below the wall, the product of `x` and `bins_per_length` may be rounded up to the number
+    /// of bins.
     ///
     /// Book: chapter 2, *The bins*.
     #[inline]
@@ -100,8 +104,10 @@ impl Grid {
         // end 2.1b
     }
 
-    /// The indices next to `index`, itself among them: the rows (or columns) in which a particle
-    /// of that row (or column) can have neighbours. At a wall there is nothing beyond.
+    /// Returns `index` and the indices next to it, as far as they exist.
+    ///
+    /// These are the rows (or columns) in which a particle of row (or column) `index` can have
+    /// neighbours.
     ///
     /// Book: chapter 2, *The bins*.
     #[inline]
@@ -112,16 +118,16 @@ impl Grid {
     }
 }
 
-/// How many bins fit along a wall of length `size`: at least 1.
+/// Returns the number of bins that fit along a wall of length `size`, at least 1.
 ///
-/// - Bins fill the box evenly, so their side is `size` over their number. Divide `size` by
-///   `least` · (1 + [`MARGIN`]) and round down. The margin is there because the division itself may
-///   round up: with it a side is never less than `least`.
-/// - Memory must grow with the particles, not with the box: no more than [`BINS_PER_PARTICLE`] · `n`
-///   bins in all, rows times columns, so the root of that along a wall. Wider bins are always right,
-///   only slower.
-/// - The box may be smaller than one bin, or so large that `size / least` is more than an integer
-///   can hold. (`as usize` saturates.)
+/// - Bins fill the box evenly, so the side of a bin is `size` divided by their number. Divide `size` by
+///   `least` · (1 + [`MARGIN`]), and round down. With the margin, a side is never less than `least`,
+///   even if the division rounds up.
+/// - Memory must grow with the particles, not with the box. So rows times columns must be at most
+///   [`BINS_PER_PARTICLE`] · `n`, and the limit along a wall is the square root of this. Wider bins are
+///   always right, only slower.
+/// - The box may be smaller than one bin. It may also be so large that `size / least` is greater than
+///   any integer. (`as usize` saturates.)
 ///
 /// Book: chapter 2, *The bins*.
 fn bins_along(size: f64, least: f64, n: usize) -> usize {

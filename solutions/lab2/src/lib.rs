@@ -1,4 +1,4 @@
-//! Lab 2, bins: the solution. What the lab is about stands in `labs/lab2/README.md`.
+//! Lab 2, bins: the solution. The lab is described in `labs/lab2/README.md`.
 
 mod gather;
 mod grid;
@@ -22,7 +22,9 @@ use common::soft::Simulation;
 use common::{Parameter, Variant, bitwise, deterministic, observed};
 use solution1::Tally;
 
-/// The parameter that every variant of this lab has. Its default is what the variant's source used.
+/// Returns the parameter for the least side of a bin, which every variant of this lab has.
+///
+/// `default` is the value in the program that the variant reproduces.
 pub const fn bin_size(default: f64) -> Parameter {
     Parameter {
         name: BIN_SIZE,
@@ -32,7 +34,7 @@ pub const fn bin_size(default: f64) -> Parameter {
     }
 }
 
-/// Name of the parameter [`bin_size`].
+/// The name of the parameter [`bin_size`].
 pub const BIN_SIZE: &str = "bin-size";
 
 /// The programs of this lab.

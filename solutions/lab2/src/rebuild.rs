@@ -6,12 +6,12 @@ use solution1::advance;
 
 use crate::VecBins;
 
-/// Rebuild: the first thing that works (CS267 report, section 3.1.1).
+/// The rebuilding engine, the first version that works (CS267 report, section 3.1.1).
 ///
-/// The particles stay in id order, and the bins hold copies of them that live for one step. Two
-/// particles that are close in the box are then far apart in memory.
+/// The particles stay in id order, and the bins contain copies that live for one step. Therefore two
+/// particles that are close in the box are far apart in memory.
 ///
-/// Promises repeatable results: neighbours are summed bin by bin.
+/// Results are repeatable, because neighbours are summed bin by bin.
 // ANCHOR: rebuild
 #[derive(Default)]
 pub struct Rebuild<O> {
@@ -23,7 +23,7 @@ pub struct Rebuild<O> {
 }
 
 impl<O: Observer> Rebuild<O> {
-    /// An engine whose bins have sides of `bin_size` cutoffs or more.
+    /// Makes an engine whose bins have sides of `bin_size` cutoffs or more.
     pub fn new(bin_size: f64) -> Self {
         Self { bin_size, ..Self::default() }
     }

@@ -10,12 +10,12 @@ use crate::{Gather, Grid};
 
 /// Particles in the order of their bins, one bin after the other in one array.
 ///
-/// `starts[b]` is where bin b begins, and where bin b − 1 ends; one more entry marks the end of
-/// the last. The bins of a row follow each other, so three neighbouring bins of a row are one
-/// slice, and what a particle has to look at is three slices.
+/// Bin b begins at `starts[b]`, where bin b − 1 ends. One more entry marks the end of the last bin.
+/// The bins of a row follow each other in memory. So three neighbouring bins of a row are one slice,
+/// and a particle must look at three slices.
 ///
-/// It covers the rows `rows` of a grid: all of them, or the rows of a process and one on either
-/// side for the ghosts of its neighbours. Rows are always counted as in the whole grid.
+/// The bins cover the rows `rows` of a grid: either all rows, or the rows of a process and one more row
+/// on either side for the ghosts of its neighbours. Row numbers are those of the whole grid.
 // ANCHOR: sorted_bins
 #[derive(Debug, Default)]
 pub struct SortedBins {
@@ -27,14 +27,14 @@ pub struct SortedBins {
 }
 
 impl SortedBins {
-    /// Empty bins for the rows `rows` of `grid`.
+    /// Makes empty bins for the rows `rows` of `grid`.
     pub fn new(grid: Grid, rows: Range<usize>) -> Self {
         let bins = rows.len() * grid.columns();
         let starts = vec![0; bins + 1];
         Self { grid, rows, starts, particles: Vec::new(), unsorted: Vec::new() }
     }
 
-    /// Replaces the particles by new ones, all of which lie in these rows.
+    /// Replaces all particles. The new particles must be in these rows.
     pub fn refill(&mut self, particles: impl IntoIterator<Item = Particle>) {
         self.particles.clear();
         self.particles.extend(particles);
@@ -59,23 +59,24 @@ impl SortedBins {
         &self.particles
     }
 
-    /// All particles, to be moved, added or taken away. Then [`sort`](Self::sort) them.
+    /// All particles, to be moved, added or removed. Call [`sort`](Self::sort) afterwards.
     #[inline]
     pub fn particles_mut(&mut self) -> &mut Vec<Particle> {
         &mut self.particles
     }
 
-    /// Takes out the particle at `index`; the last one fills the gap. Then [`sort`](Self::sort).
+    /// Removes the particle at `index`; the last particle fills the gap. Call [`sort`](Self::sort)
+    /// afterwards.
     pub fn take(&mut self, index: usize) -> Particle {
         self.particles.swap_remove(index)
     }
 
-    /// Adds a particle that lies in these rows. Then [`sort`](Self::sort).
+    /// Adds a particle in these rows. Call [`sort`](Self::sort) afterwards.
     pub fn put(&mut self, particle: Particle) {
         self.particles.push(particle);
     }
 
-    /// Which indices of [`particles`](Self::particles) belong to `rows`.
+    /// The range of indices in [`particles`](Self::particles) that belongs to `rows`.
     #[inline]
     pub fn indices(&self, rows: Range<usize>) -> Range<usize> {
         let start = (rows.start - self.rows.start) * self.grid.columns();
@@ -95,7 +96,7 @@ impl SortedBins {
         &self.particles[self.span(row, columns)]
     }
 
-    /// Which indices of [`particles`](Self::particles) belong to some neighbouring bins of a row.
+    /// The range of indices in [`particles`](Self::particles) that belongs to neighbouring bins of a row.
     #[inline]
     pub fn span(&self, row: usize, columns: Range<usize>) -> Range<usize> {
         let first = (row - self.rows.start) * self.grid.columns();
@@ -103,15 +104,18 @@ impl SortedBins {
         start as usize..end as usize
     }
 
-    /// Brings the particles into the order of the bins that they lie in now, by counting sort.
+    /// Sorts the particles by the bins that contain them now, with a counting sort.
     ///
-    /// First count the particles of each bin; then sum the counts, so that each bin knows where
-    /// it ends; then put each particle into the last free index of its bin, and let the bin end
-    /// one index earlier. When all are copied, what was the end of a bin is its start. The particles
-    /// of a bin must keep their order: so go through all from the last to the first.
+    /// 1. Count the particles of each bin.
+    /// 2. Add up the counts, so that the entry of each bin is its end.
+    /// 3. Go through the particles from the last to the first. Move the end of the particle's bin down by
+    ///    one index, and copy the particle there. In this direction, the particles of a bin keep their
+    ///    order.
     ///
-    /// Particles move little in a time step: they are nearly sorted already, so that reading and
-    /// writing both go through memory nearly in order.
+    /// After the last copy, each entry is the start of its bin.
+    ///
+    /// Particles move little in a time step, so they are nearly sorted already. Reads and writes
+    /// therefore go through memory nearly in order.
     ///
     /// Book: chapter 2, *Sorted*.
     pub fn sort(&mut self) {
@@ -137,10 +141,10 @@ impl SortedBins {
         // end 2.8
     }
 
-    /// Sums the forces on all particles of `rows` into `accelerations`, which has an entry for
-    /// each of their [`indices`](Self::indices).
+    /// Computes the accelerations of all particles of `rows` into `accelerations`.
     ///
-    /// The rows next to `rows` are read. Different rows can be summed at the same time.
+    /// `accelerations` has one entry for each of the [`indices`](Self::indices) of `rows`. The function
+    /// also reads the rows next to `rows`. Threads can compute different rows at the same time.
     pub fn gather_rows<O: Observer>(
         &self,
         rows: Range<usize>,
@@ -154,7 +158,7 @@ impl SortedBins {
         }
     }
 
-    /// The three slices that hold all particles that can be within the cutoff of `particle`.
+    /// The three slices that contain all particles that can be within the cutoff of `particle`.
     #[inline]
     pub fn around(&self, particle: &Particle) -> [&[Particle]; 3] {
         let columns = self.grid.near(self.grid.column(particle.x));

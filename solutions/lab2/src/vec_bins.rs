@@ -8,10 +8,9 @@ use solution1::add_pair;
 
 use crate::Grid;
 
-/// Bins that each own a `Vec` of the particles in it.
+/// Bins that each own a `Vec` of their particles.
 ///
-/// A `Vec` remembers its memory when it is cleared, so that after a few steps nothing is allocated
-/// any more.
+/// A `Vec` keeps its memory when it is cleared, so after a few steps the bins allocate no more memory.
 // ANCHOR: vec_bins
 #[derive(Debug, Default)]
 pub struct VecBins {
@@ -20,18 +19,18 @@ pub struct VecBins {
 }
 
 impl VecBins {
-    /// Empty bins.
+    /// Makes empty bins.
     pub fn new(grid: Grid) -> Self {
         Self { grid, bins: vec![Vec::new(); grid.bins()] }
     }
     // ANCHOR_END: vec_bins
 
-    /// Bins of `bin_size` cutoffs or more for the box of `scene`, still empty.
+    /// Makes empty bins of `bin_size` cutoffs or more for the box of `scene`.
     pub fn of_scene(scene: &Scene, bin_size: f64) -> Self {
         Self::new(Grid::of_scene(scene, bin_size))
     }
 
-    /// The geometry.
+    /// The geometry of the bins.
     #[inline]
     pub fn grid(&self) -> &Grid {
         &self.grid
@@ -43,7 +42,7 @@ impl VecBins {
         &self.bins
     }
 
-    /// The bins, row by row, to be changed: `chunks_mut(columns)` gives the rows.
+    /// The bins, row by row, to be changed. `chunks_mut(columns)` yields the rows.
     #[inline]
     pub fn bins_mut(&mut self) -> &mut [Vec<Particle>] {
         &mut self.bins
@@ -54,7 +53,7 @@ impl VecBins {
         self.bins.iter().flatten()
     }
 
-    /// Puts a particle into the bin that it lies in, however many are there already.
+    /// Adds a particle to the bin that contains its position. A bin takes any number of particles.
     ///
     /// Book: chapter 2, *Rebuild*.
     #[inline]
@@ -64,7 +63,7 @@ impl VecBins {
         // end 2.3
     }
 
-    /// Forgets what the bins hold and puts `particles` into them.
+    /// Empties all bins and puts `particles` into them.
     ///
     /// Book: chapter 2, *Rebuild*.
     pub fn refill(&mut self, particles: &[Particle]) {
@@ -78,13 +77,13 @@ impl VecBins {
         // end 2.3b
     }
 
-    /// What the particles in the bin of `particle` and in the bins around it do to it, summed in
-    /// the order in which they are found. `observer` is told how many particles were looked at
-    /// (`tested`), a number of type `u64`; the particle itself counts as one. `add_pair` tells it which were within
-    /// the cutoff.
+    /// Sums the accelerations of `particle` by the particles in its bin and in the bins around it.
     ///
-    /// The particle itself is among those in its bin; it does nothing to itself. With
-    /// [`Grid::near`] there are up to nine bins, less at a wall, and each counts once.
+    /// - The sum starts at zero and takes the neighbours in the order in which they are found.
+    /// - [`Grid::near`] gives up to nine bins, and fewer at a wall. Visit each bin once.
+    /// - The particle's own bin contains the particle itself, which adds zero.
+    /// - For each bin, report to `observer` how many particles were tested (`tested`, a `u64`).
+    ///   The particle itself counts as one. `add_pair` reports the pairs within the cutoff.
     ///
     /// Book: chapter 2, *Nine bins*.
     #[inline]
@@ -105,8 +104,9 @@ impl VecBins {
     }
 
     // answer only
-    /// The bins around `particle`, for later labs: all bins that can hold a neighbour, as [`Gather`] takes
-    /// them. Here it would be the answer to task 2.4.
+    /// Returns all bins that can contain a neighbour of `particle`, in the form that [`Gather`] takes.
+    ///
+    /// Later labs use it. In this lab it would be the answer to task 2.4.
     ///
     /// [`Gather`]: crate::Gather
     #[inline]

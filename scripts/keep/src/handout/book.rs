@@ -3,13 +3,13 @@
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, anyhow};
 
 use super::copied::{add, add_all};
 use lab_kit::excerpt::excerpt;
 use lab_kit::files::read_text;
 use lab_kit::starter::Files;
-use lab_kit::{Kit, Lab, files_below};
+use lab_kit::{Kit, Lab, files_below, quiz};
 
 /// Pages about all labs at once, which measure and compare what a handout does not have.
 const ABOUT_ALL: [&str; 2] = ["compare.md", "reports.md"];
@@ -42,7 +42,9 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
         let text = read_text(&path)?;
         let text = match &*name {
             "SUMMARY.md" => text.split(INSTRUCTORS).next().unwrap_or_default().to_owned(),
-            _ if is_for(&name, labs) => with_code(kit, &path, &text, files)?,
+            _ if is_for(&name, labs) => {
+                with_code(kit, &path, &with_quizzes(kit, labs, &text)?, files)?
+            }
             _ => format!("{}\n\n{NOT_HERE}\n", text.lines().next().unwrap_or_default()),
         };
         all.push_str(&text);
@@ -68,6 +70,24 @@ fn is_for(page: &str, labs: &[Lab]) -> bool {
         Some(lab) => labs.contains(&lab),
         None => !ABOUT_ALL.contains(&page),
     }
+}
+
+/// The text with its quizzes written out, for the handout has no known-wrong programs. A quiz shows
+/// much of an answer, so the quizzes of the last lab are left out: they come with the next lab.
+fn with_quizzes(kit: &Kit, labs: &[Lab], text: &str) -> Result<String> {
+    let mut out = String::new();
+    for line in text.split_inclusive('\n') {
+        let marker = line.trim().strip_prefix("{{#quiz ").and_then(|l| l.strip_suffix("}}"));
+        let Some((lab, program)) = marker.and_then(|marker| marker.split_once(' ')) else {
+            out.push_str(line);
+            continue;
+        };
+        let lab: Lab = lab.parse().map_err(|e| anyhow!("{line}: {e}"))?;
+        if labs.last() != Some(&lab) {
+            out += &quiz::markdown(kit, lab, program)?.unwrap_or_default();
+        }
+    }
+    Ok(out)
 }
 
 /// The text with code from files that the handout lacks put in.

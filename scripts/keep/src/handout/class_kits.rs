@@ -45,7 +45,6 @@ fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
         ("tests/wrong", false),
         ("labs/common-mpi", false),
         ("labs/lab3/README.md", true),
-        ("labs/lab3/faults", false),
         ("labs/lab3/lab.toml", true),
         ("book/src/lab3.md", true),
         ("book/src/instructor", false),
@@ -54,6 +53,7 @@ fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
         (".cargo/config.toml", true),
         (".devcontainer/devcontainer.json", true),
         ("README.md", true),
+        ("AGENTS.md", true),
     ] {
         assert_eq!(kit.path(path).exists(), there, "{path}");
     }
@@ -65,8 +65,11 @@ fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
         assert!(record.paths().all(|path| record.is_own(&kit.starter(lab), path)));
     }
     add(folder.path(), "4");
-    let faults = ["3", "4"].map(|number| kit.starter(lab(number)).join("faults").exists());
-    assert_eq!(faults, [true, false], "they show much of an answer, and come with the next lab");
+    let quizzes = ["3", "4"].map(|number| {
+        let chapter = fs::read_to_string(kit.path(format!("book/src/lab{number}.md"))).unwrap();
+        chapter.matches("class=\"quiz\"").count()
+    });
+    assert_eq!(quizzes, [2, 0], "they show much of an answer, and come with the next lab");
 }
 
 #[test]

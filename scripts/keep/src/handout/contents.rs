@@ -37,10 +37,6 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
         starter(kit, lab, &mut files)?;
         tests(kit, lab, &mut files)?;
     }
-    // A fault shows much of an answer: it comes with the next lab.
-    for lab in labs.iter().rev().skip(1) {
-        add_all(kit, &mut files, &kit.starter(*lab).join("faults"))?;
-    }
     for folder in given_folders(kit, labs)? {
         add_all(kit, &mut files, &folder)?;
     }
@@ -63,6 +59,7 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
     }
     book::add_pages(kit, labs, &mut files)?;
     files.insert("README.md".into(), readme(kit, labs).into_bytes());
+    files.insert("AGENTS.md".into(), include_bytes!("agents.md").into());
     let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, files.keys().map(PathBuf::as_path))?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
     Ok(files)

@@ -4,7 +4,6 @@
 //! task and nowhere else; every known-wrong solution fails where it must.
 
 mod copy;
-mod fault;
 mod mutate;
 mod report;
 mod starter;
@@ -42,9 +41,6 @@ pub struct Options {
     /// The limit of a single test: longer than the watchdogs within it
     #[arg(long, default_value_t = 300, value_name = "SECONDS")]
     limit: u64,
-    /// Only wrong solutions that 'cargo lab fault' asks about: writes what tests say of them
-    #[arg(long)]
-    record: bool,
 }
 
 /// Proves the chosen labs.
@@ -67,8 +63,8 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     for &lab in &labs {
         let copy = Copy::make(kit, lab)?;
         let limit = Duration::from_secs(options.limit);
-        let bench = Bench { kit, lab, limit, record: options.record, bar: progress(0) };
-        if options.wrong.is_none() && !options.record {
+        let bench = Bench { kit, lab, limit, bar: progress(0) };
+        if options.wrong.is_none() {
             let solution = bench.solution()?;
             let skipped = solution.result == Proof::Skipped;
             rows.push(solution);
@@ -92,7 +88,6 @@ struct Bench<'a> {
     kit: &'a Kit,
     lab: Lab,
     limit: Duration,
-    record: bool,
     bar: ProgressBar,
 }
 

@@ -6,7 +6,6 @@ use anyhow::Result;
 
 use super::Bench;
 use super::copy::Copy;
-use super::fault::questions;
 use super::mutate::{environment, mutate};
 use super::report::Row;
 use lab_kit::answers;
@@ -20,7 +19,6 @@ impl Bench<'_> {
         self.begin("wrong solutions must be caught");
         let mut wrongs = wrong::read(self.kit, self.lab)?;
         wrongs.retain(|wrong| name.is_none_or(|name| wrong.name.contains(name)));
-        wrongs.retain(|wrong| !self.record || questions(self.kit, self.lab, wrong).is_file());
         let files = answers::read_solution(self.kit, self.lab)?;
         let folder = PathBuf::from(format!("solutions/lab{}", self.lab));
         for (path, text) in mutate(self.lab, &files, &wrongs)? {
@@ -48,12 +46,8 @@ impl Bench<'_> {
             self.bar.inc(1);
             outcome
         });
-        for ((index, test), outcome) in runs.iter().zip(outcomes) {
-            let (wrong, outcome) = (&wrongs[*index], outcome?);
-            faults[*index].extend(uncaught(&outcome));
-            if wrong.fails.first() == Some(*test) {
-                faults[*index].extend(self.fault(&files, wrong, &outcome)?);
-            }
+        for ((index, _), outcome) in runs.iter().zip(outcomes) {
+            faults[*index].extend(uncaught(&outcome?));
         }
         let rows = wrongs.iter().zip(faults);
         Ok(rows.map(|(wrong, faults)| row(&wrong.name, wrong.fails.len(), faults)).collect())

@@ -1,0 +1,167 @@
+//! A lab's tasks in its chapter: the place where each begins, which can be linked to, and its hints at the end of its
+//! section, folded.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use anyhow::{Result, ensure};
+
+use lab_kit::facts::TaskFacts;
+use lab_kit::hints::{self, Hints};
+use lab_kit::{Kit, Lab};
+
+/// What the three hints of a task are called.
+const TIERS: [&str; hints::TIERS] = ["a nudge", "the idea", "nearly the answer"];
+
+/// Returns the page `file` of the book with the place of each task below the heading of its section, and with links
+/// to these places in tables of tasks. If `with_hints`, each section ends with the hints of its tasks. The lab's
+/// facts say which section a task has. Pages that are not the chapter of a lab stay as they are.
+///
+/// # Errors
+/// A task's section is not in the chapter.
+pub(crate) fn placed(kit: &Kit, file: &Path, text: &str, with_hints: bool) -> Result<String> {
+    // Pages in folders are no chapters.
+    let number = file.to_str().and_then(|name| name.strip_prefix("lab")?.strip_suffix(".md"));
+    let Some(lab) = number.and_then(|number| number.parse::<Lab>().ok()) else {
+        return Ok(text.to_owned());
+    };
+    let hints = hints::read(kit, lab)?;
+    if hints.is_empty() {
+        return Ok(text.to_owned());
+    }
+    let facts = kit.facts(lab)?;
+    let mut open = Vec::new();
+    for hints in &hints {
+        open.push(Task { facts: &facts.tasks[&hints.task.to_string()], hints });
+    }
+    let mut out = String::new();
+    let mut here: Vec<Task> = Vec::new();
+    let mut in_code = false;
+    for line in text.split_inclusive('\n') {
+        in_code ^= line.starts_with("```");
+        if !line.starts_with('#') || in_code {
+            out += &linked(line, &facts.tasks);
+            continue;
+        }
+        out += &folds(&here, with_hints);
+        out.push_str(line);
+        let heading = line.trim_start_matches('#').trim();
+        here = open.extract_if(.., |task| task.facts.section == heading).collect();
+        for task in &here {
+            out += &task.place();
+        }
+    }
+    out += &folds(&here, with_hints);
+    let lost = open.first().map(|task| &*task.facts.section);
+    ensure!(lost.is_none(), "no section '{}'", lost.unwrap_or_default());
+    Ok(out)
+}
+
+/// A task, as the chapter shows it.
+struct Task<'a> {
+    facts: &'a TaskFacts,
+    hints: &'a Hints,
+}
+
+impl Task<'_> {
+    /// A line with the task's number, title, hours and difficulty, and the anchor `task-N-M`.
+    fn place(&self) -> String {
+        let Hints { task, title, .. } = self.hints;
+        let anchor = anchor(&task.to_string());
+        format!(
+            "\n<p class=\"task\" id=\"{anchor}\"><a href=\"#{anchor}\">Task {task}</a> {title} \
+             <span>{} h, {}</span></p>\n",
+            self.facts.hours,
+            difficulty(self.facts)
+        )
+    }
+}
+
+/// The difficulty of a task as one to three filled circles.
+pub(crate) fn difficulty(task: &TaskFacts) -> String {
+    "●".repeat(task.mark) + &"○".repeat(3_usize.saturating_sub(task.mark))
+}
+
+/// The anchor of a task's place, such as `task-2-4`.
+pub(crate) fn anchor(task: &str) -> String {
+    format!("task-{}", task.replace('.', "-"))
+}
+
+/// The row of a table of tasks, with its number as a link to the task's place; any other line as it is.
+fn linked(line: &str, tasks: &BTreeMap<String, TaskFacts>) -> String {
+    let number = line.strip_prefix("| ").and_then(|rest| rest.split_once(" |"));
+    match number {
+        Some((number, rest)) if tasks.contains_key(number) => {
+            format!("| [{number}](#{}) |{rest}", anchor(number))
+        }
+        _ => line.to_owned(),
+    }
+}
+
+/// The hints of some tasks, one fold a task.
+fn folds(tasks: &[Task], with_hints: bool) -> String {
+    let shown = tasks.iter().filter(|_| with_hints);
+    shown.map(|task| folded(task.hints)).collect()
+}
+
+fn folded(hints: &Hints) -> String {
+    let mut tiers = String::new();
+    for (tier, hint) in TIERS.iter().zip(&hints.tiers) {
+        tiers += &format!("<details><summary>{tier}</summary>\n\n{hint}\n\n</details>\n\n");
+    }
+    format!(
+        "<details class=\"hint\"><summary>Hints for task {}: {}</summary>\n\n{tiers}</details>\n\n",
+        hints.task, hints.title
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::placed;
+    use lab_kit::Kit;
+
+    const FACTS: &str = "title = 'x'\ndiscs = 'soft'\nworkers = 'threads'\n[tasks]\n\
+        '1.1' = { title = 'the force', points = 50, hours = 1.0, mark = 1, section = 'Force', \
+        hints = ['Look.', 'Think.', 'Write.'] }\n\
+        '1.2' = { title = 'the move', points = 50, hours = 0.5, mark = 3, section = 'Move', hints = ['a', 'b', 'c'] }\n";
+
+    const PAGE: &str = "# Lab\n\n| 1.2 | `f` |\n| 9.9 | x |\n\n### Force\n\nPush.\n\n```sh\n# Move\n```\n\n### Move\n\nGo.\n";
+
+    /// A page of a kit with two tasks.
+    fn filled(page: &str, text: &str, with_hints: bool) -> anyhow::Result<String> {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = Kit::of_files(folder.path(), &[("labs/lab1/lab.toml", FACTS)]);
+        placed(&kit, Path::new(page), text, with_hints)
+    }
+
+    #[test]
+    fn each_task_has_its_place_and_its_hints_in_its_section() {
+        let text = filled("lab1.md", PAGE, true).unwrap();
+        let order = [
+            "### Force",
+            "id=\"task-1-1\"",
+            "Push.",
+            "Think.",
+            "### Move",
+            "Go.",
+            "Hints for task 1.2",
+        ];
+        let order = order.map(|part| text.find(part));
+        assert!(order.is_sorted() && order[0].is_some(), "{text}");
+        assert_eq!(text.matches("<details").count(), 8);
+        assert!(text.contains(">Task 1.2</a> the move <span>0.5 h, ●●●</span></p>\n"), "{text}");
+        assert!(text.contains("| [1.2](#task-1-2) | `f` |\n| 9.9 | x |\n"), "{text}");
+
+        let text = filled("lab1.md", PAGE, false).unwrap();
+        assert!(text.contains("task-1-1") && !text.contains("<details"), "{text}");
+        assert_eq!(filled("models.md", PAGE, true).unwrap(), PAGE);
+    }
+
+    #[test]
+    fn a_section_that_is_missing_is_named() {
+        let error = filled("lab1.md", "# Lab\n\n### Force\n", true).unwrap_err();
+        assert!(error.to_string().contains("no section 'Move'"), "{error}");
+    }
+}
