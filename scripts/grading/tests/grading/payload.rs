@@ -170,9 +170,9 @@ fn memories() {
 fn answers() {
     must_fail("the program that judges", fs::read("/kit/judge"));
     let own = fs::read("/proc/self/exe").unwrap_or_default();
-    // Parts of symbols, and words that only a verdict has; in two halves, so that they are not found here.
-    for halves in [["6oracle", "5model"], ["6oracle", "5right"], ["which does not point ", "straight away"]] {
-        let word = halves.concat();
+    // Parts of symbols, and words that only a verdict has. The dash keeps them from being found here.
+    for word in ["6oracle-5model", "6oracle-5right", "which does not point- straight away"] {
+        let word = word.replace('-', "");
         if own.windows(word.len()).any(|window| window == word.as_bytes()) {
             succeeded(&word);
         }
