@@ -36,11 +36,11 @@ pub(crate) fn grade(
     into: &Path,
     options: &Options,
 ) -> Result<ExitCode> {
-    room::make_for_records(into)?;
     let [run, build] = [options.limit, options.build_limit].map(Duration::from_secs);
     let loopback = kit.facts(lab)?.workers == Workers::Ranks;
     let limits = Limits { run, build, loopback };
     let sandbox = &Sandbox::find(kit, options.trusted, limits)?;
+    room::make_for_records(into)?;
     let grader = Grader::new(kit, lab, options, sandbox, into)?;
     // What is wrong with it is better said now than when all are graded.
     Roll::read(into, &grader.rubric)?;

@@ -41,7 +41,9 @@ impl Decision {
         };
         if let Some(points) = self.points {
             let can_be = points.is_finite() && (0.0..=most).contains(&points);
-            ensure!(can_be, "{points} points cannot be given where there are {most}");
+            // 1e308 has 309 digits.
+            let shown = if points < 1e9 { points.to_string() } else { format!("{points:e}") };
+            ensure!(can_be, "{shown} points cannot be given where there are {most}");
         }
         Ok(())
     }

@@ -70,6 +70,9 @@ fn records_that_cannot_be_written_are_noticed_before_a_build() {
     let mut command: Command = grade(&class, "/proc/records".as_ref(), TASKS);
     let output = command.output().unwrap();
     let said = String::from_utf8_lossy(&output.stderr);
+    if said.contains(NO_SANDBOX) {
+        return eprintln!("skipped: {said}");
+    }
     assert_eq!(output.status.code(), Some(2));
     assert!(said.starts_with("error: cannot write in /proc/records: "), "{said}");
 }
