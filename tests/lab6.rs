@@ -62,6 +62,7 @@ oracle::questions! {
                                         each rank keeps.",
         shares after "6.1" => "Scenes of 1 to 70,000 particles: where blocks start, the particles that a rank keeps, and how \
                                often it replays the scene.",
+        large_scene after "6.1" => "A million particles on 64 ranks: how many a rank keeps, and what memory that takes.",
         dense_box after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
             = |_, ask| halo(&[1, 2, 3, 4, 5]).bits_of_all_pairs(ask, &[scenes::dense()], 20)
             => "150 particles in a dense box on 1 to 5 ranks: the bits of all pairs after each of 20 steps.",

@@ -4,8 +4,6 @@ use lab7::{VARIANTS, choose_windows};
 use oracle::hard::{Runs, scenes};
 use oracle::{Ask, Random};
 
-#[path = "lab7/appends.rs"]
-mod appends;
 #[path = "lab7/boxes.rs"]
 mod boxes;
 #[path = "lab7/cells.rs"]
@@ -32,18 +30,13 @@ mod program;
 mod search_examples;
 #[path = "lab7/steps.rs"]
 mod steps;
-#[path = "lab7/stops.rs"]
-mod stops;
 #[path = "lab7/teams.rs"]
 mod teams;
 #[path = "lab7/walls.rs"]
 mod walls;
-#[path = "lab7/windows.rs"]
-mod windows;
 #[path = "lab7/words.rs"]
 mod words;
 
-use appends::*;
 use boxes::*;
 use cells::*;
 use choices::*;
@@ -56,10 +49,8 @@ use pairs::*;
 use parts::*;
 use search_examples::*;
 use steps::*;
-use stops::*;
 use teams::*;
 use walls::*;
-use windows::*;
 
 oracle::questions! {
     task_7_1 {
@@ -134,7 +125,8 @@ oracle::questions! {
                                    the outer loop is shared out, the inner one, or both.",
         fixed_loops after "7.8" => "Any number of discs and workers, fixed parts: which list each pair comes into.",
         queued_loops after "7.8" => "Any number of discs and workers, a queue: all parts of rows, each once.",
-        held_up after "7.8" => "Rows from a queue, while one worker is held up: how many rows the other worker does.",
+        held_up after "7.8" => "Rows from a queue, in parts of one row and of several, while one worker is held up: the rows \
+                                that the other worker does.",
         fresh_teams after "7.8" => "Both loops shared out: each row has a team of its own.",
         shared_loops after "7.8" => "A team of threads: all look at pairs, and none at nearly all.",
         pairs_of_loops after "7.2, 7.8" => "Scenes of all kinds, two threads: the pairs that are found.",
@@ -146,6 +138,7 @@ oracle::questions! {
         interrupted_lock => "Two workers append under a lock, the second when the first has given the lock back: all \
                              candidates are in the list.",
         short_lock => "A candidate is appended under a lock: it is written when the lock has been given back.",
+        no_lock => "Two workers append without a lock: neither waits for the other.",
         interrupted_count => "Two workers append without a lock, the second at a load or before a store of the first: all \
                               candidates are in the list.",
         pairs_in_one_list after "7.2, 7.8, 7.9" => "Scenes of all kinds, three threads and one list: the pairs that are \

@@ -13,11 +13,19 @@ case "$2" in
     *) file=$PWD/$2 ;;
 esac
 cd "$(dirname "$0")/../.."
-if [ ! -f "solutions/lab$lab/lab.toml" ]; then
-    echo "there is no lab $lab in this kit" >&2
+refuse() {
+    echo "$*" >&2
     exit 2
+}
+if ! git cat-file -e "HEAD:solutions/lab$lab/lab.toml" 2>/dev/null; then
+    refuse "no lab $lab is committed in this kit, and only committed files are packed"
+fi
+changed=$(git status --porcelain --untracked-files=no)
+if [ -n "$changed" ]; then
+    refuse "only committed files are packed; commit these or take them back:
+$changed"
 fi
 git archive --format=zip --output="$file" \
     --prefix= --add-file=scripts/gradescope/setup.sh --add-file=scripts/gradescope/run_autograder \
     --add-virtual-file="lab:$lab" --prefix=kit/ HEAD
-echo "$file grades lab $lab"
+echo "$file grades lab $lab, if the solution gets 100 points when Gradescope builds the image"

@@ -1,16 +1,29 @@
 #!/bin/sh
-# Run once by Gradescope, as root, when it makes the image: a compiler, a sandbox if the container
-# lets it work, and the grader.
+# Run once by Gradescope, as root, when it makes the image: a compiler, what the lab's workers need, a sandbox if the
+# container lets it work, and the grader. It fails if the kit's solution does not get full marks in this image.
 set -eu
-kit=$(dirname "$0")/kit
+source=$(cd "$(dirname "$0")" && pwd)
 apt-get update
 DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
     build-essential ca-certificates curl bubblewrap util-linux
-if ! command -v cargo >/dev/null 2>&1; then
-    curl --proto '=https' --tlsv1.2 -sSf https://sh.rustup.rs | sh -s -- -y --profile minimal
-    . "$HOME/.cargo/env"
+# Where an unprivileged user finds the compiler too, as run_autograder does.
+export RUSTUP_HOME=/opt/rustup CARGO_HOME=/opt/cargo PATH="/opt/cargo/bin:$PATH"
+if [ ! -x /opt/cargo/bin/cargo ]; then
+    curl --proto '=https' --tlsv1.2 -sSf https://sh.rustup.rs | sh -s -- -y --profile minimal --no-modify-path
 fi
-cd "$kit"
+cd "$source/kit"
 # rust-toolchain.toml says which compiler; submissions are built without a network.
 cargo fetch --locked
-cargo build --release --locked --package lab --package lab-grading
+lab=$(cat "$source/lab")
+scripts/setup.sh --for "$(cargo lab facts | awk -v lab="$lab" '$1 == lab && $2 == "workers" { print $3 }')"
+
+# Grading the solution compiles all that grading a submission needs.
+prime=$(mktemp -d)
+trap 'rm -rf "$prime"' EXIT
+ln -s "$source" "$prime/source"
+LIMIT=3600 AUTOGRADER=$prime sh "$source/run_autograder" "$source/kit/solutions"
+if ! grep -q '^  "score": 100' "$prime/results/results.json"; then
+    cat "$prime/results/results.json"
+    echo "The solution of lab $lab does not get full marks in this image." >&2
+    exit 1
+fi

@@ -1,6 +1,7 @@
 #!/bin/bash
 # Ranks times threads: every split of a node's cores between the two, for the labs with both.
-# Build first on the login node: cargo build --release -p 'solution*'
+# Build first on the login node: cargo lab facts >/dev/null && cargo build --release -p 'solution*'
+# In a class's kit, name your own programs too: -p lab3
 # Then: sbatch --nodes=4 scripts/slurm/hybrid.sh
 #SBATCH --job-name=cutoff-hybrid
 #SBATCH --time=00:30:00

@@ -1,16 +1,16 @@
 # What strong.sh, weak.sh, hybrid.sh and threads.sh share; they are submitted from the kit's top folder.
 set -euo pipefail
+export CARGO_NET_OFFLINE=true
 
-# Lines «solution8:spatial-cuts»: the solutions of labs with such workers (threads or ranks) that simulate such discs
-# (soft or hard), each with the variant that its facts name for `role`: cluster, or hybrid for one with threads in
-# each rank.
+# Prints lines such as «solution8:spatial-cuts»: the programs of all labs with such workers (threads or ranks) that
+# simulate such discs (soft or hard), each with the variant that its facts name for `role`: cluster, or hybrid for one
+# with threads in each rank. Of a lab without a solution it is the student's own program, such as «lab3:team».
 programs() { # WORKERS DISCS ROLE
-    local lab variant
-    for lab in $(grep -lx "workers = \"$1\"" solutions/lab*/lab.toml | xargs grep -lx "discs = \"$2\"" | sort -V); do
-        variant=$(sed -n "s/^$3 = \"\(.*\)\"\$/\1/p" "$lab")
-        lab=${lab%/lab.toml}
-        if [ -n "$variant" ]; then echo "solution${lab#solutions/lab}:$variant"; fi
-    done
+    cargo lab facts | awk -v workers="$1" -v discs="$2" -v role="$3" '
+        $2 == "program" { program = $3 }
+        $2 == "workers" { found = $3 == workers }
+        $2 == "discs" { found = found && $3 == discs }
+        $2 == role && found { print program ":" $3 }'
 }
 
 # Every lab with ranks on 1, 2, 4, … of them. `soft` and `hard` are functions that say for a number of ranks what is

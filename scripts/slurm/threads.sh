@@ -1,7 +1,8 @@
 #!/bin/bash
 # Soft discs with threads, in every lab that has them, on 1, 2, 4, … threads of one node: first the same scene, then as
 # many particles a thread.
-# Build first on the login node: cargo build --release -p 'solution*'
+# Build first on the login node: cargo lab facts >/dev/null && cargo build --release -p 'solution*'
+# In a class's kit, name your own programs too: -p lab3
 # Then: sbatch --nodes=1 scripts/slurm/threads.sh
 #SBATCH --job-name=cutoff-threads
 #SBATCH --time=00:30:00

@@ -1,6 +1,7 @@
 #!/bin/bash
 # Weak scaling of all labs with ranks on a cluster: as many particles for each of 1, 2, 4, … ranks.
-# Build first on the login node: cargo build --release -p 'solution*'
+# Build first on the login node: cargo lab facts >/dev/null && cargo build --release -p 'solution*'
+# In a class's kit, name your own programs too: -p lab3
 # Then: sbatch --nodes=4 --ntasks-per-node=32 scripts/slurm/weak.sh
 #SBATCH --job-name=cutoff-weak
 #SBATCH --time=00:30:00

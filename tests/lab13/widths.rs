@@ -27,8 +27,19 @@ pub(crate) fn widths(random: &mut Random, ask: &mut impl Ask, deep: bool) {
     }
 }
 
+/// So high that the cutoff does not count beside it, and that all costs are exact.
+const HUGE: f64 = (1_u64 << 60) as f64;
+
 /// For how many steps ghosts last.
 pub(crate) fn cheapest_steps(random: &mut Random, ask: &mut impl Ask) {
+    let even = Scenery { fastest: HUGE, density: 0.0, height: HUGE, most: 3 };
+    ask.exact(
+        &format!(
+            "{even:?}, where one step and two cost the same: for how many steps ghosts are chosen"
+        ),
+        || vec![f64::from(best_steps(even))],
+        || vec![1.0],
+    );
     for _ in 0..1000 {
         let scenery = Scenery {
             fastest: CUTOFF * random.magnitude(1e-6, 1e3),
@@ -53,6 +64,12 @@ fn cost_of_list(Scenery { fastest, density, height, .. }: Scenery, steps: u32) -
 
 /// For how many steps no message is sent.
 pub(crate) fn cheapest_epochs(random: &mut Random, ask: &mut impl Ask) {
+    let even = Outlook { fastest: HUGE / 4.0, height: HUGE, particles: 1000.0, most: 3 };
+    ask.exact(
+        &format!("{even:?}, where epochs of one step and of two cost the same: how many steps an epoch has"),
+        || vec![f64::from(best_depth(even))],
+        || vec![1.0],
+    );
     for _ in 0..1000 {
         let outlook = Outlook {
             fastest: CUTOFF * random.magnitude(1e-6, 1e3),

@@ -97,6 +97,7 @@ pub(crate) fn official_run(ask: &mut impl Ask, runs: &Runs) {
 }
 
 pub(crate) fn statistics(ask: &mut impl Ask, runs: &Runs) {
+    runs.statistics_of_each_step(ask, &scenes::at_the_cutoff(), 1);
     runs.statistics_of_each_step(ask, &scenes::dense(), 10);
     runs.long_statistics(ask);
 }

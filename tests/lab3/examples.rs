@@ -13,8 +13,7 @@ use solution1::Tally;
 use solution2::{Grid, VecBins};
 
 use super::bins::{at, ids, of_cutoffs, row_by_row};
-use super::interruptions::{add_quarter, at_first};
-use super::reductions::statistics;
+use super::reductions::{add_quarter, at_first, statistics};
 
 /// A velocity or an acceleration. Either zero will do.
 fn number(value: f64) -> String {

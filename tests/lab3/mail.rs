@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use common::soft::Particle;
 use lab3::take_posted;
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, truth, whole};
 use parking_lot::Mutex;
 use solution2::{Grid, SortedBins};
 
@@ -76,25 +76,36 @@ impl Letters {
     }
 }
 
-/// Row, column and id of each particle, in the order of these.
-fn places(mut all: Vec<[usize; 3]>) -> Vec<f64> {
-    all.sort_unstable();
-    whole(all.into_iter().flatten())
-}
-
-/// Row, column and id of each particle that the bins hold.
+/// Row, column and id of each particle that the bins hold, as they lie there.
 fn held(bins: &SortedBins) -> Vec<f64> {
     let columns = bins.grid().columns();
     let cells = bins.rows().flat_map(|row| (0..columns).map(move |column| (row, column)));
     let inside = |(row, column)| {
-        bins.bin(row, column).iter().map(move |p: &Particle| [row, column, p.id as usize])
+        bins.bin(row, column).iter().flat_map(move |p: &Particle| [row, column, p.id as usize])
     };
-    places(cells.flat_map(inside).collect())
+    whole(cells.flat_map(inside))
 }
 
-/// Row, column and id of each particle where it lies.
+/// Row, column and id of each particle where it lies. Those of a bin are in the order of `all`.
 fn where_they_lie(grid: &Grid, all: &[Particle]) -> Vec<f64> {
-    places(all.iter().map(|p| [grid.row(p.y), grid.column(p.x), p.id as usize]).collect())
+    let place = |p: &Particle| [grid.row(p.y), grid.column(p.x), p.id as usize];
+    let mut places: Vec<_> = all.iter().map(place).collect();
+    places.sort_by_key(|place| [place[0], place[1]]);
+    whole(places.into_iter().flatten())
+}
+
+/// Mail by some members, each of which has posted one particle. Sorting exchanges two arrays, so that it shows how
+/// often it was done: the particles are in the array in which they were before if it was twice.
+fn is_sorted_twice(members: usize) -> f64 {
+    let mut bins = SortedBins::new(Grid::with_bins_along(1.0, 4), 0..4);
+    // Afterwards either array has room for all.
+    bins.refill(vec![Particle::default(); 100]);
+    bins.refill([]);
+    let before = bins.particles().as_ptr();
+    let letter = || Mutex::new(vec![Particle::default()]);
+    let mail: Mail = (0..members).map(|_| vec![letter()]).collect();
+    take_posted(&mut bins, 0, &mail);
+    truth(bins.particles().as_ptr() == before)
 }
 
 /// Mail to a member by any number of members, some of which have posted none.
@@ -111,7 +122,9 @@ pub(crate) fn letters(random: &mut Random, ask: &mut impl Ask) {
         );
         let question = format!("{name}: id x y vx vy of its particles");
         ask.exact(&question, || states(case.bins.particles()), || states(&all));
-        let question = format!("{name}: row, column and id of each particle that its bins hold");
+        let question = format!(
+            "{name}: row, column and id of each particle that its bins hold, those of a bin in the order of senders"
+        );
         ask.exact(&question, || held(&case.bins), || where_they_lie(case.bins.grid(), &all));
         let question = format!("{name}: letters left in its boxes");
         ask.exact(&question, || case.letters(|to, own| to == own), || whole([0]));
@@ -121,5 +134,11 @@ pub(crate) fn letters(random: &mut Random, ask: &mut impl Ask) {
             || case.letters(|to, own| to != own),
             || whole([members * (members - 1)]),
         );
+    }
+    for members in [2, 3] {
+        let question = format!(
+            "{members} members have posted a particle each: whether it sorts more than once (1)"
+        );
+        ask.exact(&question, || vec![is_sorted_twice(members)], || vec![0.0]);
     }
 }

@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use common::soft::Particle;
 use lab4::{Bin, Regions, claim, rebuild, take_own};
 use oracle::scenes::on_edges;
-use oracle::{Ask, Random, Table, ascending, whole};
+use oracle::{Ask, Random, Table, ascending, truth, whole};
 use solution2::{Grid, SortedBins};
 
 use super::bins::{filled, inside, places, regions_of};
@@ -19,11 +19,14 @@ fn fills(random: &mut Random, ask: &mut impl Ask, fill: impl Fn(&mut Regions, &G
         let particles = on_edges(random, n, grid.size(), along);
         let mut regions = filled(grid.bins(), 1 + random.size(grid.bins()));
         fill(&mut regions, &grid, &particles);
-        let question = format!(
-            "{n} particles, {along} bins along each wall of {:e}, with other particles in the bins before: particle \
-             and bin of each particle that the bins hold",
+        let name = format!(
+            "{n} particles, {along} bins along each wall of {:e}, with 30 other particles in each bin before",
             grid.size()
         );
+        let poorer = regions.parts_mut().flatten().filter(|bin| bin.capacity() < 30).count();
+        let question = format!("{name}: how many bins have given memory back");
+        ask.exact(&question, || whole([poorer]), || whole([0]));
+        let question = format!("{name}: particle and bin of each particle that the bins hold");
         let found = || places(&mut regions);
         ask.judge(&question, found, |found| are_in_their_bins(&grid, &particles, found));
     }
@@ -78,13 +81,19 @@ pub(crate) fn owned_rows(random: &mut Random, ask: &mut impl Ask) {
         let y = cut as f64 * grid.size() / grid.rows() as f64;
         particles.push(Particle { y, id: n as u32, ..Particle::default() });
         for rows in [0..cut, cut..cut, cut..grid.rows()] {
-            let found = || {
-                let mut own = SortedBins::new(grid, rows.clone());
-                own.put(Particle { y: 0.5 * grid.size(), id: u32::MAX, ..Particle::default() });
-                // Its bins refuse a particle that lies in no row of theirs.
-                let taken = catch_unwind(AssertUnwindSafe(|| take_own(&mut own, particles.iter())));
-                taken.map_or(vec![-1.0], |()| ids(own.particles()))
-            };
+            let mut own = SortedBins::new(grid, rows.clone());
+            own.put(Particle { y: 0.5 * grid.size(), id: u32::MAX, ..Particle::default() });
+            // Sorting exchanges two arrays, either of which has room for more particles than come.
+            own.particles_mut().reserve(2000);
+            // Its bins refuse a particle that lies in no row of theirs.
+            let take = AssertUnwindSafe(|| {
+                take_own(&mut own, [].iter());
+                own.particles_mut().reserve(2000);
+                take_own(&mut own, particles.iter());
+            });
+            let taken = catch_unwind(take);
+            let room = own.particles_mut().capacity();
+            let found = || taken.map_or(vec![-1.0], |()| ids(own.particles()));
             let question = format!(
                 "{n} particles and one on the cut, the owner of rows {rows:?} of {}: the particles that it takes, -1 \
                  if it takes one that lies in none of its rows",
@@ -93,6 +102,10 @@ pub(crate) fn owned_rows(random: &mut Random, ask: &mut impl Ask) {
             ask.exact(&question, found, || {
                 ids(particles.iter().filter(|p| rows.contains(&grid.row(p.y))))
             });
+            let question = format!(
+                "{n} particles, the owner of rows {rows:?}: whether it gives memory back (1)"
+            );
+            ask.exact(&question, || vec![truth(room < 2000)], || vec![0.0]);
         }
     }
 }

@@ -5,7 +5,7 @@ use std::sync::{Arc, mpsc};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use common_threads::{Lock, Watch};
+use common_threads::{Lock, Stopwatch, Watch};
 use lab4::Meter;
 use oracle::{Ask, Random, Table, whole};
 
@@ -15,17 +15,19 @@ pub(crate) fn free(random: &mut Random, ask: &mut impl Ask) {
     let found = || {
         let lock = Lock::new(0, 5.0);
         let mut meter = Meter::default();
+        let before = Stopwatch::started();
         (0..times).for_each(|_| *meter.lock(&lock) += 1.0);
+        let started = Stopwatch::started() - before;
         let guarded = *lock.lock();
         let counts = [meter.locks, meter.contended].map(|count| count as f64);
-        vec![guarded, counts[0], counts[1], meter.waiting.as_secs_f64()]
+        vec![guarded, counts[0], counts[1], meter.waiting.as_secs_f64(), started as f64]
     };
     let question = format!(
         "a free lock that guards the number 5 is taken {times} times, and 1 is added each time: the number, locks \
-         taken, locks waited for, time waited in seconds"
+         taken, locks waited for, time waited in seconds, stopwatches started"
     );
     let times = times as f64;
-    ask.exact(&question, found, || vec![times + 5.0, times, 0.0, 0.0]);
+    ask.exact(&question, found, || vec![times + 5.0, times, 0.0, 0.0, 0.0]);
 }
 
 /// Counts how often a lock is asked for.

@@ -9,20 +9,34 @@ use oracle::scenes::on_edges;
 use oracle::{Ask, Random};
 use solution2::Grid;
 
-/// The rows of a rank, as the lab's text says.
-pub(crate) fn block_of(Cut { rows, ranks }: Cut, rank: usize) -> Range<usize> {
-    rank * rows / ranks..(rank + 1) * rows / ranks
+/// The rows of each rank. From one rank to the next, the rows that a rank is owed add up.
+pub(crate) fn blocks_of(Cut { rows, ranks }: Cut) -> Vec<Range<usize>> {
+    let mut blocks = Vec::with_capacity(ranks);
+    let mut start = 0;
+    // In parts of a row, of which `ranks` make one.
+    let mut owed = 0;
+    for _ in 0..ranks {
+        owed += rows;
+        let end = start + owed / ranks;
+        owed %= ranks;
+        blocks.push(start..end);
+        start = end;
+    }
+    blocks
 }
 
-/// The rank of a row.
-pub(crate) fn owner_of(Cut { rows, ranks }: Cut, row: usize) -> usize {
-    ((row + 1) * ranks - 1) / rows
+/// The rank of each row.
+pub(crate) fn owners_of(blocks: &[Range<usize>]) -> Vec<usize> {
+    let ranks = blocks.iter().enumerate();
+    ranks.flat_map(|(rank, block)| block.clone().map(move |_| rank)).collect()
 }
 
 /// A grid whose rows are cut into blocks.
 pub(crate) struct Blocks {
     pub(crate) grid: Grid,
     pub(crate) cut: Cut,
+    blocks: Vec<Range<usize>>,
+    owners: Vec<usize>,
 }
 
 impl Blocks {
@@ -42,7 +56,10 @@ impl Blocks {
 
     fn of(rows: usize, ranks: usize, random: &mut Random) -> Self {
         let grid = Grid::with_bins_along(random.between(0.1, 9.0), rows);
-        Self { grid, cut: Cut { rows, ranks } }
+        let cut = Cut { rows, ranks };
+        let blocks = blocks_of(cut);
+        let owners = owners_of(&blocks);
+        Self { grid, cut, blocks, owners }
     }
 
     /// Particles anywhere, many of them on edges of bins.
@@ -56,11 +73,11 @@ impl Blocks {
     }
 
     pub(crate) fn block(&self, rank: usize) -> Range<usize> {
-        block_of(self.cut, rank)
+        self.blocks[rank].clone()
     }
 
     pub(crate) fn owner(&self, row: usize) -> usize {
-        owner_of(self.cut, row)
+        self.owners[row]
     }
 
     /// The other ranks that see a row.
@@ -68,6 +85,13 @@ impl Blocks {
         let rows = [row.checked_sub(1), Some(row + 1).filter(|row| *row < self.cut.rows)];
         let owners = rows.into_iter().flatten().map(|row| self.owner(row));
         owners.filter(|owner| *owner != self.owner(row)).collect()
+    }
+
+    /// Whether another rank than that of `block` sees a row.
+    pub(crate) fn is_seen(&self, row: usize, block: &Range<usize>) -> bool {
+        let others =
+            self.blocks.iter().filter(|other| !other.is_empty() && other.start != block.start);
+        others.into_iter().any(|other| self.visible(other).contains(&row))
     }
 
     /// The rows that a rank sees.

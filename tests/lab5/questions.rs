@@ -8,7 +8,7 @@ use lab5::{Cut, Parcel, border_copies, replace_ghosts, sort_by_receiver, take_le
 use oracle::{Ask, Random, whole};
 use solution2::VecBins;
 
-use super::blocks::{Blocks, block_of, owner_of, same, wires};
+use super::blocks::{Blocks, blocks_of, owners_of, same, wires};
 
 /// All cuts of few rows among few ranks.
 pub(crate) fn few_rows(_: &mut Random, ask: &mut impl Ask) {
@@ -19,12 +19,12 @@ pub(crate) fn few_rows(_: &mut Random, ask: &mut impl Ask) {
         ask.exact(
             &format!("{name}: start and end of each block"),
             || whole((0..ranks).flat_map(|rank| ends(cut.block(rank)))),
-            || whole((0..ranks).flat_map(|rank| ends(block_of(cut, rank)))),
+            || whole(blocks_of(cut).into_iter().flat_map(ends)),
         );
         ask.exact(
             &format!("{name}: the rank that owns each row"),
             || whole((0..rows).map(|row| cut.owner(row))),
-            || whole((0..rows).map(|row| owner_of(cut, row))),
+            || whole(owners_of(&blocks_of(cut))),
         );
     }
 }
@@ -37,16 +37,47 @@ pub(crate) fn many_rows(random: &mut Random, ask: &mut impl Ask) {
         let Cut { rows, ranks } = cut;
         let name = format!("{rows} rows on {ranks} ranks");
         for rank in [0, ranks - 1, random.below(ranks), random.below(ranks)] {
-            let ends = |block: Range<usize>| whole([block.start, block.end]);
+            let block = || cut.block(rank);
             let question = format!("{name}: start and end of the block of rank {rank}");
-            ask.exact(&question, || ends(cut.block(rank)), || ends(block_of(cut, rank)));
+            let found = || whole([block().start, block().end]);
+            ask.judge(&question, found, |found| {
+                begins_there("it starts", found.first(), rank, cut)?;
+                begins_there("it ends", found.get(1), rank + 1, cut)
+            });
         }
         for row in [0, rows - 1, random.below(rows), random.below(rows)] {
             let question = format!("{name}: the rank that owns row {row}");
-            let right = || whole([owner_of(cut, row)]);
-            ask.exact(&question, || whole([cut.owner(row)]), right);
+            ask.judge(&question, || whole([cut.owner(row)]), |found| owns(found, row, cut));
         }
     }
+}
+
+/// Whether the blocks of the ranks below `rank` have as many rows as this says: rank / ranks of all, rounded down.
+fn begins_there(what: &str, found: Option<&f64>, rank: usize, cut: Cut) -> Result<(), String> {
+    let found = found.copied().unwrap_or(-1.0);
+    let part = rank as u128 * cut.rows as u128;
+    let rounded_down = found >= 0.0 && {
+        let row = found as u128;
+        (row * cut.ranks as u128..(row + 1) * cut.ranks as u128).contains(&(part))
+    };
+    let exact = part as f64 / cut.ranks as f64;
+    if rounded_down {
+        Ok(())
+    } else {
+        Err(format!("{what} at row {found}, not at {exact}, rounded down"))
+    }
+}
+
+/// Whether this rank's block has the row: it begins there or before, and the next one begins behind it.
+fn owns(found: &[f64], row: usize, cut: Cut) -> Result<(), String> {
+    let &[rank] = found else { return Err("there is no rank".into()) };
+    let behind = (row as u128 + 1) * cut.ranks as u128;
+    let begins = rank as u128 * cut.rows as u128;
+    if rank >= 0.0 && begins < behind && begins + cut.rows as u128 >= behind {
+        return Ok(());
+    }
+    let exact = [rank, rank + 1.0].map(|rank| rank * cut.rows as f64 / cut.ranks as f64);
+    Err(format!("rank {rank} has the rows from {} up to {}, both rounded down", exact[0], exact[1]))
 }
 
 /// What has stayed in a block, and what has left it.
@@ -55,7 +86,11 @@ pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
         let blocks = Blocks::drawn(random);
         let rows = blocks.cut.rows;
         let start = random.below(rows + 1);
-        let block = start..start + random.below(rows - start + 1);
+        let block = match case % 5 {
+            // An empty block lies anywhere.
+            0 => [0..0, rows..rows, start..start][case / 5 % 3].clone(),
+            _ => start..start + random.below(rows - start + 1),
+        };
         // Now and then more than sixteen bits count.
         let particles = blocks.particles(random, if case % 25 == 24 { 70_000 } else { 300 });
         // Who was remote before still is.
@@ -92,7 +127,7 @@ pub(crate) fn copies(random: &mut Random, ask: &mut impl Ask) {
         let seen = blocks.visible(&block);
         particles.iter().filter(|p| seen.contains(&blocks.row(p.y))).for_each(|p| bins.put(*p));
         let copies = border_copies(&bins, &blocks.cut, &block);
-        let border = |row: usize| block.contains(&row) && !blocks.neighbours(row).is_empty();
+        let border = |row: usize| block.contains(&row) && blocks.is_seen(row, &block);
         let right = || wires(particles.iter().filter(|p| border(blocks.row(p.y))));
         let name = format!("{}, rows {block:?}: copies", blocks.name(case));
         same(&blocks.grid, &name, copies, right, ask);

@@ -9,7 +9,7 @@ use lab6::{
     sort_leavers,
 };
 use mpi::topology::SimpleCommunicator;
-use oracle::{Ask, Random, Table, ascending, spaced};
+use oracle::{Ask, Random, Table, ascending, begins_send, spaced};
 use oracle_mpi::on_each;
 use solution2::Grid;
 
@@ -70,7 +70,7 @@ pub(crate) fn table_of_neighbours(_: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn both_ways(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "6.3", &[3], random, |rank, _, ask| {
         let outgoing =
-            [vec![(1, vec![2, 3])], vec![(2, vec![]), (0, vec![4, 5, 6])], vec![(1, vec![8, 9])]];
+            [vec![(1, vec![2, 3])], vec![(2, vec![7]), (0, vec![4, 5, 6])], vec![(1, vec![8, 9])]];
         let own = &outgoing[rank.number];
         let rows = rank.call("exchange_beside", |world| exchange(world, own));
         let table = rank.columns(&rows);
@@ -95,17 +95,17 @@ fn exchange(
     vec![
         ("to rank: list", by_rank(outgoing, &sent)),
         ("work is called", format!("{} time", calls.len())),
-        ("  then receives under way", begun(before, "MPI_Irecv")),
-        ("  and sends under way", begun(before, "MPI_Isend")),
+        ("  then receives under way", begun(before, |call| call == "MPI_Irecv")),
+        ("  and sends under way", begun(before, begins_send)),
         ("work returns", result.into()),
         ("from rank: list", by_rank(outgoing, &incoming)),
     ]
 }
 
-/// How many of these calls are `call`, behind the last one that begins no message.
-fn begun(calls: &[&str], call: &str) -> String {
+/// How many of these calls are such ones, behind the last one that begins no message.
+fn begun(calls: &[&str], is_one: fn(&str) -> bool) -> String {
     let last = calls.iter().rev().take_while(|call| call.starts_with("MPI_I"));
-    last.filter(|begun| **begun == call).count().to_string()
+    last.filter(|call| is_one(call)).count().to_string()
 }
 
 /// Lists with the ranks of `outgoing`.

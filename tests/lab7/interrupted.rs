@@ -1,6 +1,6 @@
 //! Questions about counts that two workers share: tasks 7.8 and 7.10.
 //!
-//! The first worker is interrupted where it may be: at a load, before a store, or when it has given a
+//! The first worker is interrupted where it may be: at a load, before a store or an addition, or when it has given a
 //! lock back. There the other worker does all of its own work on the count. So a right program gives the
 //! same result as two threads do that meet at the worst moment, and a wrong one is caught each time.
 
@@ -8,11 +8,16 @@ use std::iter::from_fn;
 use std::ops::Range;
 use std::sync::atomic::Ordering::Relaxed;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize};
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, mpsc};
+use std::thread;
+use std::time::Duration;
 
 use hard_discs::{Candidate, Hit, LockedCount, SharedCount, Slots};
 use lab7::{append_atomic, append_locked, next_part};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, truth, whole};
+
+/// How long a worker waits for another one that may never come.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// The places at which the first worker is interrupted, of all at which it can be.
 #[derive(Clone, Copy)]
@@ -67,7 +72,7 @@ impl Places {
 
 /// Two workers take all parts of a loop.
 pub(crate) fn interrupted_queue(random: &mut Random, ask: &mut impl Ask) {
-    for (places, is_long) in Places::drawn(random, 24) {
+    for (places, is_long) in Places::drawn(random, 40) {
         let n = if is_long { 20_000 + 10 * random.below(2) } else { 100 };
         let question = format!(
             "{n} iterations in chunks of 10; another worker takes a part each time when the first is interrupted, {}: \
@@ -185,6 +190,38 @@ pub(crate) fn interrupted_count(random: &mut Random, ask: &mut impl Ask) {
         let question = appended(own, "without a lock", places);
         ask.judge(&question, found, |found| holds_all(found, own));
     }
+}
+
+/// Another worker appends while the first is in the middle of it, which it can only without a lock.
+pub(crate) fn no_lock(_: &mut Random, ask: &mut impl Ask) {
+    let question = "a worker appends without a lock, and another one when the first is about to add to the count: \
+                    whether the other has finished before the first goes on, or has to wait for it (0)";
+    ask.exact(question, || vec![truth(finishes_in_between())], || vec![1.0]);
+}
+
+fn finishes_in_between() -> bool {
+    let (go, come) = mpsc::channel();
+    let (finished, done) = mpsc::channel();
+    // The other worker is not interrupted.
+    let channels = Mutex::new(Some((go, done)));
+    let in_time = Arc::new(AtomicBool::new(false));
+    let is_done = Arc::clone(&in_time);
+    let count = SharedCount::interrupted(move |_: &SharedCount| {
+        let first = channels.lock().expect("no worker panics with it").take();
+        if let Some((go, done)) = first {
+            _ = go.send(());
+            is_done.store(done.recv_timeout(PATIENCE).is_ok(), Relaxed);
+        }
+    });
+    let list = Slots::default();
+    thread::scope(|scope| {
+        scope.spawn(|| append_atomic(&list, &count, of(1)));
+        if come.recv_timeout(PATIENCE).is_ok() {
+            append_atomic(&list, &count, of(2));
+            _ = finished.send(());
+        }
+    });
+    in_time.load(Relaxed)
 }
 
 /// Nothing is written under the lock, while all others wait for it.

@@ -1,8 +1,8 @@
 //! Questions about which threads do the loops over all pairs: task 7.9.
 
-use std::sync::Mutex;
 use std::sync::atomic::AtomicUsize;
 use std::sync::atomic::Ordering::Relaxed;
+use std::sync::{Mutex, OnceLock};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -12,34 +12,40 @@ use oracle::{Ask, Random, Share, whole};
 
 use super::loops::{INNER, Loop, NESTED, OUTER, SHARES};
 
-/// Rows come from the queue while the worker that has disc 0 is held up.
+/// Rows come from the queue while the worker that has disc 0 is held up. It keeps the rest of its part.
 pub(crate) fn held_up(_: &mut Random, ask: &mut impl Ask) {
     const N: usize = 40;
     for (name, share) in [SHARES[OUTER], SHARES[NESTED]] {
-        let question = format!(
-            "{name} of {N} discs from a queue, 2 workers, disc 0's worker is held up: rows that the other does by then"
-        );
-        ask.exact(&question, || whole([rows_of_the_other(N, share)]), || whole([N - 2]));
+        for chunk in [1, 5] {
+            let question = format!(
+                "{name} of {N} discs from a queue in parts of {chunk}, 2 workers, disc 0's worker is held up: the rows \
+                 that the other does by then"
+            );
+            let found = || whole(rows_of_the_other(N, chunk, share));
+            ask.exact(&question, found, || whole(chunk..N - 1));
+        }
     }
 }
 
-fn rows_of_the_other(n: usize, share: Loop) -> usize {
-    let others = AtomicUsize::new(0);
-    let seen = AtomicUsize::new(usize::MAX);
-    share(n, Team::Fresh(2), Schedule::Dynamic { chunk: 1 }, &|_, a, partners| {
+fn rows_of_the_other(n: usize, chunk: usize, share: Loop) -> Vec<usize> {
+    let others = Mutex::new(Vec::new());
+    let rows = || others.lock().expect("no thread panics here");
+    let seen = OnceLock::new();
+    share(n, Team::Fresh(2), Schedule::Dynamic { chunk }, &|_, a, partners| {
         let begin = Instant::now();
-        while a == 0 && others.load(Relaxed) < n - 2 && begin.elapsed() < Duration::from_secs(5) {
+        while a == 0 && rows().len() < n - 1 - chunk && begin.elapsed() < Duration::from_secs(5) {
             thread::yield_now();
         }
-        // Each row ends with the last disc.
-        if a > 0 && partners.contains(&(n - 1)) {
-            others.fetch_add(1, Relaxed);
-        }
         if a == 0 {
-            seen.fetch_min(others.load(Relaxed), Relaxed);
+            seen.get_or_init(|| rows().clone());
+        } else if partners.contains(&(n - 1)) {
+            // Each row ends with the last disc.
+            rows().push(a);
         }
     });
-    seen.into_inner()
+    let mut seen = seen.into_inner().unwrap_or_default();
+    seen.sort_unstable();
+    seen
 }
 
 /// Which threads look at pairs.

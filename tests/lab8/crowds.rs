@@ -16,7 +16,6 @@ pub(crate) fn all_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {
         (0..30).map(|k| (3.0 * f64::from(k) + 5.0, 50.0, f64::from(k % 3) - 1.0, 0.0)).collect();
     all.push(("all on one line", scenes::of(100.0, 1.0, &line)));
     all.push(("a tower", tower(8.0)));
-    all.push(("a zigzag", zigzag(3.0)));
     all.push(("two discs", scenes::of(10.0, 1.0, &[(3.0, 3.0, 2.0, 2.0), (7.0, 7.0, -2.0, -2.0)])));
     all.extend(drawn_scenes(random));
     all
@@ -26,7 +25,6 @@ pub(crate) fn all_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {
 fn drawn_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {
     vec![
         ("a tower of other speeds", tower(random.between(7.0, 9.0))),
-        ("a zigzag of other speeds", zigzag(random.between(2.9, 3.1))),
         ("a shot through all strips", shot(random)),
         ("dense", crowd(random, 0.4)),
         ("thin", crowd(random, 0.2)),
@@ -40,13 +38,13 @@ fn tower(slow: f64) -> Scene {
 }
 
 /// A chain of discs along the middle of a square, to and fro across it; each flies into the one ahead of it, and nearly all
-/// meet at the same time, the first two first. So what happens to a disc depends on the one behind it, and the middle cuts
-/// the chain at every other disc.
-fn zigzag(slow: f64) -> Scene {
+/// meet at the same time, the first two first. So what happens to a disc depends on the one behind it, and the cut in the
+/// middle has the chain cross it at every other disc: a decision takes 122 rounds.
+pub(crate) fn zigzag(slow: f64) -> Scene {
     let disc = |k: u32| {
         let i = f64::from(k);
         let up = [-1.5, 0.0, 1.5, 0.0][k as usize % 4];
-        Disc::new(5.0 + 1.61 * i + 5e-5 * i * i, 200.0 + up + 1e-4 * i, (240.0 - i) / slow, 0.0)
+        Disc::new(5.0 + 1.61 * i + 5e-5 * i * i, 200.0 + up + 1e-6 * i, (240.0 - i) / slow, 0.0)
     };
     Scene::new(400.0, 1.0, (0..240).map(disc).collect()).expect("all are inside")
 }

@@ -4,8 +4,10 @@
 //! While a watch looks on, they first tell each other what they are about to call.
 
 use std::backtrace::Backtrace;
+use std::panic::PanicHookInfo;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
+use std::time::Instant;
 
 use mpi::ffi::{Call, share};
 use mpi::topology::SimpleCommunicator;
@@ -34,6 +36,7 @@ struct Calls {
 
 struct Last {
     name: &'static str,
+    since: Instant,
     is_over: bool,
     from: Backtrace,
 }
@@ -47,17 +50,29 @@ pub(crate) fn begin() {
     calls().made.clear();
 }
 
-/// The names of the calls that this rank has made in the last [`together`](crate::together), in their order. None
-/// without a watch.
+/// The names of the calls that this rank has made in the last [`together`](crate::together), in their order, and of
+/// what it has [noted](note). None without a watch.
 pub fn calls_made() -> Vec<&'static str> {
     calls().made.clone()
 }
 
-/// Where this rank is, if it has made a call.
+/// Notes something else that this rank does, such as `walls_of`, among its [calls](calls_made). Nothing without a watch.
+pub fn note(what: &'static str) {
+    let mut calls = calls();
+    if calls.last.is_some() {
+        calls.made.push(what);
+    }
+}
+
+/// Where this rank is, if it has made a call: past it, or for how long in it.
 pub(crate) fn location() -> Option<String> {
     let calls = calls();
-    let Last { name, is_over, from } = calls.last.as_ref()?;
-    Some(format!("{} {name}{}", if *is_over { "past" } else { "in" }, location_in(from)))
+    let Last { name, since, is_over, from } = calls.last.as_ref()?;
+    let at = location_in(from);
+    if *is_over {
+        return Some(format!("past {name}{at}"));
+    }
+    Some(format!("in {name}{at} for {} s", since.elapsed().as_secs()))
 }
 
 /// Hears of a call before it is made, and of nothing when it is over.
@@ -72,7 +87,7 @@ pub(crate) fn hear(call: Option<&Call>) {
     let number = calls.together;
     let from = Backtrace::force_capture();
     record::note(number, call, || own_location(&format!("{from:#}")));
-    calls.last = Some(Last { name: call.name, is_over: false, from });
+    calls.last = Some(Last { name: call.name, since: Instant::now(), is_over: false, from });
     drop(calls);
     if call.is_collective {
         compare(number, call);
@@ -82,7 +97,8 @@ pub(crate) fn hear(call: Option<&Call>) {
 /// Ends the job if this is not the same call on all ranks, or its buffers do not fit each other.
 fn compare(number: u64, call: &Call) {
     let [count, size] = call.items;
-    let name = call.name.bytes().fold(0, |sum: i64, byte| sum.wrapping_mul(31) + i64::from(byte));
+    let name = call.name.bytes().chain(call.operation.unwrap_or_default().bytes());
+    let name = name.fold(0, |sum: i64, byte| sum.wrapping_mul(31) + i64::from(byte));
     let own = [name, call.root.into(), count, size];
     let all = share(own);
     let own_rank = SimpleCommunicator::world().rank();
@@ -91,7 +107,7 @@ fn compare(number: u64, call: &Call) {
     if differs || uneven {
         let what = match call.name {
             "MPI_Finalize" => "nothing more: it has ended".into(),
-            name if differs => name_and_root(name, call.root) + &location_here(),
+            _ if differs => name_and_root(call) + &location_here(),
             name => format!("{name} with {}{}", in_words(call.items), location_here()),
         };
         let words: Vec<String> = share(packed(&what)).iter().map(unpacked).collect();
@@ -126,8 +142,11 @@ fn end(words: &str) -> ! {
     SimpleCommunicator::world().abort(1)
 }
 
-fn name_and_root(name: &str, root: i32) -> String {
-    if root < 0 { name.into() } else { format!("{name} of root {root}") }
+fn name_and_root(call: &Call) -> String {
+    let Call { name, root, .. } = call;
+    let root = if *root < 0 { String::new() } else { format!(" of root {root}") };
+    let operation = call.operation.map_or_else(String::new, |what| format!(" of a {what}"));
+    format!("{name}{operation}{root}")
 }
 
 fn in_words([count, size]: [i64; 2]) -> String {
@@ -172,17 +191,30 @@ fn location_in(trace: &Backtrace) -> String {
         .map_or_else(String::new, |location| format!(" ({location})"))
 }
 
-/// The innermost location of a trace that a student knows.
+/// The innermost location of a trace that a student knows, in words.
 fn own_location(trace: &str) -> Option<String> {
-    let locations = trace.lines().filter_map(|line| line.trim_start().strip_prefix("at "));
-    let own = locations.filter_map(|location| {
-        let start = OWN.iter().filter_map(|own| location.rfind(own)).max()?;
-        (!GIVEN.iter().any(|given| location.contains(given)))
-            .then(|| location[start + 1..].to_owned())
-    });
-    let own: Vec<String> = own.take(1).collect();
-    let mut parts = own.first()?.split(':');
+    let mut parts = own_frame(trace)?.split(':');
     Some(format!("{}, line {}", parts.next()?, parts.next()?))
+}
+
+/// The innermost location of a trace that a student knows, such as `labs/lab5/src/root.rs:29:14`.
+fn own_frame(trace: &str) -> Option<&str> {
+    let mut locations = trace.lines().filter_map(|line| line.trim_start().strip_prefix("at "));
+    locations.find_map(|location| {
+        let start = OWN.iter().filter_map(|own| location.rfind(own)).max()?;
+        let is_own = !GIVEN.iter().any(|given| location.contains(given));
+        is_own.then(|| &location[start + 1..])
+    })
+}
+
+/// Where a panic was: in a lab or a test, or where it called what panicked.
+pub(crate) fn panicked_at(info: &PanicHookInfo<'_>) -> String {
+    let said = info.location().map_or_else(String::new, ToString::to_string);
+    if said.contains("labs/lab") || said.contains("tests/") {
+        return said;
+    }
+    let trace = format!("{:#}", Backtrace::force_capture());
+    own_frame(&trace).map_or(said, str::to_owned)
 }
 
 /// What to say where a rank calls one of MPI's methods that the root calls alone, or, being the root, one of those

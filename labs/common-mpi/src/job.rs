@@ -1,7 +1,7 @@
 //! A job: all ranks from their start to their end.
 
-use std::backtrace::Backtrace;
-use std::panic;
+use std::backtrace::{Backtrace, BacktraceStatus};
+use std::panic::{self, PanicHookInfo};
 use std::process::ExitCode;
 use std::{env, thread};
 
@@ -103,21 +103,31 @@ fn library() -> String {
 fn end_job_on_panic(world: &SimpleCommunicator) {
     let rank = world.rank();
     let main = thread::current().id();
-    let print = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
         let of_mpi = info.location().filter(|at| at.file().ends_with("collective.rs"));
         let words = of_mpi
             .and_then(|_| calls::wrong_side(rank, &info.to_string(), &Backtrace::force_capture()));
-        if let Some(words) = words {
-            eprintln!("{words}");
-        } else {
-            eprint!("rank {rank}: ");
-            print(info);
-        }
+        // In one piece, since several ranks may panic at once.
+        let words = words.unwrap_or_else(|| words_of_panic(rank, info)) + "\n";
+        eprint!("{words}");
         if thread::current().id() == main {
             SimpleCommunicator::world().abort(PANICKED);
         }
         // A worker thread must not call MPI; the launcher ends the job of a rank that dies.
         std::process::abort();
     }));
+}
+
+/// The rank, and what a panic prints in a program without ranks.
+fn words_of_panic(rank: i32, info: &PanicHookInfo<'_>) -> String {
+    let thread = thread::current();
+    let name = thread.name().unwrap_or("without a name");
+    let at = calls::panicked_at(info);
+    let payload = info.payload_as_str().unwrap_or("no reason is given");
+    let trace = Backtrace::capture();
+    let trace = match trace.status() {
+        BacktraceStatus::Captured => format!("\nstack backtrace:\n{trace}"),
+        _ => String::new(),
+    };
+    format!("rank {rank}:\nthread '{name}' panicked at {at}:\n{payload}{trace}")
 }

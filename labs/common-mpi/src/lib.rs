@@ -22,7 +22,7 @@ mod report;
 mod watch;
 mod wire;
 
-pub use calls::calls_made;
+pub use calls::{calls_made, note};
 pub use clock::{Clock, Partners};
 pub use job::{as_rank, drive, drive_hard, world};
 pub use parts::{by_rank, displacements, split, total};

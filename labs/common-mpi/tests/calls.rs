@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use common_mpi::{as_rank, calls_made, together};
+use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::Job;
@@ -56,6 +57,22 @@ fn one_gathers() {
         } else {
             root.broadcast_into(&mut 0);
         }
+    });
+}
+
+#[test]
+fn different_reductions_are_different_calls() {
+    let words = ["rank 1: MPI_Allreduce of a maximum (", "ranks 0, 2: MPI_Allreduce of a sum ("];
+    assert_said("one_takes_the_maximum", &words);
+}
+
+#[test]
+#[ignore = "a part of different_reductions_are_different_calls"]
+fn one_takes_the_maximum() {
+    program(|world| {
+        let maximum = world.rank() == 1;
+        let by = if maximum { SystemOperation::max() } else { SystemOperation::sum() };
+        world.all_reduce_into(&1, &mut 0, by);
     });
 }
 
@@ -129,7 +146,7 @@ fn all_call_as_the_root() {
 #[ignore = "a part of the_roots_methods_are_the_roots"]
 fn the_root_calls_as_others() {
     program(|world| {
-        world.process_at_rank(0).reduce_into(&1, mpi::collective::SystemOperation::sum());
+        world.process_at_rank(0).reduce_into(&1, SystemOperation::sum());
     });
 }
 

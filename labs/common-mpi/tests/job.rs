@@ -54,8 +54,23 @@ fn a_panic_on_one_rank_ends_the_others() {
     let ended = play("one_rank_panics", 3);
     assert!(!ended.status.success());
     assert!(ended.took < SOON, "took {:?}", ended.took);
-    assert!(ended.stderr.contains("rank 1: "), "{}", ended.stderr);
+    assert!(ended.stderr.contains("rank 1:\nthread '"), "{}", ended.stderr);
     assert!(ended.stderr.contains("lost its way"), "{}", ended.stderr);
+}
+
+#[test]
+fn a_panic_in_the_library_names_its_caller() {
+    let said = play("a_rank_unwraps_nothing", 1).stderr;
+    assert!(said.contains(" panicked at tests/job.rs:"), "{said}");
+}
+
+#[test]
+#[ignore = "a part of a_panic_in_the_library_names_its_caller"]
+fn a_rank_unwraps_nothing() {
+    on_ranks(|_| {
+        let none: [Option<ExitCode>; 1] = [None];
+        none.map(Option::unwrap)[0]
+    });
 }
 
 #[test]
@@ -91,6 +106,7 @@ fn one_rank_fails() {
 fn a_hang_names_its_task_and_where_each_rank_is() {
     let said = words_of_a_hang();
     assert!(said.contains("task 0.1: 2 ranks gave no answer within 2 s"), "{said}");
+    assert!(said.contains("some rank waits for a call that another rank does not make"), "{said}");
     assert!(said.contains("rank 0 is in its receive, in MPI_"), "{said}");
     assert!(said.contains("rank 1 is in its receive, in MPI_"), "{said}");
     let start = Instant::now();

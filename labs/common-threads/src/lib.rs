@@ -5,10 +5,11 @@
 //!
 //! - [`Word`]: an atomic number. A test can have [another thread's operation](Word::interrupted) happen between a load
 //!   and the exchange that relies on it.
-//! - [`Atomic`]: an atomic number whose operations have an ordering, and [`Memory`], in which a test sees every
-//!   reading that the orderings allow.
+//! - [`Atomic`]: an atomic number whose operations have an ordering, [`fence`], and [`Memory`], in which a test sees
+//!   every reading that the orderings allow.
 //! - [`Lock`]: a mutex with a number, of which a [`Watch`] is told all that happens.
 //! - [`LockOrder`]: a watch that finds a deadlock before it happens, from the order in which locks are taken.
+//! - [`Stopwatch`]: a clock that counts how often it is started.
 //!
 //! # Example
 //!
@@ -30,13 +31,17 @@
 //! a thread that reads and waits or writes. Nothing else here fails.
 
 mod atomic;
+mod fence;
 mod lock;
 mod lock_order;
 mod memory;
+mod stopwatch;
 mod word;
 
 pub use atomic::Atomic;
+pub use fence::fence;
 pub use lock::{Guard, Lock, Watch};
 pub use lock_order::LockOrder;
 pub use memory::Memory;
+pub use stopwatch::Stopwatch;
 pub use word::Word;

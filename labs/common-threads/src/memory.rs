@@ -5,13 +5,15 @@ use std::sync::atomic::Ordering;
 
 use parking_lot::Mutex;
 
+use crate::fence::take_passed;
+
 /// The memory of one thread that writes and one that reads, as the language promises it and no better.
 ///
 /// A processor such as those of the x86 family keeps more order than that, so that on it a wrong ordering does no harm for
 /// years. Here every reading that the orderings allow happens, one after the other: a location has all numbers that were
 /// ever written there, and a load takes any of them that is not older than one that its thread knows of. A store of
-/// [`Ordering::Release`] hands on what its thread knows, and a load of [`Ordering::Acquire`] takes it over. Fences are
-/// not modelled.
+/// [`Ordering::Release`] hands on what its thread knows, and a load of [`Ordering::Acquire`] takes it over. A
+/// [`fence`](crate::fence) does the same for the relaxed stores behind it and the relaxed loads before it.
 #[derive(Default)]
 pub struct Memory(Mutex<State>);
 
@@ -20,6 +22,10 @@ struct State {
     locations: Vec<Location>,
     /// Of each location the newest message that the thread knows of: it reads none before that.
     known: Vec<usize>,
+    /// What the thread knew at its last fence of release; empty if there was none.
+    released: Vec<usize>,
+    /// What the thread knows after its next fence of acquire.
+    handed: Vec<usize>,
     /// Whether it is the thread that reads.
     reads: bool,
     /// Which of the messages that it may each load takes, and of how many.
@@ -48,6 +54,7 @@ impl Memory {
         let messages = vec![Message { bits, known: Vec::new() }];
         state.locations.push(Location { name, messages });
         state.known.push(0);
+        state.handed.push(0);
         state.locations.len() - 1
     }
 
@@ -64,10 +71,13 @@ impl Memory {
         loop {
             {
                 let state = &mut *self.0.lock();
+                // A fence behind the last operation orders nothing.
+                take_passed();
                 state.reads = true;
                 state.loads = 0;
                 state.told.clone_from(&written);
                 state.known.fill(0);
+                state.handed.fill(0);
             }
             let came = read();
             let state = &mut *self.0.lock();
@@ -83,11 +93,12 @@ impl Memory {
 
     pub(crate) fn store(&self, location: usize, bits: u64, ordering: Ordering) {
         let state = &mut *self.0.lock();
+        state.pass_fences();
         assert!(!state.reads, "the thread that reads writes {}", state.locations[location].name);
         let messages = &state.locations[location].messages;
         state.known[location] = messages.len();
         let known = match ordering {
-            Ordering::Relaxed => Vec::new(),
+            Ordering::Relaxed => state.released.clone(),
             _ => state.known.clone(),
         };
         state.locations[location].messages.push(Message { bits, known });
@@ -97,6 +108,7 @@ impl Memory {
 
     pub(crate) fn load(&self, location: usize, ordering: Ordering) -> u64 {
         let state = &mut *self.0.lock();
+        state.pass_fences();
         let oldest = state.known[location];
         let newest = state.locations[location].messages.len() - 1;
         if !state.reads {
@@ -113,24 +125,46 @@ impl Memory {
         let when = if taken == 0 { "as it was before" } else { "as it was written" };
         let _ = writeln!(state.told, "  the other one reads  {name}, {ordering:?}: {when}");
         state.known[location] = taken;
+        learn(&mut state.handed, &messages[taken].known);
         if ordering != Ordering::Relaxed {
-            for (known, handed) in state.known.iter_mut().zip(&messages[taken].known) {
-                *known = (*known).max(*handed);
-            }
+            learn(&mut state.known, &messages[taken].known);
         }
         messages[taken].bits
+    }
+}
+
+impl State {
+    /// Does what the fences do that the thread has passed since its last load or store.
+    fn pass_fences(&mut self) {
+        let passed = take_passed();
+        let who = if self.reads { "the other one" } else { "one thread   " };
+        if passed.acquire {
+            learn(&mut self.known, &self.handed);
+            let _ = writeln!(self.told, "  {who} passes a fence, Acquire");
+        }
+        if passed.release {
+            self.released.clone_from(&self.known);
+            let _ = writeln!(self.told, "  {who} passes a fence, Release");
+        }
+    }
+}
+
+/// Takes over what is newer, of each location.
+fn learn(known: &mut [usize], newer: &[usize]) {
+    for (known, newer) in known.iter_mut().zip(newer) {
+        *known = (*known).max(*newer);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
-    use std::sync::atomic::Ordering::{Acquire, Relaxed, Release, SeqCst};
+    use std::sync::atomic::Ordering::{self, Acquire, Relaxed, Release, SeqCst};
 
-    use crate::{Atomic, Memory};
+    use crate::{Atomic, Memory, fence};
 
     /// What a thread may read of a number and a flag, in that order, each 0 before and 1 after.
-    fn seen(raise: [std::sync::atomic::Ordering; 2], flag_first: bool) -> Vec<[u64; 2]> {
+    fn seen(raise: [Ordering; 2], flag_first: bool) -> Vec<[u64; 2]> {
         let memory = Arc::new(Memory::default());
         let [number, flag] = ["number", "flag"].map(|name| Atomic::watched(0, &memory, name));
         let write = || {
@@ -163,6 +197,37 @@ mod tests {
     fn with_one_of_both_alone_anything_is_seen() {
         for half in [[Relaxed, Acquire], [Release, Relaxed], [Relaxed, Relaxed]] {
             assert_eq!(seen(half, false), [[0, 0], [0, 1], [1, 0], [1, 1]]);
+        }
+    }
+
+    /// What a thread may read of a number and of a flag that is stored relaxed, with a fence on either side.
+    fn seen_with_fences(fences: [Ordering; 2], load: Ordering) -> Vec<[u64; 2]> {
+        let memory = Arc::new(Memory::default());
+        let [number, flag] = ["number", "flag"].map(|name| Atomic::watched(0, &memory, name));
+        let write = || {
+            number.store(1, Relaxed);
+            fence(fences[0]);
+            flag.store(1, Relaxed);
+        };
+        let readings = memory.readings(write, || {
+            let flag = flag.load(load);
+            fence(fences[1]);
+            [number.load(Relaxed), flag]
+        });
+        let mut seen: Vec<_> = readings.into_iter().map(|(seen, _)| seen).collect();
+        seen.sort_unstable();
+        seen
+    }
+
+    #[test]
+    fn fences_order_relaxed_operations() {
+        for both in [[Release, Acquire], [SeqCst, SeqCst]] {
+            for load in [Relaxed, Acquire] {
+                assert_eq!(seen_with_fences(both, load), [[0, 0], [1, 0], [1, 1]]);
+            }
+        }
+        for wrong in [[Acquire, Acquire], [Release, Release]] {
+            assert_eq!(seen_with_fences(wrong, Relaxed), [[0, 0], [0, 1], [1, 0], [1, 1]]);
         }
     }
 

@@ -1,4 +1,6 @@
-//! When a rank computes, communicates and waits: the lines of `--events FILE`.
+//! Events of ranks: the times at which a rank computes, communicates or waits.
+//!
+//! They are the lines of `--events FILE`.
 
 use std::fmt;
 use std::str::FromStr;
@@ -8,39 +10,40 @@ use thiserror::Error;
 /// An activity of a rank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Activity {
-    /// It works by itself.
+    /// The rank computes alone.
     Compute,
-    /// It is in a call of other ranks, and its partners are in the same call.
+    /// The rank is in a call that involves other ranks, and its partners are in the same call.
     Communicate,
-    /// It is in a call of other ranks, and one of its partners has not come to this call.
+    /// The rank is in a call that involves other ranks, and one of its partners has not entered the
+    /// call yet.
     Wait,
 }
 
-/// A stretch of time in which a rank does one thing.
+/// A period in which a rank has one activity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
-    /// Which rank.
+    /// Number of the rank.
     pub rank: u32,
-    /// In which step, counted from 0.
+    /// Number of the step, counted from 0.
     pub step: u32,
     /// The activity.
     pub activity: Activity,
-    /// Seconds from the start of the run to its begin.
+    /// Start of the period, in seconds from the start of the run.
     pub begin: f64,
-    /// Seconds from the start of the run to its end.
+    /// End of the period, in seconds from the start of the run.
     pub end: f64,
 }
 
-/// A line that is no event.
+/// An error for a line that is not an event.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[error("expected 'rank step activity begin end', found '{0}'")]
 pub struct EventError(String);
 
 impl Activity {
-    /// All of them.
+    /// All activities.
     pub const ALL: [Self; 3] = [Self::Compute, Self::Communicate, Self::Wait];
 
-    /// Its name in a file.
+    /// Returns the activity's name in a file.
     pub fn name(self) -> &'static str {
         match self {
             Self::Compute => "compute",
@@ -50,7 +53,7 @@ impl Activity {
     }
 }
 
-/// The line of a file: rank, step, activity, begin and end, with nanoseconds.
+/// Writes the line of a file: rank, step, activity, begin and end, with nanoseconds.
 impl fmt::Display for Event {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { rank, step, activity, begin, end } = self;
@@ -67,7 +70,7 @@ impl FromStr for Event {
 }
 
 impl Event {
-    /// Reads a line; `None` if it is not an event.
+    /// Reads a line; `None` if the line is not an event.
     fn read(line: &str) -> Option<Self> {
         let [rank, step, name, begin, end] = line.split(' ').collect::<Vec<_>>()[..] else {
             return None;

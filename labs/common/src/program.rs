@@ -1,5 +1,4 @@
-//! The common part of all labs' programs: the choice of a variant, its
-//! configuration, the one line of complaint, the progress bar.
+//! The common part of all labs' programs: options, the error line, the progress bar, and JSON.
 
 use std::io::{self, IsTerminal, Write};
 use std::panic;
@@ -14,10 +13,10 @@ use serde_json::{Map, Value, json};
 
 use crate::{Config, Event, Variant, write_whole};
 
-/// How long a rank leaves it to the root to complain.
+/// Time that a rank waits for the root to report an error for all ranks.
 const GRACE: Duration = Duration::from_secs(1);
 
-/// One clear line for the user.
+/// An error message for the user, in one line.
 pub(crate) type Complaint = String;
 
 /// The options of every lab.
@@ -29,7 +28,7 @@ pub(crate) struct Choice {
     /// Number of threads [default: one per core]
     #[arg(short, value_name = "THREADS", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
-    /// Which program of this lab to run [default: the first]
+    /// Name of the program of this lab to run [default: the first]
     #[arg(long, value_name = "NAME")]
     pub(crate) variant: Option<String>,
     /// List this lab's programs and their parameters
@@ -38,7 +37,7 @@ pub(crate) struct Choice {
     /// Adjust a parameter of the variant
     #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
     pub(crate) param: Vec<(String, f64)>,
-    /// Write what each rank does when, in seconds: lines 'rank step activity begin end'
+    /// Write the activities of each rank, in seconds: lines 'rank step activity begin end'
     #[arg(long, value_name = "FILE")]
     pub(crate) events: Option<PathBuf>,
     /// Print the results, or the list, as one line of JSON
@@ -46,9 +45,11 @@ pub(crate) struct Choice {
     pub(crate) json: bool,
 }
 
-/// Parses the command line and runs the program. Of several processes with the same command line,
-/// only the `root` prints. What went wrong for all is the root's
-/// to say; another rank speaks only if the job has not ended [`GRACE`] later.
+/// Parses the command line and runs the program.
+///
+/// Of several processes with the same command line, only the `root` prints. The root reports an
+/// error that all processes have; another process prints its error only if the job has not ended
+/// after [`GRACE`].
 pub(crate) fn run<O: Parser>(
     root: bool,
     program: impl FnOnce(&O) -> Result<(), Complaint>,
@@ -74,7 +75,7 @@ pub(crate) fn run<O: Parser>(
     }
 }
 
-/// A task that is still to be done ends the program with one line.
+/// Makes a task that is not done yet end the program with one line instead of a panic message.
 fn tell_of_tasks() {
     let usual = panic::take_hook();
     panic::set_hook(Box::new(move |panic| match (panic.payload_as_str(), panic.location()) {
@@ -96,7 +97,7 @@ fn complain(root: bool, line: &str, code: u8) -> ExitCode {
 }
 
 impl Choice {
-    /// The variant that was asked for, or the first.
+    /// Returns the variant that the user chose, or the first one.
     pub(crate) fn variant<'v, S: ?Sized>(
         &self,
         variants: &'v [Variant<S>],
@@ -110,7 +111,7 @@ impl Choice {
         })
     }
 
-    /// The arguments.
+    /// Returns the configuration that the user chose for a variant.
     pub(crate) fn config<S: ?Sized>(&self, variant: &Variant<S>) -> Result<Config, Complaint> {
         let threads = match self.threads {
             Some(threads) => threads.into(),
@@ -124,7 +125,7 @@ impl Choice {
         Ok(config)
     }
 
-    /// Writes the events that were asked for, on the root.
+    /// Writes the events to the user's file, on the root, if the user has named a file.
     pub(crate) fn write_events(
         &self,
         variant: &str,
@@ -158,7 +159,7 @@ pub(crate) fn list<S: ?Sized>(variants: &[Variant<S>], json: bool) -> Result<(),
     say(&text)
 }
 
-/// A variant and its parameters as JSON.
+/// Returns a variant and its parameters as JSON.
 fn as_json<S: ?Sized>(variant: &Variant<S>) -> Value {
     let parameters = variant.parameters.iter().map(|parameter| {
         json!({
@@ -172,7 +173,7 @@ fn as_json<S: ?Sized>(variant: &Variant<S>) -> Value {
     })
 }
 
-/// Prints a text.
+/// Prints a text to standard output.
 pub(crate) fn say(text: &str) -> Result<(), Complaint> {
     say_to(io::stdout().lock(), text)
 }
@@ -181,8 +182,9 @@ fn say_to(mut out: impl Write, text: &str) -> Result<(), Complaint> {
     none_if_closed(out.write_all(text.as_bytes()).and_then(|()| out.flush())).map(drop)
 }
 
-/// What writing to standard output brought. A reader that has closed it, such as `head`, is no error:
-/// then it brought nothing.
+/// Converts the result of writing to standard output.
+///
+/// Returns `None` if the reader has closed it, as `head` does; that is not an error.
 pub(crate) fn none_if_closed<T>(written: io::Result<T>) -> Result<Option<T>, Complaint> {
     match written {
         Ok(result) => Ok(Some(result)),
@@ -191,7 +193,7 @@ pub(crate) fn none_if_closed<T>(written: io::Result<T>) -> Result<Option<T>, Com
     }
 }
 
-/// The bar of a run of `steps` steps, hidden where no terminal shows it.
+/// Returns the progress bar of a run of `steps` steps. It is hidden if there is no terminal.
 pub(crate) fn progress(root: bool, steps: u64) -> ProgressBar {
     if !root || !io::stderr().is_terminal() {
         return ProgressBar::hidden();
@@ -201,7 +203,7 @@ pub(crate) fn progress(root: bool, steps: u64) -> ProgressBar {
     ProgressBar::new(steps).with_style(style)
 }
 
-/// A variant's counters as a JSON object.
+/// Returns a variant's counters as a JSON object.
 pub(crate) fn counters_as_json(counters: Vec<(&'static str, f64)>) -> Map<String, Value> {
     counters.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect()
 }

@@ -1,11 +1,12 @@
-//! Memory that is asked for before it is used.
+//! Memory that is tested before it is used.
 
 use std::fs;
 
-/// An empty list with room for `count` values; none if the machine has no memory for them.
+/// Returns an empty list with room for `count` values, or `None` if the machine has too little
+/// memory.
 ///
-/// Linux lends more memory than there is, and ends a program that uses it. So what
-/// is available is looked up where the system tells, and the allocation is asked anyway.
+/// Linux grants more memory than there is, and kills a program that uses it. So this function first
+/// reads the available memory, on systems that report it, and then tries the allocation.
 pub(crate) fn room_for<T>(count: usize) -> Option<Vec<T>> {
     let bytes = (count as u64).checked_mul(size_of::<T>() as u64)?;
     if available().is_some_and(|available| bytes > available) {
@@ -16,12 +17,12 @@ pub(crate) fn room_for<T>(count: usize) -> Option<Vec<T>> {
     Some(list)
 }
 
-/// Bytes of memory that a program may still use, where the system tells.
+/// Returns the bytes of memory that a program may still use, on systems that report them.
 fn available() -> Option<u64> {
     kibibytes(&fs::read_to_string("/proc/meminfo").ok()?)?.checked_mul(1024)
 }
 
-/// The kB in the line of /proc/meminfo that tells the available memory.
+/// Returns the kibibytes in the line of /proc/meminfo with the available memory.
 fn kibibytes(meminfo: &str) -> Option<u64> {
     let line = meminfo.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
     line.trim().strip_suffix("kB")?.trim().parse().ok()

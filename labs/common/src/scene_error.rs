@@ -1,30 +1,32 @@
-//! What scenes of particles and of discs are checked for alike.
+//! Checks that scenes of particles and scenes of discs have in common, and their errors.
 
 use std::ops::RangeInclusive;
 
 use thiserror::Error;
 
-/// Why numbers make no scene. A text is `particle` or `disc`, whichever the scene has.
+/// The reason why numbers do not make a valid scene. Some variants contain the word `particle` or
+/// `disc`.
 #[derive(Debug, Error, PartialEq)]
 pub enum SceneError {
-    /// Nothing in it.
+    /// The scene is empty.
     #[error("a scene needs at least one {0}")]
     Empty(&'static str),
-    /// More than there are numbers for them.
+    /// The scene has more particles or discs than there are numbers for them.
     #[error("a scene holds at most {MOST} {0}s, not {1}")]
     TooMany(&'static str, u64),
-    /// The machine has too little memory for them.
+    /// The machine has too little memory for the particles or discs.
     #[error("not enough memory for {1} {0}s")]
     Memory(&'static str, u64),
-    /// The generator's seed 0 means «random» in the original program, a run that cannot be repeated.
+    /// The seed is 0. In the original program, seed 0 means «random», a run that cannot be
+    /// repeated.
     #[error("seed 0 is refused: a run must be repeatable, so choose 1 or more")]
     SeedZero,
-    /// A length that is no positive finite number.
+    /// A length is not positive and finite.
     #[error("{name} must be positive and finite, not {value}")]
     Length {
-        /// Which: `the radius r`.
+        /// The name of the length, such as `the radius r`.
         name: &'static str,
-        /// Its value.
+        /// The value of the length.
         value: f64,
     },
     /// A single disc does not fit into the square.
@@ -35,31 +37,31 @@ pub enum SceneError {
         /// The side.
         side: f64,
     },
-    /// A coordinate or velocity is infinite or no number.
+    /// A coordinate or velocity is infinite or NaN.
     #[error("{what} {number}: {field} is {value}, not a finite number")]
     NotFinite {
         /// `particle` or `disc`.
         what: &'static str,
-        /// Its number.
+        /// The number of the particle or disc.
         number: usize,
         /// `x`, `y`, `vx` or `vy`.
         field: &'static str,
-        /// Its value.
+        /// The value of the field.
         value: f64,
     },
-    /// A particle outside the box.
+    /// A particle is outside the box.
     #[error("particle {number}: {field} = {value} lies outside the box, 0 to {size}")]
     OutsideBox {
         /// The particle's number.
         number: usize,
         /// `x` or `y`.
         field: &'static str,
-        /// Its value.
+        /// The value of the field.
         value: f64,
         /// Side of the box.
         size: f64,
     },
-    /// A disc that reaches beyond a wall.
+    /// A disc reaches beyond a wall.
     #[error(
         "disc {number}: {field} = {value} lies outside {least} to {most}, so it reaches beyond a wall"
     )]
@@ -68,7 +70,7 @@ pub enum SceneError {
         number: usize,
         /// `x` or `y`.
         field: &'static str,
-        /// Its value.
+        /// The value of the field.
         value: f64,
         /// The least value, r.
         least: f64,
@@ -77,7 +79,8 @@ pub enum SceneError {
     },
 }
 
-/// The most particles or discs of a scene: ids are the original program's 32-bit integers.
+/// The greatest number of particles or discs in a scene. Ids are the original program's 32-bit
+/// integers.
 pub(crate) const MOST: usize = i32::MAX as usize;
 
 pub(crate) fn check_count(what: &'static str, n: u64) -> Result<usize, SceneError> {
@@ -92,8 +95,9 @@ pub(crate) fn check_length(name: &'static str, value: f64) -> Result<(), SceneEr
     if value.is_finite() && value > 0.0 { Ok(()) } else { Err(SceneError::Length { name, value }) }
 }
 
-/// Checks that x, y, vx and vy of a `what` are finite, and that x and y are in `inside`; `outside` says of what field
-/// and value they are not.
+/// Checks that x, y, vx and vy of a `what` are finite, and that x and y are in `inside`.
+///
+/// If x or y is not in `inside`, the error is `outside(field, value)`.
 pub(crate) fn check_body(
     what: &'static str,
     number: usize,

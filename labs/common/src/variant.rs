@@ -1,21 +1,21 @@
-//! How a lab names its programs.
+//! Variants: the programs of a lab.
 //!
-//! A lab is a list of variants: `pub static VARIANTS: &[Variant<dyn Simulation>]`. The driver
-//! runs one by name, the graders run all of them, the benchmarks time them side by side.
+//! A lab is a list of variants: `pub static VARIANTS: &[Variant<dyn Simulation>]`. The driver runs
+//! a variant by its name, the graders run all of them, and the benchmarks time them in turns.
 
 use thiserror::Error;
 
-/// One way to simulate a model `S`: a row of a lab's list, of its tests and of its timings.
+/// A program that simulates a model `S`: an entry in a lab's list, in its tests and in its timings.
 pub struct Variant<S: ?Sized> {
     /// The name on the command line, such as `region-locks`.
     pub name: &'static str,
-    /// One line for `--list-variants`.
+    /// Description in one line for `--list-variants`.
     pub about: &'static str,
-    /// What its results may be compared with.
+    /// The results that this variant's results may be compared with.
     pub reproducibility: Reproducibility,
-    /// What `--param NAME=VALUE` can adjust.
+    /// The parameters that `--param NAME=VALUE` can set.
     pub parameters: &'static [Parameter],
-    /// Makes the engine. It holds no scene yet and can be loaded again and again.
+    /// Makes the engine, which has no scene yet and can be loaded any number of times.
     pub build: fn(&Config) -> Result<Box<S>, BuildError>,
 }
 
@@ -24,14 +24,14 @@ pub struct Variant<S: ?Sized> {
 pub enum Reproducibility {
     /// The same bits as the naive program, on any scene and any number of workers.
     Bitwise,
-    /// The same bits in every run and with any number of workers, but pairs are summed in an
-    /// order of its own, so that the last digits differ from the naive program's.
+    /// The same bits in every run and with any number of workers. Pairs are summed in a different
+    /// order than in the naive program, so the last digits differ from its results.
     Deterministic,
-    /// The right forces up to rounding; two runs may differ in the last digits.
+    /// The right forces up to rounding. Two runs may differ in the last digits.
     Tolerance,
 }
 
-/// A number that a variant lets its user choose.
+/// A number that the user of a variant can choose.
 pub struct Parameter {
     /// The name in `--param NAME=VALUE`.
     pub name: &'static str,
@@ -39,41 +39,42 @@ pub struct Parameter {
     pub about: &'static str,
     /// The value if it is not set.
     pub default: f64,
-    /// The least and the greatest value that make sense.
+    /// The least and the greatest allowed value.
     pub range: (f64, f64),
 }
 
 impl Parameter {
-    /// A parameter that is 1 for yes and 0 for no.
+    /// Makes a parameter that is 1 for yes and 0 for no.
     pub const fn switch(name: &'static str, about: &'static str, default: bool) -> Self {
         Self { name, about, default: if default { 1.0 } else { 0.0 }, range: (0.0, 1.0) }
     }
 }
 
-/// The settings that a user gave to a variant.
+/// The settings of a variant that the user chose.
 #[derive(Clone, Debug)]
 pub struct Config {
-    /// How many threads may work (a serial variant uses one all the same).
+    /// Number of threads that may work. A serial variant uses one thread whatever this number is.
     pub threads: usize,
-    /// Whether [`statistics`](crate::soft::Simulation::statistics) will be asked for. Collecting
-    /// costs time, which a run without statistics does not pay.
+    /// Whether [`statistics`](crate::soft::Simulation::statistics) will be called.
+    ///
+    /// Collecting statistics costs time, which a run without statistics does not pay.
     pub statistics: bool,
-    /// Whether the [`Event`](crate::Event)s of the ranks will be asked for.
+    /// Whether the [`Event`](crate::Event)s of the ranks will be read.
     pub events: bool,
     parameters: Vec<(&'static str, f64)>,
 }
 
-/// A parameter that a variant does not have, or a value outside its range.
+/// An error for a parameter that a variant does not have, or for a value outside its range.
 #[derive(Debug, Error, PartialEq)]
 #[error("{0}")]
 pub struct ParameterError(String);
 
-/// Why an engine could not be made on this machine, such as a missing graphics adapter.
+/// The reason why an engine could not be made on this machine, such as a missing graphics adapter.
 #[derive(Debug, Error, PartialEq)]
 #[error("{0}")]
 pub struct BuildError(pub String);
 
-/// A variant with the bits of the naive program.
+/// Makes a variant with the bits of the naive program.
 pub const fn bitwise<S: ?Sized>(
     name: &'static str,
     about: &'static str,
@@ -83,7 +84,7 @@ pub const fn bitwise<S: ?Sized>(
     Variant { name, about, reproducibility: Reproducibility::Bitwise, parameters, build }
 }
 
-/// A variant that gives the same bits in every run, and last digits of its own.
+/// Makes a variant with the same bits in every run, but not those of the naive program.
 pub const fn deterministic<S: ?Sized>(
     name: &'static str,
     about: &'static str,
@@ -94,7 +95,8 @@ pub const fn deterministic<S: ?Sized>(
 }
 
 impl<S: ?Sized> Variant<S> {
-    /// One thread, no statistics, every parameter at its default.
+    /// Returns a configuration with one thread, without statistics, and with every parameter at its
+    /// default.
     pub fn config(&self) -> Config {
         Config {
             threads: 1,
@@ -132,17 +134,17 @@ impl<S: ?Sized> Variant<S> {
 }
 
 impl Config {
-    /// The same with another number of threads.
+    /// Changes the number of threads.
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
         self.threads = threads;
         self
     }
 
-    /// The value of a parameter that the variant declares.
+    /// Returns the value of a parameter that the variant declares.
     ///
     /// # Panics
-    /// The variant does not declare it: a mistake in the lab, not in its input.
+    /// The variant does not declare the parameter. This is a mistake in the lab, not in its input.
     pub fn parameter(&self, name: &str) -> f64 {
         let known = self.parameters.iter().find(|(known, _)| *known == name);
         known.unwrap_or_else(|| panic!("this variant declares no parameter '{name}'")).1

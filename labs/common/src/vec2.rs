@@ -16,25 +16,25 @@ impl Vec2 {
     /// The vector of length zero.
     pub const ZERO: Self = Self::new(0.0, 0.0);
 
-    /// The vector (x, y).
+    /// Returns the vector (x, y).
     #[inline]
     pub const fn new(x: f64, y: f64) -> Self {
         Self { x, y }
     }
 
-    /// The scalar product x x' + y y'.
+    /// Returns the scalar product x x' + y y'.
     #[inline]
     pub fn dot(self, other: Self) -> f64 {
         self.x * other.x + self.y * other.y
     }
 
-    /// The z component of the vector product, x y' − y x'.
+    /// Returns the z component of the vector product, x y' − y x'.
     #[inline]
     pub fn cross(self, other: Self) -> f64 {
         self.x * other.y - self.y * other.x
     }
 
-    /// The squared length x² + y².
+    /// Returns the squared length x² + y².
     #[inline]
     pub fn norm_squared(self) -> f64 {
         self.dot(self)

@@ -1,4 +1,4 @@
-//! Files that are written whole or not at all.
+//! Writes files completely or not at all.
 
 use std::ffi::OsString;
 use std::fs::{self, File};
@@ -11,13 +11,12 @@ use std::path::Path;
 use rustix::fs::{AtFlags, CWD, Mode, OFlags, linkat};
 use tempfile::Builder;
 
-/// Writes a file through `fill`. The file appears under its name only once it is complete; after
-/// an error an older file of that name is still there, untouched.
+/// Writes a file through `fill`, so that an incomplete file never appears under its name.
 ///
-/// Until then it has no name where the system can do that (Linux), so that a program which is killed leaves nothing
-/// behind. Elsewhere it is a hidden file beside its place.
-///
-/// A path that is no regular file, such as `/dev/stdout`, is written to directly.
+/// On Linux the file has no name until it is complete, so a program that is killed leaves nothing
+/// behind. On other systems it is a hidden file in the same folder until then. After an error, an
+/// older file of that name is unchanged. A path that is not a regular file, such as `/dev/stdout`,
+/// is written to directly.
 ///
 /// # Errors
 /// The folder or file cannot be written, or `fill` failed.

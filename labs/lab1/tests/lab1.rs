@@ -26,24 +26,27 @@ oracle::questions! {
                     there.",
         velocity_first => "A particle with the acceleration a: the velocity changes first, and the position follows with \
                            the new velocity.",
+        far_outside => "A particle that would fly so far that reflections one by one do not come to an end: where it ends, \
+                        and its velocity there.",
     }
     task_1_3 {
-        step_table => "Three particles before a step and after it, in a box of ten cutoffs: particles 0 and 1 are half a \
-                       cutoff apart, particle 2 is alone.",
-        steps after "1.1, 1.2" => "A step of any number of particles: x, y, vx, vy of each, and the number of pairs that \
-                                   the observer was told of.",
-        at_the_cutoff => "Two particles exactly a cutoff from a third: how many pairs within the cutoff the observer was \
-                          told of.",
+        step_table after "1.1, 1.2" => "Three particles before a step and after it, in a box of ten cutoffs: particles 0 \
+                                        and 1 are half a cutoff apart, particle 2 is alone.",
+        looks => "A step of any number of particles: how many pairs the observer was told of.",
+        steps after "1.1, 1.2" => "A step of any number of particles: x, y, vx, vy of each.",
+        at_the_cutoff after "1.1" => "Two particles exactly a cutoff from a third: how many pairs within the cutoff the \
+                                      observer was told of.",
         dense_box after "1.1, 1.2" = |_, ask| all_pairs("1.3").resynchronised(ask, &scenes::dense(), 20)
             => "150 particles in a dense box: each of 20 steps, from where the program itself was before the step.",
-        over_the_edges after "1.1, 1.2" = |_, ask| all_pairs("1.3").resynchronised_on_each(ask, scenes::edges(), 1)
-            => "Pairs at 0.9995 cutoffs, in every direction: one step.",
         one_position after "1.1, 1.2" = |_, ask| all_pairs("1.3").resynchronised(ask, &scenes::close_pairs(), 5)
             => "Pairs at 0, 0.003 and 0.005 cutoffs, and particles on walls: each of 5 steps.",
         fast after "1.1, 1.2" => "Particles so fast that a step takes them through the box several times: each of 20 steps.",
         crowds after "1.1, 1.2" = |_, ask| all_pairs("1.3").forces(ask)
             => "Crowds at rest: the acceleration of each particle, and all of them together, which must cancel.",
         bits after "1.1, 1.2" => "Dense boxes: the bits of sums in ascending order of the neighbours.",
+        over_the_edges after "1.1, 1.2" = |_, ask| all_pairs("1.3").resynchronised_on_each(ask, scenes::edges(), 1)
+            => "Pairs at 0.9995 cutoffs, in every direction: one step.",
+        many_particles after "1.1, 1.2" => "A step of 4,097 particles: x, y, vx, vy of each.",
         memory = |_, ask| all_pairs("1.3").keeps_its_memory(ask)
             => "A long run: the memory that it holds does not grow with the number of steps.",
         official_run after "1.1, 1.2" = |_, ask| all_pairs("1.3").resynchronised(ask, &scenes::official(), 1000)

@@ -59,7 +59,7 @@ impl VecBins {
         todo!("task 2.3: a particle goes into its bin")
     }
 
-    /// Empties all bins and puts `particles` into them.
+    /// Empties all bins and puts `particles` into them. Each bin keeps its memory.
     ///
     /// Book: chapter 2, *Rebuild*.
     pub fn refill(&mut self, particles: &[Particle]) {

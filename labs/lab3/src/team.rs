@@ -156,8 +156,8 @@ pub enum Part {
     Arrivals,
 }
 
-/// Adds the particles posted to member `number`, by all members in their order, to its `bins`, and
-/// sorts them.
+/// Adds the particles posted to member `number`, by all members in their order, to its `bins`, and then
+/// sorts them once.
 ///
 /// `mail[from][number]` must be empty afterwards for every sender: what is left would arrive
 /// twice. No member posts while this runs, so no lock is waited for.

@@ -38,8 +38,8 @@ impl<O: Observer> Worker<O> {
     /// [`seen`](Self::seen) with one new observer for each row, in the order of rows.
     ///
     /// `bins` are those of the whole box: neighbours may lie in rows of other workers, which only
-    /// read them now. [`Gather::acceleration`] with [`VecBins::around`] does the sum of one
-    /// particle. The two lists still hold those of the step before.
+    /// read them now. [`Gather::acceleration`] of the worker's own [`gather`](Self::gather) does the sum of
+    /// one particle, with [`VecBins::around`]. The two lists still hold those of the step before.
     ///
     /// Book: chapter 3, *Forces*.
     pub fn sum_forces(&mut self, bins: &VecBins) {

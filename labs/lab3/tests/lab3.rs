@@ -18,8 +18,6 @@ mod examples;
 mod experiments;
 #[path = "lab3/handover_examples.rs"]
 mod handover_examples;
-#[path = "lab3/interruptions.rs"]
-mod interruptions;
 #[path = "lab3/mail.rs"]
 mod mail;
 #[path = "lab3/moments.rs"]
@@ -67,7 +65,7 @@ oracle::questions! {
             => "Parts added up block by block, in order: dmin, davg, navg and pair tests of the sum, to the last bit.",
         slow_additions = reductions::slow
             => "Parts added up under a lock, slowly: no addition is lost.",
-        interrupted_additions = interruptions::additions
+        interrupted_additions = reductions::interrupted
             => "An addition with atomics, between whose operations another thread adds something: nothing is lost.",
         shared_lock = sharing::locked_parts
             => "Parts under a lock and the threads of a pool: every thread adds some.",
@@ -160,7 +158,8 @@ oracle::questions! {
         whole_notices = notices::whole
             => "Notices with any numbers: all that a thread may read while another thread posts them.",
         orderings = notices::orderings
-            => "A notice, with the operations of both threads: a thread that sees the flag raised sees all numbers.",
+            => "A notice, with the operations of both threads: a thread that sees the flag raised sees all numbers, no \
+                ordering is stronger than it needs to be, and the flag is read once.",
     }
 }
 

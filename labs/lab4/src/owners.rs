@@ -12,7 +12,7 @@ use solution3::{pool, rows_of_each};
 
 use crate::{Bin, Cut, add_across, pairs_across, pairs_within};
 
-/// Empties the `bins` of region `own` and fills them with the particles that lie there.
+/// Empties the `bins` of region `own`, which keep their memory, and fills them with the particles that lie there.
 ///
 /// `particles[i]` has number i. All threads run this at the same time, each with a region of its own
 /// and *all* particles. [`Cut::find`] tells the region of a bin.
@@ -27,7 +27,7 @@ pub fn claim(cut: Cut, own: usize, bins: &mut [Bin], grid: &Grid, particles: &[P
 /// `all` are the particles of all threads, in any order, and most lie in other threads' rows: with p
 /// threads every particle is read p times. That is the price for doing without locks, without
 /// buffers, without any agreement. [`SortedBins::rows`] are the own rows, [`SortedBins::refill`]
-/// takes the particles.
+/// takes the particles and keeps its memory.
 ///
 /// Book: chapter 4, *Owners*.
 pub fn take_own<'a>(own: &mut SortedBins, all: impl Iterator<Item = &'a Particle>) {

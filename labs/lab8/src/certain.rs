@@ -23,9 +23,9 @@ use solution7::order;
 ///   earliest open candidate of that disc, and other ranks may have to hear of it: append it to
 ///   `front`.
 ///
-/// `front` begins empty, and at the end `waits` is false for all discs. A candidate that is first
-/// in two queues comes up twice; the second time its discs are taken or wait already, and nothing
-/// changes.
+/// Empty `front` first: it still has the open candidates of the round before. `waits` is false for all
+/// discs when you are called, and must be so again when you return. A candidate that is first in two
+/// queues comes up twice; the second time its discs are taken or wait already, and nothing changes.
 ///
 /// A [`BinaryHeap`] of [`Reverse`]d indices gives the earliest: a lower index comes earlier. To go
 /// through [all](hard_disc_ranks::Queues::all) candidates instead would give the same result, but this is

@@ -6,8 +6,8 @@ use solution7::{Window, span};
 /// The ranks in whose strips the swept box of a disc lies: where it can touch anything in this
 /// step. `reach` is how far the box goes beyond the path of the centre.
 ///
-/// Lab 7's [`span`] gives the box along y, for the whole step: [`Window::STEP`]. From its low
-/// end to its high end it lies in neighbouring strips.
+/// Lab 7's [`span`] gives the box along y, from `low` to `high`, for the whole step: [`Window::STEP`]. Between
+/// these two ends it lies in neighbouring strips.
 ///
 /// Book: chapter 8, *Strips and ghosts*.
 pub fn reached(strips: &Strips, disc: &DiscWire, reach: f64) -> Reach {
@@ -15,7 +15,8 @@ pub fn reached(strips: &Strips, disc: &DiscWire, reach: f64) -> Reach {
 }
 
 /// Whether `rank` is the one that looks at the pair of discs that reach a and b. Of all ranks that
-/// have both exactly one does, and none has to ask another.
+/// have both exactly one does, and none has to ask another. Discs that share no strip cannot meet: no rank looks
+/// at such a pair.
 ///
 /// A pair that meets at a cut is known on both sides of it. Lab 7 has the same problem with a pair
 /// whose boxes share several rows of cells, and the same answer: of the strips that both discs reach,

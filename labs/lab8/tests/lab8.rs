@@ -137,6 +137,11 @@ oracle::questions! {
             => "4000 discs on 4 ranks: ghosts and bytes of a step, which only discs near a cut cause.",
         neighbours after "8.8, 8.9, 8.10, 8.11, 8.12" = messages::neighbours
             => "Slow discs on 5 ranks: each rank sends to the two beside it, and no list goes to all.",
+        walls_meanwhile after "8.8, 8.9, 8.10, 8.11, 8.12" = messages::walls_meanwhile
+            => "Slow discs on 3 ranks: the wall collisions are found while the ghosts travel.",
+        many_rounds after "8.8, 8.9, 8.10, 8.11, 8.12"
+            => "A chain of 240 discs to and fro across a cut, on 2 and 4 ranks: the bits of lab 7's sequential program after a \
+                step of more than a hundred rounds.",
         shares_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"
             => "Four strips: no rank looks at more than two thirds of the pairs.",
         memory_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"

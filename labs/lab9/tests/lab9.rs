@@ -5,6 +5,8 @@ use oracle::{Ask, Random};
 
 #[path = "lab9/adapter.rs"]
 mod adapter;
+#[path = "lab9/carries.rs"]
+mod carries;
 #[path = "lab9/choices.rs"]
 mod choices;
 #[path = "lab9/examples.rs"]
@@ -17,6 +19,8 @@ mod launched;
 mod launches;
 #[path = "lab9/lists.rs"]
 mod lists;
+#[path = "lab9/meetings.rs"]
+mod meetings;
 #[path = "lab9/rectangles.rs"]
 mod rectangles;
 #[path = "lab9/searches.rs"]
@@ -26,11 +30,13 @@ mod sorts;
 #[path = "lab9/steps.rs"]
 mod steps;
 
+use carries::*;
 use choices::*;
 use examples::*;
 use filters::*;
 use launches::*;
 use lists::*;
+use meetings::*;
 use rectangles::*;
 use searches::*;
 use sorts::*;
@@ -87,6 +93,8 @@ oracle::questions! {
     task_9_6 {
         summed_blocks => "Nine counts, summed by three workgroups of three invocations: the counts before each in \
                                       its own block, and in all.",
+        meetings => "Numbers that a workgroup shares: whether a barrier lies between any two accesses of two invocations to one \
+                     of them, and whether all invocations come to each barrier.",
         scans => "Few and many numbers, workgroups of any size: the sum of the numbers before each.",
     }
     task_9_7 {
@@ -101,6 +109,7 @@ oracle::questions! {
     }
     task_9_8 {
         single_step => "Three particles before a step of soft-f32 and after it, in a box of 10.01 cutoffs, ten bins by ten.",
+        carried => "Particles that move by little or much, ahead or back: the column and the offset that they come to.",
         single_steps => "Variant soft-f32, few bins: the first step, within the roundings of one step.",
         single_steps_of_many after "9.6, 9.7" => "Variant soft-f32, scenes of all kinds: each step, from where the program \
                                                   itself was before the step, within the roundings of one step.",

@@ -1,7 +1,8 @@
-//! Columns of numbers are right-aligned, so that their digits stand below one another.
+//! Aligns columns of numbers to the right, so that their digits are below one another.
 
-/// The page with every column of its tables right-aligned whose cells are numbers, unless the table says how that
-/// column is aligned.
+/// Returns the page with its columns of numbers aligned to the right.
+///
+/// A column is not changed if its table sets an alignment for it.
 pub(crate) fn aligned(text: &str) -> String {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
     let mut out = String::with_capacity(text.len());
@@ -18,12 +19,12 @@ pub(crate) fn aligned(text: &str) -> String {
     out
 }
 
-/// Whether this is the line of dashes below the head of a table.
+/// Whether a line is the line of dashes below the head of a table.
 fn is_rule(line: &str) -> bool {
     line.starts_with('|') && line.contains("---") && line.trim().chars().all(|c| "|-: ".contains(c))
 }
 
-/// The line of dashes, with a colon where all cells of a column below are numbers.
+/// Returns the line of dashes with a colon for each column of numbers.
 fn with_alignment(rule: &str, rows: &[Vec<&str>]) -> String {
     let mut out = String::from("|");
     for (column, dashes) in cells(rule).into_iter().enumerate() {
@@ -36,7 +37,7 @@ fn with_alignment(rule: &str, rows: &[Vec<&str>]) -> String {
     out + "\n"
 }
 
-/// The cells of a row of a table, without the spaces around them.
+/// Returns the cells of a row of a table, without the spaces around them.
 fn cells(row: &str) -> Vec<&str> {
     let mut cells = Vec::new();
     let (mut begin, mut in_code) = (1, false);
@@ -54,7 +55,7 @@ fn is_empty(cell: &str) -> bool {
     ["", "–", "-", "—"].contains(&cell)
 }
 
-/// Whether a cell is a number, perhaps with a unit or a second number behind it, such as `36 to 43`.
+/// Whether a cell is a number, with or without a unit or a second number, such as `36 to 43`.
 fn is_number(cell: &str) -> bool {
     let cell = cell.trim_matches(['*', '(', ')', '~', '<', '>', '−', '-', '+', '×', ' ']);
     let words = cell.split(|c: char| !c.is_alphabetic());

@@ -1,7 +1,9 @@
-//! Numbers as tables of the book print them.
+//! Formats numbers for the tables of the book.
 
-/// How a number is printed: `3`, three significant digits; `.2`, two decimals; `3.1`, three digits and no more than
-/// one decimal; `2%`, per cent; `3M`, millions; `2e`, with a power of ten.
+/// A format of numbers, written in a few characters.
+///
+/// `3` is three significant digits; `.2`, two decimals; `3.1`, three digits and at most one
+/// decimal; `2%`, per cent; `3M`, millions; `2e`, with a power of ten.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Format {
     digits: Option<usize>,
@@ -10,7 +12,7 @@ pub(crate) struct Format {
 }
 
 impl Format {
-    /// The format of these letters, which begin with a digit or a point; `None` for other words.
+    /// Parses a format, which begins with a digit or a point. Returns `None` for other words.
     pub(crate) fn of(letters: &str) -> Option<Self> {
         let unit = letters.chars().last().filter(|letter| "%Me".contains(*letter));
         let numbers = letters.trim_end_matches(['%', 'M', 'e']);
@@ -19,7 +21,7 @@ impl Format {
         (format.digits.is_some() || format.decimals.is_some()).then_some(format)
     }
 
-    /// A number in this format: nought as `0`, thousands with commas.
+    /// Formats a number: zero as `0`, thousands with commas.
     pub(crate) fn print(self, value: f64) -> String {
         if value == 0.0 {
             return "0".into();
@@ -47,12 +49,12 @@ impl Format {
     }
 }
 
-/// `1.50` as `1.5`.
+/// Removes trailing zeros after the point: `1.50` becomes `1.5`.
 fn without_noughts(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 
-/// `1234567.8` as `1,234,567.8`.
+/// Separates thousands by commas: `1234567.8` becomes `1,234,567.8`.
 fn with_commas(text: &str) -> String {
     let point = text.find('.').unwrap_or(text.len());
     let mut out = text.to_owned();

@@ -1,13 +1,17 @@
-//! Each drawing is a link to itself, which knows how wide a phone must show it, or that there is a form for phones.
+//! Makes each drawing a link to its file.
+//!
+//! The link contains the width at which a phone can show the drawing legibly, or the file of its
+//! form for phones.
 
 use std::fs;
 use std::path::Path;
 
-/// Text in a drawing is at least so high on a phone, in pixels.
+/// Least height of text in a drawing on a phone, in pixels.
 const LEAST_TEXT: f64 = 12.0;
 
-/// Puts a link to its own file around every `<img>` of an SVG file that is in no link yet. Files are looked for from
-/// `folder`, that of the page.
+/// Puts each `<img>` of an SVG file into a link to this file, unless it is in a link already.
+///
+/// `folder` is the folder of the page, which paths of files are relative to.
 pub(crate) fn link(text: &str, folder: &Path) -> String {
     let mut parts = text.split("<img ");
     let mut out = parts.next().unwrap_or_default().to_owned();
@@ -34,32 +38,34 @@ fn linked(image: &str, file: &str, folder: &Path) -> String {
     format!("<a class=\"figure\"{style} href=\"{file}\">{image}</a>")
 }
 
-/// Where the form of a chart for phones would be: `figures/phone/a.svg` for `figures/a.svg`.
+/// Returns the path for the form of a chart for phones: `figures/phone/a.svg` for `figures/a.svg`.
 fn for_phones(file: &str) -> Option<String> {
     let (folder, name) = file.rsplit_once('/')?;
     Some(format!("{folder}/phone/{name}"))
 }
 
-/// The image on a page, the other file on a phone.
+/// Returns a `<picture>` with the image on a page and the other file on a phone.
 fn on_either(image: &str, phone: &str) -> String {
     format!("<picture><source media=\"(max-width: 600px)\" srcset=\"{phone}\">{image}</picture>")
 }
 
-/// How wide a drawing must be shown, in pixels, so that its smallest text can be read; none if it has no text.
+/// Returns the width in pixels at which the smallest text of a drawing can be read.
+///
+/// Returns `None` if the drawing has no text.
 fn legible(svg: &str) -> Option<f64> {
     let width = numbers(svg, "viewBox=\"0 0 ").next()?;
     let least = numbers(svg, "font-size").min_by(f64::total_cmp)?;
     Some((LEAST_TEXT * width / least).ceil())
 }
 
-/// The numbers behind a name, in attributes and in style sheets.
+/// Returns the numbers behind a name, in attributes and in style sheets.
 fn numbers(svg: &str, name: &'static str) -> impl Iterator<Item = f64> {
     let values = svg.split(name).skip(1).map(|rest| rest.trim_start_matches(['=', ':', '"', ' ']));
     let digits = |value: &str| value.find(|c: char| c != '.' && !c.is_ascii_digit());
     values.filter_map(move |value| value[..digits(value)?].parse().ok())
 }
 
-/// Where the rest of a tag ends: at a `>` that is in no attribute.
+/// Returns the end of a tag: a `>` that is not in an attribute.
 fn end_of_tag(text: &str) -> usize {
     let mut quoted = false;
     let end = text.find(|c| {
@@ -69,7 +75,7 @@ fn end_of_tag(text: &str) -> usize {
     end.map_or(text.len(), |at| at + 1)
 }
 
-/// The SVG file that an image shows.
+/// Returns the SVG file that an image shows; `None` for other files.
 fn drawing(image: &str) -> Option<&str> {
     let file = image.split_once("src=\"")?.1.split('"').next();
     file.filter(|file| file.ends_with(".svg"))

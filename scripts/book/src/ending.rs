@@ -1,12 +1,12 @@
-//! The end of a page: the scripts of what plays on it, and its foot with the licence and where to report a mistake.
+//! The end of a page: the scripts of its figures, and a foot with the licence.
 
 use std::path::Path;
 
-/// What a page has, and the scripts that this needs.
+/// The kinds of figures, by their first tag, and the scripts that they need.
 const FIGURES: [(&str, &[&str]); 2] =
     [("<figure class=\"live\"", &BOXES), ("<figure class=\"steps\"", &["steps"])];
 
-/// In the order in which they need each other; they lie in book/src/live.
+/// The scripts of the boxes, in the order of their dependencies. They are in book/src/live.
 const BOXES: [&str; 13] = [
     "random",
     "soft",
@@ -23,8 +23,8 @@ const BOXES: [&str; 13] = [
     "boxes",
 ];
 
-/// The page, with the scripts at its end that its figures need. The page lies `depth` folders below
-/// the book's own.
+/// Appends the scripts that the figures of a page need. The page is `depth` folders below the
+/// book's folder.
 pub(crate) fn scripts(page: String, depth: usize) -> String {
     let root = "../".repeat(depth);
     let wanted = FIGURES.iter().filter(|(figure, _)| page.contains(figure));
@@ -39,8 +39,10 @@ const LICENCE: &str = "Code, text and figures of this book are licensed under \
      <a href=\"https://opensource.org/license/mit\">MIT</a> or \
      <a href=\"https://www.apache.org/licenses/LICENSE-2.0\">Apache 2.0</a>, as you like.";
 
-/// The foot of the page of this file. Where pages are edited, mdBook's `edit-url-template`, says where mistakes are
-/// reported: beside it, at `issues/new`, as on GitHub, Codeberg and Gitea.
+/// Returns the foot of the page of this file.
+///
+/// `edit` is mdBook's `edit-url-template`. The link for mistakes leads to `issues/new` in the same
+/// repository, as on GitHub, Codeberg and Gitea.
 pub(crate) fn foot(file: &Path, edit: &str) -> String {
     let report = edit.split_once("/edit/").map(|(repository, _)| {
         format!(

@@ -1,10 +1,14 @@
-//! The entries of data files. An entry is an object with its fields.
+//! The entries of data files. An entry is a JSON object with its fields.
 //!
-//! A field of a nested object has a name such as `scene.soft.n`, and can be found by its last name, `n`. An entry also
-//! has the fields of the entry around it, the name of its `list`, the `lab`, the `variant` and the parameters of its
-//! `program`, its `workers`, and the times `ms` (milliseconds a step) and `ns` (nanoseconds per particle and step).
+//! A field of a nested object has a name such as `scene.soft.n`, and can also be found by its last
+//! name, `n`. An entry also has these fields:
 //!
-//! In `published.toml` each pair is an entry: a number of workers, of discs, a side or a radius, and seconds.
+//! - the fields of the object around it, and the name of its `list`;
+//! - the `lab`, the `variant` and the parameters of its `program`, and its `workers`;
+//! - the times `ms` (milliseconds per step) and `ns` (nanoseconds per particle and step).
+//!
+//! In `published.toml` each pair is an entry: a number of workers or discs, a side or a radius, and
+//! seconds.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -16,7 +20,7 @@ use serde_json::{Map, Number, Value, json};
 use lab_kit::Kit;
 use lab_kit::files::{files_below, read_text, read_toml};
 
-/// The numbers that the course reports printed.
+/// The file with the numbers that the course reports printed.
 const PUBLISHED: &str = "published.toml";
 
 /// An object of a data file.
@@ -25,7 +29,7 @@ pub(crate) struct Entry {
     around: Option<Rc<Entry>>,
 }
 
-/// The data files that were read so far.
+/// The data files that have been read.
 pub(crate) struct Data<'k> {
     pub(crate) kit: &'k Kit,
     files: BTreeMap<String, Vec<Rc<Entry>>>,
@@ -36,7 +40,9 @@ impl<'k> Data<'k> {
         Self { kit, files: BTreeMap::new() }
     }
 
-    /// The entries of a file of book/data, of `published.toml`, or of all files with names such as `compare-*.json`.
+    /// Returns the entries of a file of book/data, or of `published.toml`.
+    ///
+    /// A name such as `compare-*.json` gives the entries of all files that match.
     ///
     /// # Errors
     /// A file cannot be read.
@@ -72,7 +78,7 @@ fn read_json(path: &Path) -> Result<Value> {
     serde_json::from_str(&read_text(path)?).with_context(|| path.display().to_string())
 }
 
-/// Adds the entry or the list of entries, and all entries within.
+/// Adds the entry or the list of entries in `value`, and all entries inside them.
 fn collect(value: Value, list: &str, around: Option<&Rc<Entry>>, entries: &mut Vec<Rc<Entry>>) {
     match value {
         Value::Array(items) => match &items[..] {
@@ -98,7 +104,8 @@ fn collect(value: Value, list: &str, around: Option<&Rc<Entry>>, entries: &mut V
     }
 }
 
-/// The entry of a pair that a report printed; the name of its list tells its first number.
+/// Returns the entry of a pair that a report printed. The name of its list determines the name of
+/// the first number.
 fn published_run(list: &str, x: &Number, seconds: &Number) -> Value {
     let varied = match list.rsplit('.').next() {
         Some("points") => "n",
@@ -146,8 +153,10 @@ impl Entry {
         }
     }
 
-    /// Adds the lab, the variant and the parameters of a program such as `solution8:master-workers,r=3,keep=0`, or of
-    /// an engine such as `LAMMPS table, skin 0.015`.
+    /// Adds the lab, the variant and the parameters of the entry's program or engine.
+    ///
+    /// A program is written `solution8:master-workers,r=3,keep=0`, and an engine `LAMMPS table,
+    /// skin 0.015`.
     fn add_parameters(&mut self) {
         let program = self.own.get("program").or(self.own.get("engine")).and_then(Value::as_str);
         let Some(program) = program.map(str::to_owned) else { return };
@@ -161,22 +170,22 @@ impl Entry {
         }
     }
 
-    /// A field, by its whole name or its last one.
+    /// Returns a field by its full or its last name; `None` if the entry does not have it.
     pub(crate) fn field(&self, name: &str) -> Option<&Value> {
         self.own.get(name).or_else(|| self.around.as_ref()?.field(name))
     }
 
-    /// A field that is a number.
+    /// Returns a field that is a number; `None` if there is no such field.
     pub(crate) fn number(&self, name: &str) -> Option<f64> {
         self.field(name)?.as_f64()
     }
 
-    /// A field that is a text.
+    /// Returns a field that is a text; `None` if there is no such field.
     pub(crate) fn text(&self, name: &str) -> Option<&str> {
         self.field(name)?.as_str()
     }
 
-    /// Whether a field has this value; of a list its last names are enough.
+    /// Whether a field has this value. For a list, its last names are enough.
     pub(crate) fn has(&self, name: &str, value: &str) -> bool {
         match self.field(name) {
             Some(Value::String(list)) if name == "list" => {

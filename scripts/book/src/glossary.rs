@@ -1,7 +1,8 @@
-//! A word of the glossary stands in the section that the glossary names.
+//! Checks that each word of the glossary occurs in the section that the glossary names.
 //!
-//! A row of `glossary.md` is `| words | what it is | [Section](page.md#anchor) |`, where words that mean the same
-//! are separated by commas. Each must be in one of the row's sections, and each section must have one of them.
+//! A row of `glossary.md` is `| words | definition | [Section](page.md#anchor) |`. Words with the
+//! same meaning are separated by commas. Each word must be in one of the row's sections, and each
+//! section must have one of the words.
 
 use std::collections::BTreeMap;
 
@@ -13,10 +14,10 @@ use crate::pages::{Table, pages, section, tables};
 
 const GLOSSARY: &str = "book/src/glossary.md";
 
-/// Looks at every row of the glossary.
+/// Checks every row of the glossary. Returns the faults, one per line.
 ///
 /// # Errors
-/// A page cannot be read. What is wrong is returned, a line each.
+/// A page cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let pages = pages(kit)?;
     let Some(glossary) = pages.get(GLOSSARY) else { return Ok(Vec::new()) };
@@ -52,20 +53,21 @@ fn faults(pages: &BTreeMap<String, String>, words: &str, sections: &str) -> Vec<
     wrong
 }
 
-/// The words of a section, heading and all; without `#anchor`, of a whole page.
+/// Returns the plain text of a section with its heading, or of a whole page if the link has no
+/// `#anchor`.
 fn text_of(pages: &BTreeMap<String, String>, link: &str) -> Result<String> {
     let (page, anchor) = link.split_once('#').unwrap_or((link, ""));
     let text = pages.get(&format!("book/src/{page}")).with_context(|| format!("no {page}"))?;
     Ok(plain(&section(text, anchor).with_context(|| format!("no section {link}"))?))
 }
 
-/// In small letters and one line, without marks of emphasis.
+/// Returns the text in lower case and in one line, without marks of emphasis.
 fn plain(text: &str) -> String {
     let text: String = text.chars().filter(|c| !"*`".contains(*c)).collect();
     text.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase()
 }
 
-/// `order (of a method)` is the word `order`.
+/// Removes parts in brackets: `order (of a method)` becomes `order`.
 fn without_brackets(text: &str) -> String {
     let mut parts = text.split(" (");
     let first = parts.next().unwrap_or_default().to_owned();

@@ -1,5 +1,7 @@
-//! What pages say of the labs, from their facts: the opening of a chapter, the labs at a glance, and what every task and
-//! every measure is worth.
+//! Texts about labs, made from their facts.
+//!
+//! They are the opening of a chapter, the table of all labs, and the points of every task and
+//! measurement.
 
 use anyhow::Result;
 
@@ -8,13 +10,13 @@ use lab_kit::{Facts, Kit, Lab, Workers, answers, hints, rubric, wrong};
 
 use crate::tasks::difficulty;
 
-/// How long a lab takes and what it needs, in one line.
+/// Returns a line with the hours that a lab takes and the tools that it needs.
 pub(crate) fn needs(facts: &Facts) -> String {
     let hours = facts.reading + facts.tasks.values().map(|task| task.hours).sum::<f64>();
     format!("About {hours:.0} hours. You need {}.", facts.workers.need())
 }
 
-/// The opening of a lab's chapter.
+/// Returns the opening of a lab's chapter.
 pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
     let lab: Lab = lab.parse().map_err(anyhow::Error::msg)?;
     let facts = kit.facts(lab)?;
@@ -37,7 +39,7 @@ pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
     Ok(out + "\n</details>\n")
 }
 
-/// A row for each lab: how long it takes, how large it is, what it needs.
+/// Returns a table with a row for each lab: its time, its size and its needs.
 pub(crate) fn labs(kit: &Kit) -> Result<String> {
     let mut out = String::from(
         "| lab | title | time and needs | tasks | known-wrong answers |\n|---|---|---|---|---|\n",
@@ -52,7 +54,7 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
     Ok(out)
 }
 
-/// The numbers of the labs with such workers, as `5, 6, 8`.
+/// Returns the numbers of the labs with such workers, as `5, 6, 8`.
 pub(crate) fn labs_with(kit: &Kit, workers: &str) -> Result<String> {
     let workers: Workers = serde_json::from_value(workers.into())?;
     let mut numbers = Vec::new();
@@ -64,7 +66,8 @@ pub(crate) fn labs_with(kit: &Kit, workers: &str) -> Result<String> {
     Ok(numbers.join(", "))
 }
 
-/// A section for each lab that can be graded: its tasks with their points, and what is timed.
+/// Returns a section for each lab that can be graded: its tasks with their points, and its
+/// measurements.
 pub(crate) fn rubric(kit: &Kit) -> Result<String> {
     let mut out = String::new();
     for (lab, rubric) in rubric::all(kit)? {

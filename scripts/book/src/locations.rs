@@ -1,5 +1,7 @@
-//! Where in the kit something is: a column of that title says `` `WORD` in `PATH` ``, with the path
-//! below `solutions/` or `labs/`, and the file there has the word in its code.
+//! Checks the locations of code that tables of the book name.
+//!
+//! A column with the title "where in the kit" contains cells `` `WORD` in `PATH` ``. The path is
+//! below `solutions/` or `labs/`, and the code of the file must contain the word.
 
 use std::fs;
 
@@ -11,10 +13,10 @@ use crate::pages::{Table, pages, tables};
 
 const TITLE: &str = "where in the kit";
 
-/// Looks at every table with such a column.
+/// Checks every table with such a column. Returns the faults, one per line.
 ///
 /// # Errors
-/// A page cannot be read. What is wrong is returned, a line each.
+/// A page cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     for (page, text) in pages(kit)? {
@@ -30,9 +32,9 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(wrong)
 }
 
-/// What is wrong with one claim, if anything.
+/// Returns the fault of a cell, or `None` if it is right.
 fn fault(kit: &Kit, claim: &str) -> Option<String> {
-    // A word for what needs no location.
+    // A cell without backticks is a word such as "everywhere", which needs no location.
     if !claim.contains('`') {
         return None;
     }

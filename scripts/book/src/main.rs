@@ -26,7 +26,7 @@ use std::process::ExitCode;
 
 use clap::Subcommand;
 
-/// Build the book.
+/// Build the book
 #[derive(Subcommand)]
 enum Command {
     Book(mdbook::Options),

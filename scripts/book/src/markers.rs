@@ -1,5 +1,6 @@
-//! What a chapter may ask for: `{{#opening 2}}`, `{{#table lab2-race.json}}`, `{{#reports}}`, `{{#compare soft}}`,
-//! `{{#labs ranks}}` and, for instructors, `{{#labs}}` and `{{#rubric}}`.
+//! Markers in chapters, such as `{{#opening 2}}`, which are replaced by generated text.
+//!
+//! The list of markers is at [`fill`].
 
 use anyhow::{Context, Result, anyhow};
 
@@ -8,19 +9,21 @@ use crate::{labs, printed, reports, variants};
 use lab_kit::quiz;
 use lab_kit::{Kit, Lab};
 
-/// Replaces the markers of a chapter by what they ask for.
+/// Replaces the markers of a chapter by generated text.
 ///
-/// - `{{#opening 2}}`: what begins lab 2's chapter, from its facts.
-/// - `{{#table lab2-race.json}}`: the numbers of the [table](printed) that follows, from its data file.
-/// - `{{#quiz 2 corner_forgotten}}`: the [quiz](lab_kit::quiz) about a known-wrong program of lab 2; nothing in
-///   a class's kit, which has no known-wrong programs.
+/// - `{{#opening 2}}`: the opening of lab 2's chapter, from the lab's facts.
+/// - `{{#table lab2-race.json}}`: fills the [table](printed) that follows with numbers from this
+///   data file.
+/// - `{{#quiz 2 corner_forgotten}}`: the [quiz](lab_kit::quiz) about a known-wrong program of lab
+///   2. It is empty in a class's kit, which has no known-wrong programs.
 /// - `{{#reports}}`: the table of all tables and figures of the course reports.
-/// - `{{#compare soft}}`: every variant of soft discs side by side; `{{#compare hard}}`: of hard ones.
-/// - `{{#labs}}`: how long each lab takes and what it needs; `{{#labs ranks}}`: the numbers of those with ranks.
-/// - `{{#rubric}}`: what every task and measure is worth, from the facts of the labs.
+/// - `{{#compare soft}}`, `{{#compare hard}}`: tables of all variants of soft or hard discs.
+/// - `{{#labs}}`: the time and the needs of each lab; `{{#labs ranks}}`: the numbers of the labs
+///   with ranks.
+/// - `{{#rubric}}`: the points of every task and measurement, from the facts of the labs.
 ///
 /// # Errors
-/// The marker asks for something that is not there.
+/// A marker names something that does not exist.
 pub(crate) fn fill(data: &mut Data, markdown: &str) -> Result<String> {
     let kit = data.kit;
     let mut out = String::with_capacity(markdown.len());
@@ -45,7 +48,7 @@ pub(crate) fn fill(data: &mut Data, markdown: &str) -> Result<String> {
             "compare" => out.push_str(&variants::table(data, argument.trim())?),
             "quiz" => out.push_str(&quiz(kit, argument)?),
             "reports" => out.push_str(&reports::table(data)?),
-            // mdBook's own markers are gone by now, except an escaped one.
+            // mdBook has replaced its own markers by now, except escaped ones.
             _ => out.push_str(&format!("{{{{#{marker}}}}}")),
         }
     }
@@ -53,7 +56,9 @@ pub(crate) fn fill(data: &mut Data, markdown: &str) -> Result<String> {
     Ok(out)
 }
 
-/// The quiz that `argument` names by its lab and its program; empty if the kit has no such programs.
+/// Returns the quiz about the lab and the program in `argument`.
+///
+/// The quiz is empty if the kit has no known-wrong programs.
 fn quiz(kit: &Kit, argument: &str) -> Result<String> {
     let (lab, program) = argument.split_once(' ').context("a quiz has a lab and a program")?;
     let lab: Lab = lab.parse().map_err(|e| anyhow!("quiz: {e}"))?;

@@ -1,4 +1,5 @@
-//! Formulas: `$…$` and `$$…$$` become MathML, so that a page needs no script and no network.
+//! Renders formulas, `$…$` and `$$…$$`, as MathML, so that a page needs neither a script nor the
+//! network.
 
 use std::ops::Range;
 
@@ -14,14 +15,15 @@ const DIALECT: Options = Options::ENABLE_TABLES
     .union(Options::ENABLE_TASKLISTS)
     .union(Options::ENABLE_HEADING_ATTRIBUTES);
 
-/// What may stand directly before a formula, and directly behind it.
+/// Punctuation that stays on the line of the formula behind it; `CLOSING` is for the formula before
+/// it.
 const OPENING: [char; 2] = ['(', '“'];
 const CLOSING: [char; 7] = [',', '.', ';', ':', '?', ')', '”'];
 
-/// Renders every formula of a chapter. Code is left alone, and so is `\$`.
+/// Renders every formula of a chapter. Code and `\$` stay as they are.
 ///
 /// # Errors
-/// A formula that is no LaTeX; the message quotes it.
+/// A formula is not valid LaTeX; the message quotes it.
 pub(crate) fn render(markdown: &str) -> Result<String> {
     let formulas: Vec<(Range<usize>, String)> =
         Markdown::new_ext(markdown, DIALECT | Options::ENABLE_MATH)
@@ -36,7 +38,7 @@ pub(crate) fn render(markdown: &str) -> Result<String> {
     let mut out = String::with_capacity(markdown.len());
     let mut done = 0;
     for (range, mathml) in formulas {
-        // A browser would break the line between a formula and the punctuation at it.
+        // Otherwise a browser could break the line between a formula and its punctuation.
         let before = markdown[done..range.start].trim_end_matches(OPENING);
         let after = markdown[range.end..].trim_start_matches(CLOSING);
         let from = done + before.len();
@@ -66,19 +68,19 @@ fn formula(tex: &str, display_mode: DisplayMode) -> Result<String> {
     let mut mathml = String::new();
     let config = RenderConfig { display_mode, ..RenderConfig::default() };
     push_mathml(&mut mathml, events.into_iter().map(Ok::<_, std::convert::Infallible>), config)?;
-    // The root sign has a least height; what is under it has to be as high, or the sign hangs down.
+    // The root sign has a least height. Its contents must be as high, or the sign hangs down.
     let mathml = mathml.replace("<msqrt>", &format!("<msqrt>{STRUT}"));
-    // A bar of `\lvert` and `\rvert` would else have the space of a relation around it.
+    // Without this, a bar of `\lvert` and `\rvert` would have the space of a relation around it.
     let mathml = mathml.replace(">|</mo>", " lspace=\"0\" rspace=\"0\">|</mo>");
     let mathml = shield(&mathml);
     Ok(match display_mode {
         DisplayMode::Inline => mathml,
-        // A wide formula scrolls on a narrow screen; the page does not.
+        // On a narrow screen, a wide formula scrolls instead of the page.
         DisplayMode::Block => format!("<span class=\"formula\">{mathml}</span>"),
     })
 }
 
-/// Hides from Markdown what it would take for its own inside the tags.
+/// Replaces the characters in tags that Markdown would interpret.
 fn shield(mathml: &str) -> String {
     let mut out = String::with_capacity(mathml.len());
     for c in mathml.chars() {

@@ -1,8 +1,8 @@
-//! `cargo lab book`: the book, built and checked.
+//! `cargo lab book`: builds the book and checks it.
 //!
-//! mdBook hands each chapter to the [preprocessor](crate::preprocessor). The check then reads the sources
-//! ([`snippets`], [`sections`], [`printed`], [`reports`], [`variants`], [`locations`], [`glossary`]), and lychee reads the
-//! built pages.
+//! mdBook hands each chapter to the [preprocessor](crate::preprocessor). The checks read the
+//! sources ([`snippets`], [`sections`], [`printed`], [`reports`], [`variants`], [`locations`],
+//! [`glossary`]), and lychee reads the built pages.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
@@ -21,17 +21,18 @@ use crate::{glossary, locations, markers, printed, reports, sections, snippets, 
 /// Build the book, or show it in a browser
 #[derive(Args)]
 pub(crate) struct Options {
-    /// Build it anew whenever a page changes, and open it in the browser
+    /// Build the book again whenever a page changes, and open it in the browser
     #[arg(long)]
     serve: bool,
-    /// Also look for broken links, snippets that show an answer, sections that a starter names and no
-    /// chapter has, tables of measurements that are typed, variants that the comparison lacks, words of the
-    /// glossary that their section lacks, and tables of the course reports that are missing
+    /// Also check the book. It finds broken links, snippets that show an answer, sections that a
+    /// starter names and no chapter has, typed tables of measurements, variants without a row in
+    /// the comparison, words of the glossary that their section lacks, and missing tables of the
+    /// course reports
     #[arg(long, conflicts_with = "serve")]
     check: bool,
 }
 
-/// Calls mdbook; its exit code becomes ours.
+/// Runs mdbook. Its exit code is the exit code of the command.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut mdbook = mdbook(kit, if options.serve { "serve" } else { "build" })?;
     if options.serve {
@@ -54,7 +55,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 fn mdbook(kit: &Kit, what: &str) -> Result<Command> {
     let this = env::current_exe().context("this program's own file is not known")?;
     let mut mdbook = Command::new("mdbook");
-    // book.toml says how to start the preprocessor from nothing; here it is running already.
+    // book.toml contains a command that builds the preprocessor first; here it is built already.
     let preprocessor = format!("'{}' book-preprocess", this.display());
     mdbook.arg(what).arg(kit.path("book"));
     mdbook.env("MDBOOK_PREPROCESSOR__CUTOFF__COMMAND", preprocessor);
@@ -71,8 +72,9 @@ fn succeeds(mdbook: &mut Command) -> Result<bool> {
     }
 }
 
-/// A search must not show the answer that a fold hides: the index of the built book becomes that
-/// of a book without hints.
+/// Replaces the search index by the index of a book without hints.
+///
+/// So a search does not show the answer that a fold hides.
 fn index_without_hints(kit: &Kit) -> Result<()> {
     let folder = tempfile::tempdir()?;
     let mut without = mdbook(kit, "build")?;
@@ -81,12 +83,12 @@ fn index_without_hints(kit: &Kit) -> Result<()> {
     if !succeeds(&mut without)? {
         bail!("the book without hints cannot be built");
     }
-    // The name holds a hash of the content, which is only there to be new when that is.
+    // The name contains a hash of the contents, which only has to be new if the contents are new.
     fs::copy(index(folder.path())?, index(&kit.path("book/build"))?)?;
     Ok(())
 }
 
-/// The search index of a built book.
+/// Returns the search index of a built book.
 fn index(folder: &Path) -> Result<PathBuf> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
@@ -104,7 +106,7 @@ fn check(kit: &Kit) -> Result<bool> {
     for text in filled.values_mut() {
         *text = markers::fill(&mut data, text)?;
     }
-    // The labs' programs are in the folder of this one, if they are built.
+    // If the labs' programs are built, they are in the folder of this program.
     let this = env::current_exe()?;
     let faults = [
         snippets::check(kit)?,
@@ -122,7 +124,7 @@ fn check(kit: &Kit) -> Result<bool> {
     Ok(links_lead_somewhere(&kit.path("book/build"))? && faults.is_empty())
 }
 
-/// Asks lychee, where it is installed, whether all links inside the built book lead to something.
+/// Runs lychee, if it is installed, to check that all links inside the built book lead to a page.
 fn links_lead_somewhere(build: &Path) -> Result<bool> {
     if !system::on_path("lychee".as_ref()) {
         println!("left out: links, for there is no lychee");

@@ -1,4 +1,4 @@
-//! The book's pages, as the checks read them.
+//! The book's pages, their tables and their sections, for the checks.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,8 @@ use anyhow::Result;
 use lab_kit::Kit;
 use lab_kit::files::{files_below, read_text};
 
-/// The text of every page by its name in the kit, such as `book/src/instructor/mistakes.md`.
+/// Returns the text of every page by its path in the kit, such as
+/// `book/src/instructor/mistakes.md`.
 pub(crate) fn pages(kit: &Kit) -> Result<BTreeMap<String, String>> {
     let mut pages = BTreeMap::new();
     for path in files_below(&kit.path("book/src"))? {
@@ -21,17 +22,17 @@ pub(crate) fn pages(kit: &Kit) -> Result<BTreeMap<String, String>> {
 
 /// A table of a page.
 pub(crate) struct Table<'t> {
-    /// Of its first row.
+    /// Line number of its first row.
     pub(crate) line: usize,
-    /// Its cells: titles, what stands below them, and the rows.
+    /// Its rows of cells: the titles, the line of dashes, and the rows below.
     pub(crate) rows: Vec<Vec<&'t str>>,
-    /// The comment above it.
+    /// The comment above it, or `None`.
     pub(crate) comment: Option<&'t str>,
     /// The second-level heading above it.
     pub(crate) heading: &'t str,
 }
 
-/// The tables of a page.
+/// Returns the tables of a page.
 pub(crate) fn tables(text: &str) -> Vec<Table<'_>> {
     let mut tables = Vec::<Table>::new();
     let mut comment = None;
@@ -65,7 +66,8 @@ pub(crate) fn tables(text: &str) -> Vec<Table<'_>> {
     tables
 }
 
-/// The section of a page that a link's anchor names, heading and all, or the whole page where it names none.
+/// Returns the section of a page with this anchor, with its heading; the whole page if the anchor
+/// is empty.
 pub(crate) fn section(text: &str, anchor: &str) -> Option<String> {
     if anchor.is_empty() {
         return Some(text.to_owned());
@@ -90,7 +92,7 @@ pub(crate) fn section(text: &str, anchor: &str) -> Option<String> {
     (inside > 0).then_some(out)
 }
 
-/// What mdBook makes of a heading.
+/// Returns the anchor that mdBook makes from a heading.
 fn slug(heading: &str) -> String {
     let kept = heading.trim().chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
     kept.map(|c| if c == ' ' { '-' } else { c.to_ascii_lowercase() }).collect()

@@ -1,14 +1,16 @@
-//! The predictions of a chapter: each answer gets a fold of its own, below its question.
+//! Puts the answer to each prediction of a chapter into a separate fold, below its question.
 //!
-//! A chapter asks in the section *Predict*, a numbered list, and answers in the section *The predictions*, one fold
-//! with a list of as many items. A reader who has measured unfolds one answer without seeing the others.
+//! The questions are a numbered list in the section *Predict*. The answers are a list of the same
+//! length in the fold of the section *The predictions*. So a reader can unfold one answer without
+//! seeing the others.
 
 use anyhow::{Context, Result, ensure};
 
 const QUESTIONS: &str = "## Predict\n";
 const ANSWERS: &str = "## The predictions\n";
 
-/// The page with a fold for each of its predictions; a page without predictions as it is.
+/// Returns the page with a fold for each of its predictions. A page without predictions stays as it
+/// is.
 ///
 /// # Errors
 /// The two lists do not have the same length.
@@ -37,7 +39,7 @@ pub(crate) fn unfolded(text: &str) -> Result<String> {
     Ok(out + section[end + "</details>".len()..].trim_start())
 }
 
-/// The items of the first numbered list of a section.
+/// Returns the items of the first numbered list of a section.
 fn items(section: &str) -> Vec<String> {
     let mut items: Vec<String> = Vec::new();
     for line in section.split_inclusive('\n') {

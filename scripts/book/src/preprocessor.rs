@@ -1,5 +1,7 @@
-//! mdBook's preprocessor. It fills markers, folds hints in, and turns formulas into MathML and drawings into links to
-//! themselves. Pages get the scripts of their figures, and a foot.
+//! mdBook's preprocessor: changes each page before mdBook renders it.
+//!
+//! It replaces markers, inserts hints, renders formulas as MathML and makes drawings links. Pages
+//! also get the scripts of their figures, and a foot.
 
 use std::env;
 use std::io::{self, BufWriter};
@@ -15,10 +17,10 @@ use lab_kit::Kit;
 use crate::entries::Data;
 use crate::{alignment, drawings, ending, markers, math, predictions, tasks};
 
-/// Set where the preprocessor is to leave the hints out.
+/// Environment variable that makes the preprocessor omit the hints.
 pub(crate) const WITHOUT_HINTS: &str = "CUTOFF_BOOK_WITHOUT_HINTS";
 
-/// Reads a book from the standard input and writes it to the standard output.
+/// Reads a book from standard input and writes it to standard output.
 pub(crate) fn run(kit: &Kit) -> Result<ExitCode> {
     let (context, mut book) = parse_input(io::stdin())?;
     let edit: Option<String> = context.config.get("output.html.edit-url-template")?;
@@ -47,6 +49,6 @@ fn page(data: &mut Data, chapter: &Chapter, edit: &str, with_hints: bool) -> Res
     let folder = data.kit.path("book/src").join(file.parent().unwrap_or(Path::new("")));
     let text = drawings::link(&math::render(&text)?, &folder);
     let text = ending::scripts(text, file.components().count().saturating_sub(1));
-    // The foot is on every page: a search must not find it.
+    // Every page has the same foot, so the search index must not contain it.
     Ok(if with_hints { text + &ending::foot(file, edit) } else { text })
 }

@@ -1,4 +1,4 @@
-//! Tables that are printed from data files: `{{#table WORDS}}`, followed by a table.
+//! Tables that are filled with numbers from data files: `{{#table WORDS}}`, followed by a table.
 //!
 //! ```markdown
 //! {{#table lab7-n.json}}
@@ -10,9 +10,10 @@
 //! | 50,000 | {} | {} | crashes | lab7-n-16-cores.json |
 //! ```
 //!
-//! Each `{}` is replaced by the answer to a [query](crate::query). Its words are those of the table, of the column (the
-//! row below the rule, which is not printed), of the row (one cell more than there are titles) and of the braces. If the
-//! words of a column end with `=`, its cells complete them.
+//! Each `{}` is replaced by the answer to a [query](crate::query). The query consists of words of
+//! four places: of the marker, of the column (the row below the dashes, which is not printed), of
+//! the row (an additional last cell), and of the braces. If the words of a column end with `=`, its
+//! cells complete them.
 
 use anyhow::{Context, Result, bail, ensure};
 
@@ -22,11 +23,11 @@ use crate::entries::Data;
 use crate::pages::{Table, pages, tables};
 use crate::query::Query;
 
-/// Sections whose tables hold measurements. So do all tables of a page for the curious.
+/// Sections whose tables contain measurements. All tables of a page for the curious do as well.
 const MEASURED: [&str; 4] =
     ["## Measure", "## Compare", "## Where it breaks", "## For the curious"];
 
-/// Prints the table at the beginning of a text; returns it and the text behind it.
+/// Fills the table at the beginning of a text. Returns the table and the rest of the text.
 ///
 /// # Errors
 /// The text does not begin with a table, or a number is not in its file.
@@ -54,7 +55,7 @@ fn line(cells: &[impl AsRef<str>]) -> String {
     format!("|{}\n", cells.collect::<String>())
 }
 
-/// A row with its numbers.
+/// Returns a row with its numbers.
 fn filled(data: &mut Data, table: &Query, columns: &[&str], row: &[&str]) -> Result<Vec<String>> {
     ensure!((0..=1).contains(&row.len().wrapping_sub(columns.len())), "{} cells", row.len());
     let (cells, own) = row.split_at(columns.len());
@@ -70,7 +71,7 @@ fn filled(data: &mut Data, table: &Query, columns: &[&str], row: &[&str]) -> Res
     Ok(out)
 }
 
-/// A cell with the answer in the place of each `{…}`.
+/// Returns a cell with each `{…}` replaced by its answer.
 fn answered(data: &mut Data, query: &Query, cell: &str) -> Result<String> {
     let Some((before, rest)) = cell.split_once('{') else { return Ok(cell.into()) };
     let (words, after) = rest.split_once('}').context("a { has no }")?;
@@ -78,7 +79,8 @@ fn answered(data: &mut Data, query: &Query, cell: &str) -> Result<String> {
     Ok(format!("{before}{answer}{}", answered(data, query, after)?))
 }
 
-/// Tables of measurements whose numbers are typed, and that have no `<!-- no data: why -->` above them.
+/// Finds tables of measurements with typed numbers. A comment `<!-- no data: why -->` above a table
+/// allows them.
 ///
 /// # Errors
 /// A page cannot be read.
@@ -97,7 +99,8 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(wrong)
 }
 
-/// Whether most cells beside the first column have a number, none is left open, and no comment says why.
+/// Whether most cells behind the first column have a number, no cell has a query, and no comment
+/// gives a reason.
 fn is_typed(table: &Table) -> bool {
     let rows = table.rows.iter().skip(2);
     let cells: Vec<&str> = rows.flat_map(|row| row.iter().skip(1).copied()).collect();
@@ -106,7 +109,7 @@ fn is_typed(table: &Table) -> bool {
     2 * numbers > cells.len() && !explained && !cells.iter().any(|cell| cell.contains('{'))
 }
 
-/// Whether a cell has a digit, and not in a formula.
+/// Whether a cell has a digit outside of formulas.
 fn is_number(cell: &str) -> bool {
     cell.contains(|c: char| c.is_ascii_digit()) && !cell.contains('$')
 }

@@ -1,14 +1,17 @@
 //! Queries for a number of the book, written as words: `lab7-n.json; variant=planned; n=5000; ms`.
 //!
-//! - `lab7-n.json`: a file of book/data; `compare-soft-*.json`: all files of such names; `published.toml`;
-//! - `n=5000`: an entry must have this field ([`crate::entries`]); `n=`: the field can have any value;
-//! - `ms`: the field that is shown. Fields are combined by ` / `, ` × ` and ` - `, from left to right:
-//!   `counters.candidates / steps`. A field of two parts is shown as its least and its median: `5.13 (5.60)`;
+//! - `lab7-n.json`: a file of book/data; `compare-soft-*.json`: all files with such names;
+//!   `published.toml`;
+//! - `n=5000`: an entry must have this field ([`crate::entries`]); `n=`: the field can have any
+//!   value;
+//! - `ms`: the field that is printed. ` / `, ` × ` and ` - ` combine fields, from left to right:
+//!   `counters.candidates / steps`. A field of two parts is printed as its least and its median:
+//!   `5.13 (5.60)`;
 //! - `over n=1000`: divide by the value of the entry that has this field instead;
 //! - `×1000`: multiply by a number;
 //! - `.2`: a [format](Format).
 //!
-//! Of several words of one kind the last counts.
+//! Of several words of the same kind, the last one counts.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -35,7 +38,7 @@ pub(crate) struct Query {
 }
 
 impl Query {
-    /// The query with more words.
+    /// Adds words to the query.
     pub(crate) fn with(mut self, words: &str) -> Self {
         for word in words.split(';').map(str::trim).filter(|word| !word.is_empty()) {
             if word.ends_with(".json") || word.ends_with(".toml") {
@@ -57,7 +60,7 @@ impl Query {
         self
     }
 
-    /// The answer, as it is printed.
+    /// Returns the answer as a text.
     ///
     /// # Errors
     /// The file cannot be read, or does not have exactly one answer.
@@ -68,7 +71,7 @@ impl Query {
         })
     }
 
-    /// The answer; `None` if no entry fits.
+    /// Returns the answer; `None` if no entry fits.
     ///
     /// # Errors
     /// The file cannot be read, or has several answers.
@@ -94,7 +97,7 @@ impl Query {
         }))
     }
 
-    /// The entries that have all wanted fields.
+    /// Returns the entries that have all wanted fields.
     fn fitting<'e>(&self, entries: &'e [Rc<Entry>]) -> Vec<&'e Entry> {
         let entries = entries.iter().map(Rc::as_ref);
         entries.filter(|entry| self.wanted.iter().all(|(name, is)| entry.has(name, is))).collect()
@@ -104,7 +107,7 @@ impl Query {
         self.same(fitting.iter().filter_map(|entry| evaluated(entry, &self.shown)))
     }
 
-    /// The one item that all are equal to; `None` if there are no items.
+    /// Returns the item that all items are equal to; `None` if there are no items.
     fn same<T: PartialEq>(&self, mut items: impl Iterator<Item = T>) -> Result<Option<T>> {
         let Some(first) = items.next() else { return Ok(None) };
         let Self { file, shown, wanted, .. } = self;
@@ -114,7 +117,7 @@ impl Query {
     }
 }
 
-/// The value of a formula for an entry; `None` if a field is missing.
+/// Returns the value of a formula for an entry; `None` if a field is missing.
 fn evaluated(entry: &Entry, formula: &str) -> Option<Vec<f64>> {
     let last = OPERATORS.iter().filter_map(|sign| Some((formula.rfind(sign)?, *sign))).max();
     if let Some((at, sign)) = last {
@@ -131,7 +134,7 @@ fn evaluated(entry: &Entry, formula: &str) -> Option<Vec<f64>> {
     parts.into_iter().find(|values: &Vec<f64>| !values.is_empty())
 }
 
-/// Each value of the left with its partner on the right, or with the only one there.
+/// Combines each value on the left with its partner on the right, or with the only value there.
 fn combined(left: &[f64], sign: &str, right: &[f64]) -> Vec<f64> {
     let pairs = left.iter().zip(right.iter().cycle());
     let result = pairs.map(|(left, right)| match sign {

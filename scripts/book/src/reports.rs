@@ -1,5 +1,7 @@
-//! Nothing of the course reports is lost: book/figures.toml lists every table, figure, claim and wish of theirs, with
-//! the page that shows it here, and a number of theirs beside ours.
+//! Checks that every result of the course reports has its place in the kit.
+//!
+//! book/figures.toml lists every table, figure, claim and open question of the reports. Each has
+//! the page that shows it here, and a number of the report with the kit's number.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +16,7 @@ use crate::entries::Data;
 use crate::pages::section;
 use crate::query::Query;
 
-/// The reports, as figures.toml calls them, and as a reader knows them.
+/// The reports by their names in figures.toml, and their titles.
 const REPORTS: [(&str, &str); 4] = [
     ("cs267", "CS267, Berkeley 2018"),
     ("csc581", "CSC581"),
@@ -28,30 +30,31 @@ struct List {
     figure: Vec<Figure>,
 }
 
-/// A table or figure of a report, or something that it claims or leaves to future work.
+/// A table or figure of a report, or one of its claims or plans for future work.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Figure {
     report: String,
-    /// Its number there, such as `Table 2`.
+    /// Its number in the report, such as `Table 2`.
     number: String,
     what: String,
-    /// The page in book/src that shows it; a `#section` may follow.
+    /// The page in book/src that shows it, with or without a `#section`.
     page: Option<String>,
     numbers: Option<Numbers>,
-    /// The command that makes a page without numbers again; `None` for a drawing made by hand.
+    /// The command that makes a page without numbers again; `None` for a drawing that is made by
+    /// hand.
     command: Option<String>,
-    /// The reason why it is not made again.
+    /// The reason why the kit does not reproduce it.
     left_out: Option<String>,
 }
 
-/// A number of theirs and one of ours, of one quantity.
+/// A number of the report and the kit's number for the same quantity.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Numbers {
     is: String,
     there: String,
-    /// The words that ours is found by.
+    /// The query for the kit's number.
     here: String,
 }
 
@@ -59,7 +62,7 @@ fn read(kit: &Kit) -> Result<Vec<Figure>> {
     Ok(read_toml::<List>(&kit.path("book/figures.toml"))?.figure)
 }
 
-/// The table of what became of each table and figure of the reports.
+/// Returns a table of all tables and figures of the reports, and where they are in the kit.
 ///
 /// # Errors
 /// The list cannot be read, or a number is not in its data file.
@@ -92,10 +95,10 @@ impl Figure {
     }
 }
 
-/// Looks at every entry of the list, on pages as they are printed.
+/// Checks every entry of the list against the printed pages. Returns the faults, one per line.
 ///
 /// # Errors
-/// The list cannot be read, or a number is not in its data file. Other faults are returned, a line each.
+/// The list cannot be read, or a number is not in its data file.
 pub(crate) fn check(data: &mut Data, pages: &BTreeMap<String, String>) -> Result<Vec<String>> {
     let families = families(data.kit)?;
     let commands: Vec<_> = families.iter().flat_map(|family| &family.commands).collect();
@@ -122,7 +125,7 @@ pub(crate) fn check(data: &mut Data, pages: &BTreeMap<String, String>) -> Result
     Ok(wrong)
 }
 
-/// Whether a text has both numbers of `[0.918 – 0.077](page)`, as they are printed.
+/// Whether a text contains both numbers of `[0.918 – 0.077](page)` as they are printed.
 fn shows(text: &str, numbers: &str) -> bool {
     let numbers = numbers.trim_start_matches('[').split(']').next().unwrap_or_default();
     let words = text.split(|c: char| !c.is_ascii_digit() && !".,".contains(c));
@@ -130,7 +133,7 @@ fn shows(text: &str, numbers: &str) -> bool {
     numbers.split(" – ").all(|number| words.contains(&number))
 }
 
-/// The command as one would repeat it: without the files that it wrote.
+/// Returns the command without the options for files, so that a reader can repeat it.
 fn repeated(command: &str) -> String {
     let mut words: Vec<_> = command.split_whitespace().collect();
     while let Some(at) = words.iter().position(|word| ["--json", "--svg"].contains(word)) {

@@ -1,4 +1,4 @@
-//! The sections that starters send their reader to are there.
+//! Checks that the sections that starters name exist in the chapters.
 
 use std::fs;
 
@@ -7,14 +7,15 @@ use anyhow::Result;
 use lab_kit::Kit;
 use lab_kit::files::{files_below, read_text};
 
-/// What stands before a section's name in a doc comment: `Book: chapter 5, *Gather*.` The heading may go on after a
-/// colon: `### Gather: a collective operation`.
+/// The text before the name of a section in a doc comment: `Book: chapter 5, *Gather*.`
+///
+/// The heading may continue after a colon: `### Gather: a collective operation`.
 const BOOK: &str = "Book: ";
 
-/// Looks at every source of every starter.
+/// Checks every source of every starter. Returns the sections that no chapter has, one per line.
 ///
 /// # Errors
-/// A source cannot be read. Sections that no chapter has are returned, a line each.
+/// A source cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     for lab in kit.starters() {
@@ -32,7 +33,7 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(wrong)
 }
 
-/// Whether there is a `chapter 5, *Gather*.`
+/// Whether the section in a text such as `chapter 5, *Gather*.` exists.
 fn is_there(kit: &Kit, named: &str) -> bool {
     let place = named.strip_prefix("chapter ").and_then(|named| named.strip_suffix("*."));
     let Some((chapter, heading)) = place.and_then(|place| place.split_once(", *")) else {
@@ -42,7 +43,7 @@ fn is_there(kit: &Kit, named: &str) -> bool {
     page.is_ok_and(|page| page.lines().any(|line| is_heading(line, heading)))
 }
 
-/// Whether a line is this heading, below the page's title; it may go on after a colon.
+/// Whether a line is this heading, below the page's title. The heading may continue after a colon.
 fn is_heading(line: &str, heading: &str) -> bool {
     let after = line.trim_start_matches('#').trim().strip_prefix(heading);
     line.starts_with("##") && after.is_some_and(|rest| rest.is_empty() || rest.starts_with(": "))

@@ -1,4 +1,4 @@
-//! Code in chapters comes from the kit's own sources, and never shows an answer.
+//! Checks that code in chapters comes from the kit's sources, and that it never shows an answer.
 
 use anyhow::Result;
 
@@ -7,10 +7,10 @@ use lab_kit::excerpt::excerpt;
 
 use crate::pages::pages;
 
-/// Looks at every include of every chapter.
+/// Checks every include of every chapter. Returns the faults, one per line.
 ///
 /// # Errors
-/// A chapter cannot be read. What is wrong with it is returned, a line each.
+/// A chapter cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     for (page, text) in pages(kit)? {
@@ -26,7 +26,7 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(wrong)
 }
 
-/// What a line includes: `path`, `path:anchor` or `path:first:last`.
+/// Returns the files that a line includes: `path`, `path:anchor` or `path:first:last`.
 fn includes(line: &str) -> impl Iterator<Item = &str> {
     line.split("{{#").skip(1).filter_map(|marker| {
         let (name, rest) = marker.split_once(char::is_whitespace)?;

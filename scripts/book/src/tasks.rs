@@ -1,5 +1,4 @@
-//! A lab's tasks in its chapter: the place where each begins, which can be linked to, and its hints at the end of its
-//! section, folded.
+//! Adds a lab's tasks to its chapter: an anchor where each task begins, and folded hints.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -10,17 +9,19 @@ use lab_kit::facts::TaskFacts;
 use lab_kit::hints::{self, Hints};
 use lab_kit::{Kit, Lab};
 
-/// What the three hints of a task are called.
+/// The names of the three hints of a task.
 const TIERS: [&str; hints::TIERS] = ["a nudge", "the idea", "nearly the answer"];
 
-/// Returns the page `file` of the book with the place of each task below the heading of its section, and with links
-/// to these places in tables of tasks. If `with_hints`, each section ends with the hints of its tasks. The lab's
-/// facts say which section a task has. Pages that are not the chapter of a lab stay as they are.
+/// Returns the page `file` of the book with its tasks.
+///
+/// Below the heading of its section, each task has a line with an anchor, and tables of tasks link
+/// to the anchors. If `with_hints`, each section ends with the hints of its tasks. The lab's facts
+/// contain the section of each task. Pages that are not the chapter of a lab stay as they are.
 ///
 /// # Errors
 /// A task's section is not in the chapter.
 pub(crate) fn placed(kit: &Kit, file: &Path, text: &str, with_hints: bool) -> Result<String> {
-    // Pages in folders are no chapters.
+    // Pages in folders are not chapters.
     let number = file.to_str().and_then(|name| name.strip_prefix("lab")?.strip_suffix(".md"));
     let Some(lab) = number.and_then(|number| number.parse::<Lab>().ok()) else {
         return Ok(text.to_owned());
@@ -57,14 +58,15 @@ pub(crate) fn placed(kit: &Kit, file: &Path, text: &str, with_hints: bool) -> Re
     Ok(out)
 }
 
-/// A task, as the chapter shows it.
+/// The facts and the hints of a task.
 struct Task<'a> {
     facts: &'a TaskFacts,
     hints: &'a Hints,
 }
 
 impl Task<'_> {
-    /// A line with the task's number, title, hours and difficulty, and the anchor `task-N-M`.
+    /// Returns a line with the task's number, title, hours and difficulty, and the anchor
+    /// `task-N-M`.
     fn place(&self) -> String {
         let Hints { task, title, .. } = self.hints;
         let anchor = anchor(&task.to_string());
@@ -77,17 +79,17 @@ impl Task<'_> {
     }
 }
 
-/// The difficulty of a task as one to three filled circles.
+/// Returns the difficulty of a task as one to three filled circles.
 pub(crate) fn difficulty(task: &TaskFacts) -> String {
     "●".repeat(task.mark) + &"○".repeat(3_usize.saturating_sub(task.mark))
 }
 
-/// The anchor of a task's place, such as `task-2-4`.
+/// Returns the anchor of a task, such as `task-2-4`.
 pub(crate) fn anchor(task: &str) -> String {
     format!("task-{}", task.replace('.', "-"))
 }
 
-/// The row of a table of tasks, with its number as a link to the task's place; any other line as it is.
+/// Returns the row of a table of tasks with a link to the task. Any other line stays as it is.
 fn linked(line: &str, tasks: &BTreeMap<String, TaskFacts>) -> String {
     let number = line.strip_prefix("| ").and_then(|rest| rest.split_once(" |"));
     match number {
@@ -98,7 +100,7 @@ fn linked(line: &str, tasks: &BTreeMap<String, TaskFacts>) -> String {
     }
 }
 
-/// The hints of some tasks, one fold a task.
+/// Returns the hints of some tasks, with a fold for each task.
 fn folds(tasks: &[Task], with_hints: bool) -> String {
     let shown = tasks.iter().filter(|_| with_hints);
     shown.map(|task| folded(task.hints)).collect()
@@ -129,7 +131,7 @@ mod tests {
 
     const PAGE: &str = "# Lab\n\n| 1.2 | `f` |\n| 9.9 | x |\n\n### Force\n\nPush.\n\n```sh\n# Move\n```\n\n### Move\n\nGo.\n";
 
-    /// A page of a kit with two tasks.
+    /// Returns the page of a kit with two tasks.
     fn filled(page: &str, text: &str, with_hints: bool) -> anyhow::Result<String> {
         let folder = tempfile::tempdir().unwrap();
         let kit = Kit::of_files(folder.path(), &[("labs/lab1/lab.toml", FACTS)]);

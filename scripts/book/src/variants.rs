@@ -1,4 +1,5 @@
-//! Every variant of every lab side by side: words from the facts of the labs, times from the races in book/data.
+//! Tables of all variants of all labs: texts from the facts of the labs, times from the races in
+//! book/data.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -14,14 +15,15 @@ use lab_kit::{Kit, Lab};
 use crate::entries::Data;
 use crate::query::Query;
 
-/// The sizes of the scenes for soft and for hard discs.
+/// The numbers of particles for soft and for hard discs.
 const SIZES: [(&str, [&str; 3]); 2] =
     [("soft", ["1000", "10000", "100000"]), ("hard", ["1000", "4000", "16000"])];
 
-/// Races for these tables, and races of other days: their variants have a row without times.
+/// Names of the races: `compare` for these tables, and `apart` for variants whose rows have no
+/// times.
 const RACES: [&str; 2] = ["compare", "apart"];
 
-/// The facts of all variants, lab by lab.
+/// Returns the facts of all variants, lab by lab.
 fn words(kit: &Kit) -> Result<Vec<(Lab, VariantFacts)>> {
     let mut words = Vec::new();
     for lab in kit.solutions() {
@@ -30,10 +32,10 @@ fn words(kit: &Kit) -> Result<Vec<(Lab, VariantFacts)>> {
     Ok(words)
 }
 
-/// Two tables of the variants of `soft` or `hard` discs, lab by lab: times and words.
+/// Returns two tables of the variants of `soft` or `hard` discs, lab by lab: times and texts.
 ///
 /// # Errors
-/// The words or a race cannot be read.
+/// The facts or a race cannot be read.
 pub(crate) fn table(data: &mut Data, discs: &str) -> Result<String> {
     let sizes = SIZES.iter().find(|(name, _)| *name == discs).context("discs are soft or hard")?.1;
     let [small, middle, large] = sizes;
@@ -74,11 +76,12 @@ fn is_timed(data: &mut Data, lab: Lab, variant: &str, discs: &str) -> Result<boo
     Ok(false)
 }
 
-/// Variants without a time, and variants that only the program or only `lab.toml` has. The programs that are built in
-/// this folder are asked for their variants.
+/// Finds variants without a time, and variants that only the program or only `lab.toml` has.
+///
+/// The programs in the folder `programs` list their variants, if they are built.
 ///
 /// # Errors
-/// The words or a race cannot be read, or a program lists no variants.
+/// The facts or a race cannot be read, or a program lists no variants.
 pub(crate) fn check(data: &mut Data, programs: &Path) -> Result<Vec<String>> {
     let words = words(data.kit)?;
     let mut wrong = Vec::new();
@@ -104,7 +107,7 @@ pub(crate) fn check(data: &mut Data, programs: &Path) -> Result<Vec<String>> {
     Ok(wrong)
 }
 
-/// The variants that the solution's programs list; `None` where one is not built.
+/// Returns the variants that the solution's programs list; `None` if a program is not built.
 fn ask(lab: Lab, programs: &Path) -> Result<Option<BTreeSet<String>>> {
     let first = Program::new(lab, true)?;
     let mut there = BTreeSet::new();
@@ -140,7 +143,8 @@ mod tests {
          "nanoseconds_per_particle_and_step": {"min": 20.0}}
     ]}}"#;
 
-    /// A kit with a row and a race of lab 2's `sorted`, whose program lists one variant.
+    /// Calls `test` with a kit that has a row and a race of lab 2's `sorted`, and a program with
+    /// one variant.
     fn with(variant: &str, test: impl FnOnce(&Kit)) {
         let folder = tempfile::tempdir().unwrap();
         let list = format!("#!/bin/sh\necho '[{{\"name\": \"{variant}\", \"parameters\": []}}]'\n");

@@ -12,13 +12,13 @@ use crate::intake;
 use crate::intake::names::named;
 use lab_kit::files::write_file;
 use lab_kit::starter;
-use lab_kit::submission::Sources;
+use lab_kit::submission::{Sources, of_solution};
 use lab_kit::{Kit, Lab};
 
 /// Write a class in the form that Dolos compares (for instructors)
 ///
 /// Dolos (https://dolos.ugent.be) finds who wrote the same, whatever names, layout and order are.
-/// It gets one file for each submission, and the starter, whose code does not count. The book says how to
+/// It gets one file for each submission, the kit's own solution, and the starter, whose code does not count. The book says how to
 /// install it and how to read what it finds.
 #[derive(Args)]
 pub(crate) struct Options {
@@ -69,9 +69,11 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
     labs.retain(|lab, class| options.lab.is_none_or(|own| own == *lab) && class.len() > 1);
     ensure!(!labs.is_empty(), "of no lab there are two submissions to compare");
-    for (lab, class) in labs {
+    for (lab, mut class) in labs {
         let folder = into.join(format!("lab{lab}"));
         println!("Lab {lab}: {} submissions", class.len());
+        // The kit is public: everybody can copy this one.
+        class.push(("public/solution.rs".into(), "public", one_file(&of_solution(kit, lab)?)));
         write(kit, lab, class, &folder)?;
         let (list, starter) = (folder.join("info.csv"), folder.join("starter.rs"));
         let (list, starter) = (list.display(), starter.display());
@@ -128,8 +130,10 @@ mod tests {
         let read = |name: &str| fs::read_to_string(folder("out/lab2").join(name)).unwrap();
         assert_eq!(
             read("info.csv"),
-            "filename,label\nnow/ada.rs,now\nnow/bob.rs,now\nbefore/ada.rs,before\n"
+            "filename,label\nnow/ada.rs,now\nnow/bob.rs,now\nbefore/ada.rs,before\n\
+             public/solution.rs,public\n"
         );
+        assert!(read("public/solution.rs").contains("// task 2.1: "), "everybody can copy it");
         assert_eq!(read("now/bob.rs"), "// src/a.rs\nfn f() {}\n// src/b.rs\nfn f() {}\n");
         assert!(read("starter.rs").contains("\n// src/lib.rs\n"), "{}", read("starter.rs"));
     }

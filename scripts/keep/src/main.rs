@@ -3,13 +3,14 @@
 use std::process::ExitCode;
 
 use clap::Subcommand;
-use lab_keep::{figures, handout, prove, starter};
+use lab_keep::{classroom, figures, handout, prove, starter};
 
 /// Keep the kit true to itself, and hand it out.
 #[derive(Subcommand)]
 enum Command {
     Starter(starter::Options),
     Handout(handout::Options),
+    Classroom(classroom::Options),
     Prove(prove::Options),
     Figures(figures::Options),
 }
@@ -18,6 +19,7 @@ fn main() -> ExitCode {
     lab_kit::command::main(|kit, command: Command| match command {
         Command::Starter(options) => starter::run(kit, options),
         Command::Handout(options) => handout::run(kit, options),
+        Command::Classroom(options) => classroom::run(kit, &options),
         Command::Prove(options) => prove::run(kit, options),
         Command::Figures(options) => figures::run(kit, options),
     })

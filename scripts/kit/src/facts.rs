@@ -18,7 +18,7 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// The facts of a lab.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -169,7 +169,7 @@ impl Default for Movie {
 }
 
 /// What is simulated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Discs {
     /// Particles that repel each other within a cutoff.
@@ -192,7 +192,7 @@ pub enum Work {
 }
 
 /// What shares the work of a program.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Workers {
     /// Threads of one process, or one thread.

@@ -16,32 +16,41 @@
 //! ```
 //! ````
 //!
+//! A long body can be a diff of the answer instead: the block is called `diff`, lines with `-` give way to those with
+//! `+`, lines with a blank stay, and an empty line ends a change. The lines of a change that are in the answer must be
+//! there once.
+//!
 //! A program loses the marks of its region's task. Where another task cannot be asked without that
 //! one, the line `also loses` names it.
+//!
+//! Unusual programs that are right are kept in `tests/right/labN.md` in the same form, with `passes` instead of
+//! `fails`. They keep all marks.
 
 use std::collections::BTreeSet;
 
-use anyhow::{Context, Result, anyhow, ensure};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 
-use crate::answers::{self, Part, RegionId, Task};
+use crate::answers::{self, MarkedFile, Part, RegionId, Task};
 use crate::files::read_text;
 use crate::kit::Kit;
 use crate::lab::Lab;
 use crate::starter::rename;
 use crate::submission::{Sources, of_solution};
 
-/// A wrong answer to a task.
+/// A wrong answer to a task, or an unusual right one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wrong {
     /// The heading of its section.
     pub name: String,
     /// The region that it stands for.
     pub region: RegionId,
-    /// The tests that must fail on it.
+    /// The tests that must fail on it; none if it is right.
     pub fails: Vec<String>,
+    /// The tests that must pass on it, if it is right.
+    pub passes: Vec<String>,
     /// Other tasks that cannot be asked without this one, and whose marks go with it.
     pub loses: Vec<Task>,
-    /// What is wrong with it.
+    /// What is wrong with it, or unusual.
     pub story: String,
     /// The code.
     pub body: String,
@@ -49,15 +58,24 @@ pub struct Wrong {
 
 /// Reads the known-wrong programs of a lab; none if it has no page yet.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
-    let page = page(lab);
-    let path = kit.path(&page);
+    read_page(kit, lab, &page(lab))
+}
+
+/// Reads the unusual right programs of a lab; none if it has no page.
+pub fn read_right(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
+    read_page(kit, lab, &right_page(lab))
+}
+
+fn read_page(kit: &Kit, lab: Lab, page: &str) -> Result<Vec<Wrong>> {
+    let path = kit.path(page);
     if !path.is_file() {
         return Ok(Vec::new());
     }
     let text = read_text(&path)?;
+    let files = answers::read_solution(kit, lab)?;
     let sections = text.split("\n## ").skip(1);
     let all: Vec<Wrong> = sections
-        .map(|section| parse(lab, section).with_context(|| page.clone()))
+        .map(|section| complete(lab, section, &files).with_context(|| page.to_owned()))
         .collect::<Result<_>>()?;
     let mut names = BTreeSet::new();
     for wrong in &all {
@@ -69,6 +87,11 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
 /// The page of a lab's known-wrong programs, below the kit's top folder.
 pub fn page(lab: Lab) -> String {
     format!("tests/wrong/lab{lab}.md")
+}
+
+/// The page of a lab's unusual right programs, below the kit's top folder.
+pub fn right_page(lab: Lab) -> String {
+    format!("tests/right/lab{lab}.md")
 }
 
 impl Wrong {
@@ -90,6 +113,44 @@ impl Wrong {
     }
 }
 
+/// A section of the page, with a whole body.
+fn complete(lab: Lab, section: &str, files: &[MarkedFile]) -> Result<Wrong> {
+    let mut wrong = parse(lab, section)?;
+    if section.contains("\n```diff\n") {
+        let (name, region) = (&wrong.name, wrong.region);
+        let mut regions = files.iter().flat_map(MarkedFile::regions);
+        let answer = regions.find(|answer| answer.id == region);
+        let answer = answer.with_context(|| format!("'{name}': no region {region}"))?;
+        let body = patched(&answer.body, &wrong.body).with_context(|| format!("'{name}'"))?;
+        wrong.body = body;
+    }
+    Ok(wrong)
+}
+
+/// An answer with the changes of a diff, without the indentation of the whole.
+fn patched(answer: &str, diff: &str) -> Result<String> {
+    let indents = answer.lines().filter(|line| !line.is_empty());
+    let indent = indents.map(|line| line.len() - line.trim_start().len()).min().unwrap_or(0);
+    let mut lines: Vec<&str> =
+        answer.lines().map(|line| line.get(indent..).unwrap_or_default()).collect();
+    for change in diff.split("\n\n") {
+        let without = |sign: char| change.lines().filter(move |line| !line.starts_with(sign));
+        let [old, new] =
+            ['+', '-'].map(|sign| without(sign).map(|line| &line[1..]).collect::<Vec<_>>());
+        let is_there = |first: &usize| lines[*first..].starts_with(&old);
+        let places: Vec<usize> = (0..lines.len()).filter(is_there).collect();
+        let &[place] = &places[..] else {
+            bail!(
+                "{} places of the answer have these lines, not one:\n{}",
+                places.len(),
+                old.join("\n")
+            );
+        };
+        lines.splice(place..place + old.len(), new);
+    }
+    Ok(lines.join("\n") + "\n")
+}
+
 /// A section of the page, from its name to the end of its code.
 fn parse(lab: Lab, section: &str) -> Result<Wrong> {
     let (name, rest) = section.split_once('\n').context("the last section is empty")?;
@@ -103,19 +164,22 @@ fn parse(lab: Lab, section: &str) -> Result<Wrong> {
 
     let region: RegionId = needed("- region:")?.parse().map_err(error)?;
     ensure!(region.task.lab == lab, error(format!("task {region} is not of lab {lab}")));
-    let fails = needed("- fails:")?.split(',').map(|test| test.trim().replace('`', "")).collect();
+    let tests = |tests: &str| tests.split(',').map(|test| test.trim().replace('`', "")).collect();
+    let passes: Vec<String> = field("- passes:").map(tests).unwrap_or_default();
+    let fails = if passes.is_empty() { tests(needed("- fails:")?) } else { Vec::new() };
     let loses = field("- also loses:").into_iter().flat_map(|tasks| tasks.split(','));
     let loses = loses.map(|task| task.trim().parse().map_err(error)).collect::<Result<_>>()?;
     let story = head.split("\n- region:").next().unwrap_or_default();
     let story = story.split_whitespace().collect::<Vec<_>>().join(" ");
     ensure!(!story.is_empty(), error("it does not say what is wrong".into()));
     ensure!(!body.trim().is_empty(), error("no code".into()));
-    Ok(Wrong { name: name.into(), region, fails, loses, story, body: format!("{body}\n") })
+    let body = format!("{body}\n");
+    Ok(Wrong { name: name.into(), region, fails, passes, loses, story, body })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{parse, read};
+    use super::{parse, patched, read};
     use crate::kit::Kit;
 
     const SECTION: &str = "corner\n\nOne:\ntwo.\n\n- region: 2.4b\n- fails: `task_2_4::a`, `task_2_5::b`\n\n\
@@ -128,6 +192,29 @@ mod tests {
         assert_eq!(wrong.fails, ["task_2_4::a", "task_2_5::b"]);
         assert!(wrong.loses.is_empty());
         assert_eq!(wrong.body, "// why\nreturn 1;\n");
+    }
+
+    #[test]
+    fn a_diff_changes_the_answer() {
+        let answer = "    let a = 1;\n    if a {\n        b();\n    }\n";
+        let body = patched(answer, "-let a = 1;\n+let a = 2;\n\n     b();\n+    c();\n").unwrap();
+        assert_eq!(body, "let a = 2;\nif a {\n    b();\n    c();\n}\n");
+        let error = patched(answer, "-let b = 1;\n").unwrap_err().to_string();
+        assert!(error.starts_with("0 places of the answer"), "{error}");
+    }
+
+    #[test]
+    fn every_diff_fits_its_answer() {
+        let kit = Kit::find().unwrap();
+        kit.solutions().into_iter().for_each(|lab| _ = read(&kit, lab).unwrap());
+    }
+
+    #[test]
+    fn a_right_program_names_tests_that_pass() {
+        let section = SECTION.replace("fails", "passes");
+        let right = parse("2".parse().unwrap(), &section).unwrap();
+        assert!(right.fails.is_empty());
+        assert_eq!(right.passes, ["task_2_4::a", "task_2_5::b"]);
     }
 
     #[test]

@@ -1,23 +1,26 @@
-//! The costs of one core: loops that do one thing each, as fast as the core can or as slowly as it must.
+//! Measures the costs of one core, by loops that do only one thing.
 
 use std::hint::black_box;
 
 use crate::nanoseconds_each;
 
-/// Rounds of a loop that is timed.
+/// Number of rounds of a timed loop.
 const ROUNDS: usize = 1 << 20;
 
-/// Bytes of a line of a cache.
+/// Bytes of a cache line.
 const LINE: usize = 64;
 
-/// Multiplications, and additions, of a number that [`operation`] loads: enough that loads and stores cost nothing.
+/// Number of multiplications, and of additions, for each number that [`operation`] loads.
+///
+/// They are so many that loads and stores cost nothing.
 const STEPS: usize = 3;
 
-/// Six numbers, each scrambled by other shifts: no two can share a vector instruction.
+/// Six numbers with different shifts, so that no two can share a vector instruction.
 struct Scrambled([u64; 6]);
 
 impl Scrambled {
-    /// Instructions of x86-64 in a round: for each number a copy, a shift and an exclusive or, three times.
+    /// Number of x86-64 instructions in a round: for each number a copy, a shift and an exclusive
+    /// or, three times.
     const INSTRUCTIONS: usize = 9 * 6;
 
     #[inline(always)]
@@ -40,8 +43,9 @@ fn scramble<const A: u32, const B: u32, const C: u32>(x: &mut u64) {
     *x ^= *x << C;
 }
 
-/// Measures the nanoseconds of an instruction, where as many run at once as the core can: independent operations on
-/// whole numbers.
+/// Measures the nanoseconds of an instruction at the core's greatest rate.
+///
+/// The instructions are independent integer operations.
 pub fn instruction() -> f64 {
     nanoseconds_each(ROUNDS * Scrambled::INSTRUCTIONS, || {
         let mut numbers = black_box(Scrambled([1, 2, 3, 4, 5, 6]));
@@ -52,8 +56,10 @@ pub fn instruction() -> f64 {
     })
 }
 
-/// Measures the nanoseconds that a mispredicted branch costs: a branch on a random bit, which is mispredicted every
-/// second time, against the same branch on a bit that is always 0.
+/// Measures the nanoseconds that a mispredicted branch costs.
+///
+/// A branch on a random bit is mispredicted every second time. It is compared with the same branch
+/// on a bit that is always 0.
 pub fn misprediction() -> f64 {
     let take = |mask: u64| {
         let mut random = 1;
@@ -62,7 +68,7 @@ pub fn misprediction() -> f64 {
             for _ in 0..ROUNDS {
                 scramble::<13, 7, 17>(&mut random);
                 if random & mask != 0 {
-                    // No compiler computes this without a branch.
+                    // Because of this call, no compiler computes the count without a branch.
                     black_box(&mut taken);
                 }
             }
@@ -71,11 +77,12 @@ pub fn misprediction() -> f64 {
     2.0 * (take(black_box(1 << 40)) - take(black_box(0)))
 }
 
-/// Measures the nanoseconds of a load from one of `bytes` bytes in random order, where the next load waits for it.
+/// Measures the nanoseconds of a load from a random one of `bytes` bytes, if the next load waits
+/// for it.
 pub fn latency(bytes: usize) -> f64 {
     let lines = (bytes / LINE).max(2);
     let numbers = LINE / size_of::<usize>();
-    // Sattolo's shuffle: a single cycle through all lines.
+    // This is Sattolo's shuffle, which makes a single cycle through all lines.
     let mut order: Vec<usize> = (0..lines).collect();
     let mut random = 1;
     for last in (1..lines).rev() {
@@ -95,8 +102,10 @@ pub fn latency(bytes: usize) -> f64 {
     })
 }
 
-/// Measures the nanoseconds of a multiplication or an addition of `f64`, where as many run at once as the core can with
-/// two in each instruction, as every x86-64 has them.
+/// Measures the nanoseconds of a multiplication or an addition of `f64` at the core's greatest
+/// rate.
+///
+/// Each instruction has two operations, as on every x86-64 processor.
 pub fn operation() -> f64 {
     let (factor, summand) = black_box((0.999, 0.001));
     let mut numbers = [1.0; 512];

@@ -1,5 +1,7 @@
-//! What this machine offers, for the command and for the tests' oracle: its [`Mpiexec`], the time that it needs to
-//! [stream](streaming) particles, and [what things cost one core](core_costs).
+//! The properties of this machine, for the commands and for the tests' oracle.
+//!
+//! They are its MPI launcher ([`Mpiexec`]), the time in which it [streams](streaming) particles,
+//! and the [costs of one core](core_costs).
 
 pub mod core_costs;
 mod mpiexec;
@@ -9,7 +11,7 @@ pub use mpiexec::{Mpiexec, NoMpiexec};
 
 use std::time::Instant;
 
-/// Measures the nanoseconds that `work` takes for each of `count` things: the median of nine takes.
+/// Measures the nanoseconds that `work` takes for each of `count` items: the median of nine takes.
 pub fn nanoseconds_each(count: usize, mut work: impl FnMut()) -> f64 {
     let mut takes = [0; 9].map(|_| {
         let start = Instant::now();

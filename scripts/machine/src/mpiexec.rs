@@ -1,4 +1,4 @@
-//! The MPI launcher that is installed, and the flags with which it starts more ranks than cores.
+//! The MPI launcher of this machine, and the flags that let it start more ranks than cores.
 
 use std::env;
 use std::ffi::OsString;
@@ -15,11 +15,11 @@ use thiserror::Error;
 pub struct Mpiexec {
     program: OsString,
     flags: &'static [&'static str],
-    /// Whether a rank that waits lets another rank have its core.
+    /// Whether a waiting rank yields its core to another rank.
     yields: bool,
 }
 
-/// How much longer ranks may take if they outnumber the cores and do not yield them.
+/// Factor by which time limits grow if ranks outnumber the cores and do not yield them.
 const PATIENCE: u32 = 4;
 
 /// The reason why no `mpiexec` works.
@@ -31,8 +31,11 @@ pub struct NoMpiexec {
 }
 
 impl Mpiexec {
-    /// Finds the launcher: the one that `MPIEXEC` names, else the one beside the compiler that `MPICC`
-    /// names (the labs were built with that compiler, and the two must belong together), else `mpiexec`.
+    /// Finds the launcher: the one that `MPIEXEC` names, or else one beside the compiler, or else
+    /// `mpiexec`.
+    ///
+    /// `MPICC` names the compiler that the labs were built with. The launcher and the compiler must
+    /// be of the same MPI.
     ///
     /// # Errors
     /// The launcher is missing or does not start.
@@ -49,17 +52,20 @@ impl Mpiexec {
         }
     }
 
-    /// Returns the time limit of a job on `ranks` ranks that takes no longer than `usual` where a waiting
-    /// rank yields its core.
+    /// Returns the time limit of a job on `ranks` ranks.
     ///
-    /// A rank of MPICH as Debian builds it does not: it looks for messages until the system takes its core
-    /// away, after three or four milliseconds. Each message of a rank without a core then takes that long.
+    /// The job takes at most `usual` if waiting ranks yield their cores.
+    ///
+    /// With MPICH as Debian builds it, they do not: a rank polls for messages until the system
+    /// takes its core away, after three or four milliseconds. Each message of a rank without a core
+    /// then takes that long.
     pub fn limit(&self, usual: Duration, ranks: usize) -> Duration {
         let cores = thread::available_parallelism().map_or(1, usize::from);
         if self.yields || ranks <= cores { usual } else { PATIENCE * usual }
     }
 
-    /// Returns the command that runs `program` on `ranks` ranks; the program's arguments may follow.
+    /// Returns the command that runs `program` on `ranks` ranks. The caller may append the
+    /// program's arguments.
     pub fn start(&self, ranks: usize, program: &Path) -> Command {
         let mut command = Command::new(&self.program);
         command.args(self.flags).arg("-n").arg(ranks.to_string()).arg(program);
@@ -67,7 +73,9 @@ impl Mpiexec {
     }
 }
 
-/// Names the launcher of a compiler: `mpiexec.mpich` for `mpicc.mpich`, `/opt/mpi/bin/mpiexec` for `/opt/mpi/bin/mpicc`.
+/// Returns the launcher of a compiler: `/opt/mpi/bin/mpiexec` for `/opt/mpi/bin/mpicc`.
+///
+/// Returns `None` for a name without `mpicc`.
 fn beside(compiler: &Path) -> Option<OsString> {
     let name = compiler.file_name()?.to_str()?;
     let launcher = name.replacen("mpicc", "mpiexec", 1);

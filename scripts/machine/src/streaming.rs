@@ -1,17 +1,18 @@
-//! The streaming bound, or yardstick: no program that touches all particles can be faster.
+//! The streaming bound: a program that reads and writes all particles cannot be faster.
 
 use std::hint::black_box;
 use std::sync::Barrier;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Time step of the sweep. Any number does.
+/// Time step of the sweep. Its value does not matter.
 const DT: f64 = 0.0005;
 
-/// Least time of a take. In a shorter one the clock and the threads' start would show.
+/// Least time of a take. In a shorter take, the clock and the start of threads would have an
+/// influence.
 const LEAST: Duration = Duration::from_millis(10);
 
-/// Particles of one thread, as four arrays.
+/// The particles of one thread, as four arrays.
 struct Share {
     x: Vec<f64>,
     y: Vec<f64>,
@@ -24,8 +25,10 @@ impl Share {
         Self { x: line(n, 1e-3), y: line(n, 2e-3), vx: line(n, 3e-3), vy: line(n, 5e-3) }
     }
 
-    /// Reads and writes every number once. It moves the particles and turns their velocities round, so that the
-    /// numbers stay the same however long this goes on.
+    /// Reads and writes every number once.
+    ///
+    /// It moves the particles and reverses their velocities, so that the numbers stay the same
+    /// after any number of sweeps.
     fn sweep(&mut self) {
         let velocities = self.vx.iter_mut().zip(&mut self.vy);
         for ((x, y), (vx, vy)) in self.x.iter_mut().zip(&mut self.y).zip(velocities) {
@@ -38,19 +41,23 @@ impl Share {
 
     fn sweeps(&mut self, count: u32) {
         for _ in 0..count {
-            // The compiler must believe that the arrays are read after each sweep.
+            // The compiler must assume that the arrays are read after each sweep.
             black_box(&mut *self).sweep();
         }
     }
 }
 
-/// Returns 0, `step`, 2 `step`, …: `n` numbers.
+/// Returns the `n` numbers 0, `step`, 2 `step`, …
 fn line(n: usize, step: f64) -> Vec<f64> {
     (0..n).map(|i| i as f64 * step).collect()
 }
 
-/// Measures the nanoseconds per particle in which `threads` threads, each with its own share, read and write x, y, vx
-/// and vy of `n` particles in place: one take.
+/// Measures the nanoseconds per particle for reading and writing x, y, vx and vy in place, in one
+/// take.
+///
+/// There are `n` particles.
+///
+/// Each of the `threads` threads has an equal share of the particles.
 pub fn nanoseconds(n: usize, threads: usize) -> f64 {
     let mut shares: Vec<_> =
         (0..threads).map(|t| Share::new(n * (t + 1) / threads - n * t / threads)).collect();
@@ -65,7 +72,8 @@ pub fn nanoseconds(n: usize, threads: usize) -> f64 {
     }
 }
 
-/// Measures the time until all threads have swept their shares `count` times, from the moment when all are ready.
+/// Measures the time until all threads have swept their shares `count` times, after all of them are
+/// ready.
 fn together(shares: &mut [Share], count: u32) -> Duration {
     let ready = Barrier::new(shares.len());
     let timed = |share: &mut Share| {

@@ -1,7 +1,7 @@
-//! The grades of the original autograder: complexity by slope, scaling by efficiency.
+//! The grading rules of the original autograder: complexity by slope, scaling by efficiency.
 //!
-//! Its rules are not in any of the course reports, but its outputs are: the tests of [`published`](crate::published)
-//! get the grades that the reports print from the times that they print.
+//! The course reports do not state the rules, but they print grades. The tests of
+//! [`published`](crate::published) compute the same grades from the times that the reports print.
 
 use super::clock::Span;
 
@@ -33,19 +33,25 @@ pub fn complexity_grade(slope: f64) -> f64 {
     }
 }
 
-/// Returns the strong efficiency: the share of `workers` times the speed that `workers` workers reach on the
-/// same scene, from the seconds of one worker and of all.
+/// Returns the strong efficiency: the speed of all workers as a share of `workers` times the speed
+/// of one.
+///
+/// The arguments are the seconds of one worker and of all workers on the same scene.
 pub fn strong_efficiency(one: f64, workers: usize, all: f64) -> f64 {
     one / (workers as f64 * all)
 }
 
-/// Returns the weak efficiency: one worker's seconds over those of all on a scene that is larger in proportion.
+/// Returns the weak efficiency: one worker's seconds over the seconds of all on a larger scene.
+///
+/// The scene grows in proportion to the number of workers.
 pub fn weak_efficiency(one: f64, all: f64) -> f64 {
     one / all
 }
 
-/// Returns the mean efficiency over the numbers of workers, one worker included, by the shortest takes and by the
-/// medians; `None` if there are no efficiencies.
+/// Returns the mean efficiency over the numbers of workers, by the shortest takes and by the
+/// medians.
+///
+/// One worker is included. Returns `None` if there are no efficiencies.
 pub fn averages(efficiencies: &[Span]) -> Option<Span> {
     let count = efficiencies.len() as f64;
     (count > 0.0).then(|| Span::both(|way| efficiencies.iter().map(way).sum::<f64>() / count))

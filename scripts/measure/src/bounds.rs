@@ -1,17 +1,18 @@
-//! The least times that a program's counts allow on this machine, and the bound that holds the program.
+//! The least times that a program's counts allow on this machine, and the bound that limits the
+//! program.
 
 use lab_machine::core_costs;
 use serde::{Deserialize, Serialize};
 
 use crate::cachegrind::{Caches, Counts};
 
-/// Bytes of a line of a cache.
+/// Bytes of a cache line.
 const LINE: f64 = 64.0;
 
-/// Bytes of a particle that the streaming bound reads, and writes.
+/// Bytes of a particle that the streaming bound reads; it writes as many.
 const STREAMED: f64 = 32.0;
 
-/// Below this share of its time a bound explains nothing.
+/// Share of a program's time below which a bound explains nothing.
 const EXPLAINS: f64 = 0.5;
 
 /// Costs of one core of this machine, in nanoseconds.
@@ -19,29 +20,29 @@ const EXPLAINS: f64 = 0.5;
 pub struct Costs {
     instruction: f64,
     misprediction: f64,
-    /// A load from the second level of the caches, if one waits for the other.
+    /// A load from the second-level cache, in a chain of dependent loads.
     second_level: f64,
-    /// The same from beyond it.
+    /// A load from beyond the second-level cache, in a chain of dependent loads.
     beyond: f64,
     /// A multiplication or an addition.
     operation: f64,
 }
 
-/// Nanoseconds per particle and step by what was counted.
+/// Nanoseconds per particle and step that the counts of a program allow.
 #[derive(Clone, Copy, Deserialize, Serialize)]
 pub struct Bounds {
-    /// Time of the instructions, if as many run at once as the core can.
+    /// Time of the instructions, if the core runs as many at once as it can.
     pub instructions: f64,
     /// Time of the branches that a simple predictor mispredicts.
     pub branches: f64,
-    /// Time of the lines that miss the first level, if they stream in one behind the other.
+    /// Time of the lines that miss the first-level cache, if they stream in one after another.
     pub bandwidth: f64,
-    /// Time of the misses, if each waits for the one before. No program must pay that.
+    /// Time of the misses, if each waits for the one before. A program may take less.
     pub latency: f64,
 }
 
 impl Costs {
-    /// Measures the costs, for the levels of caches that were counted.
+    /// Measures the costs, for caches of these sizes.
     pub fn measure(caches: Caches) -> Self {
         let second = caches.second_level();
         Self {
@@ -53,7 +54,7 @@ impl Costs {
         }
     }
 
-    /// Returns the costs in words.
+    /// Returns the costs as a text.
     pub fn in_words(&self) -> String {
         let Self { instruction, misprediction, second_level, beyond, operation } = self;
         format!(
@@ -65,12 +66,12 @@ impl Costs {
         )
     }
 
-    /// Returns the most instructions of a nanosecond.
+    /// Returns the greatest number of instructions in a nanosecond.
     pub(crate) fn most_instructions(&self) -> f64 {
         1.0 / self.instruction
     }
 
-    /// Returns the most operations of floating point of a nanosecond.
+    /// Returns the greatest number of floating-point operations in a nanosecond.
     pub(crate) fn most_operations(&self) -> f64 {
         1.0 / self.operation
     }
@@ -93,8 +94,10 @@ impl Bounds {
         self.instructions.max(self.bandwidth)
     }
 
-    /// Names the bound that holds a program that takes `time`. Branches and latency are what a simple predictor and a
-    /// core that fetches nothing ahead would pay: they are named where they fill the time beyond the least.
+    /// Names the bound that limits a program that takes `time`.
+    ///
+    /// Branches and latency are the costs with a simple predictor and without prefetching. They are
+    /// named only if they explain the time beyond the least.
     pub fn holding(&self, time: f64) -> &'static str {
         let least = self.least();
         let rest = time - least;
@@ -113,12 +116,12 @@ impl Bounds {
     }
 }
 
-/// Returns the bytes that come into the first level.
+/// Returns the bytes that are loaded into the first-level cache.
 pub(crate) fn bytes(counts: Counts) -> f64 {
     LINE * counts[1]
 }
 
-/// Returns the bytes that streaming brings into the first level in a nanosecond.
+/// Returns the bytes that streaming loads into the first-level cache in a nanosecond.
 pub(crate) fn bandwidth(streaming: f64) -> f64 {
     STREAMED / streaming
 }

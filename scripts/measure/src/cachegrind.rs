@@ -1,4 +1,4 @@
-//! Events of a processor, counted by simulation: valgrind's tool cachegrind.
+//! Counts events of a processor by simulation, with valgrind's tool cachegrind.
 
 use std::array::from_fn;
 use std::collections::BTreeMap;
@@ -10,8 +10,10 @@ use anyhow::{Context, Result, ensure};
 use clap::Args;
 use serde::{Deserialize, Serialize};
 
-/// Cachegrind's names of the events in [`Counts`], each with its index there: a first-level miss is a miss of data read
-/// or written, whatever the last level says of it.
+/// Cachegrind's names of the events in [`Counts`], each with its index there.
+///
+/// A first-level miss is a miss of data that are read or written, even if the last level has the
+/// data.
 const EVENTS: [(&str, usize); 8] = [
     ("Ir", 0),
     ("D1mr", 1),
@@ -23,7 +25,7 @@ const EVENTS: [(&str, usize); 8] = [
     ("Bim", 3),
 ];
 
-/// The simulated caches, of lines of 64 bytes; the first level has 8 ways, the last 16.
+/// The simulated caches, with lines of 64 bytes. The first level has 8 ways, the last level 16.
 #[derive(Args, Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Caches {
     /// KiB of the first-level cache of data: a power of two
@@ -37,11 +39,11 @@ pub struct Caches {
 /// Instructions, first-level misses, last-level misses, mispredicted branches.
 pub type Counts = [f64; 4];
 
-/// Counts of a run, by the location in the program: a file with a function or a line.
+/// Counts of a run by the location in the program: a file with a function or a line.
 #[derive(Debug, Default, PartialEq)]
 pub struct Profile(BTreeMap<String, Counts>);
 
-/// Kinds of locations in a [`Profile`].
+/// The kind of the locations in a [`Profile`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum By {
     /// Functions that are not inlined, with the file that a part of them comes from
@@ -50,7 +52,7 @@ pub enum By {
     Line,
 }
 
-/// Words that let valgrind count.
+/// The command that makes valgrind count.
 const COUNTING: [&str; 5] =
     ["valgrind", "--quiet", "--tool=cachegrind", "--cache-sim=yes", "--branch-sim=yes"];
 
@@ -60,10 +62,12 @@ impl Caches {
         1024 * self.last_level as usize
     }
 
-    /// Returns the words before a program's by which it is counted, into files named `counts.…` of `folder`.
+    /// Returns the words that precede a program's command line, so that its events are counted.
+    ///
+    /// The counts are in files named `counts.…` in `folder`.
     ///
     /// # Errors
-    /// There is no valgrind, or the caches are none.
+    /// Valgrind is not installed, or the caches are not possible.
     pub fn tool(&self, folder: &Path) -> Result<Vec<String>> {
         let Self { first_level, last_level } = self;
         ensure!(first_level <= last_level, "the last level cannot be smaller than the first");
@@ -82,8 +86,11 @@ impl Caches {
     }
 }
 
-/// Returns the words by which a program lies at the same addresses in each run, because misses and mispredictions
-/// depend on them; empty if the system cannot do that.
+/// Returns the words that give a program the same addresses in each run.
+///
+/// There are none if the system cannot do that.
+///
+/// Misses and mispredictions depend on the addresses.
 fn same_addresses() -> &'static [&'static str] {
     const WORDS: [&str; 2] = ["setarch", "--addr-no-randomize"];
     let tried = Command::new(WORDS[0]).args([WORDS[1], "true"]).stderr(Stdio::null()).status();
@@ -91,10 +98,10 @@ fn same_addresses() -> &'static [&'static str] {
 }
 
 impl Profile {
-    /// Takes the files that the processes of a run left in `folder`.
+    /// Reads the files that the processes of a run left in `folder`.
     ///
     /// # Errors
-    /// Cachegrind does not write such files.
+    /// A file is not in cachegrind's format.
     pub fn take(folder: &Path, by: By) -> Result<Self> {
         let mut profile = Self::default();
         for entry in fs::read_dir(folder)? {
@@ -109,8 +116,11 @@ impl Profile {
         Ok(profile)
     }
 
-    /// Adds the contents of a file of cachegrind: the names of events, then files (`fl`, or `fi` and `fe` for
-    /// inlined code) and functions (`fn`), each with lines of a number in the source and the counts there.
+    /// Adds the contents of a file of cachegrind.
+    ///
+    /// It lists the names of events, then files (`fl`, or `fi` and `fe` for inlined code) and
+    /// functions (`fn`). For each of them it has lines with a line number of the source and the
+    /// counts.
     fn read(&mut self, text: &str, by: By) -> Option<()> {
         let mut events: Vec<Option<usize>> = Vec::new();
         let mut file = "";
@@ -140,12 +150,12 @@ impl Profile {
         (!events.is_empty()).then_some(())
     }
 
-    /// Adds up all locations.
+    /// Returns the sums over all locations.
     pub fn total(&self) -> Counts {
         from_fn(|at| self.0.values().map(|counts| counts[at]).sum())
     }
 
-    /// Subtracts the counts of a run that began alike and was shorter.
+    /// Subtracts the counts of a run that had the same beginning and was shorter.
     pub fn beyond(&self, shorter: &Self) -> Self {
         let mut beyond = Self::default();
         for (location, counts) in &self.0 {
@@ -155,7 +165,7 @@ impl Profile {
         beyond
     }
 
-    /// Returns the `most` locations with the most instructions, in falling order.
+    /// Returns the `most` locations with the most instructions, in descending order.
     pub fn first(&self, most: usize) -> Vec<(&str, Counts)> {
         let mut locations: Vec<_> =
             self.0.iter().map(|(location, counts)| (&**location, *counts)).collect();

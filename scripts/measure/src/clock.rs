@@ -1,12 +1,12 @@
-//! Takes of the same run, and the rule by which two programs can be told apart.
+//! Repeated takes of the same run, and the rule that decides whether two programs differ.
 
 use lab_kit::table::three_digits;
 use serde::{Deserialize, Serialize};
 
-/// Seconds of the takes of one run: at least one take.
+/// Seconds of the takes of a run. There is at least one take.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Times {
-    /// The shortest take: noise only ever adds.
+    /// The shortest take. It is the most reliable one, because noise only adds time.
     pub min: f64,
     /// The median of the takes.
     pub median: f64,
@@ -14,33 +14,33 @@ pub struct Times {
     pub takes: Vec<f64>,
 }
 
-/// A quantity by the shortest take and by the median.
+/// A quantity computed from the shortest take and from the median.
 #[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub struct Span {
-    /// By the shortest take.
+    /// The quantity from the shortest take.
     pub min: f64,
-    /// By the median.
+    /// The quantity from the median.
     pub median: f64,
 }
 
-/// Times of one run over those of another run.
+/// Times of a run divided by the times of another run.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Ratio {
-    /// By the shortest takes.
+    /// Ratio of the shortest takes.
     pub of_minima: f64,
-    /// By the medians.
+    /// Ratio of the medians.
     pub of_medians: f64,
-    /// Whether the takes of the two lie apart, so that one can be called faster.
+    /// Whether the ranges of the two runs do not overlap, so that one of them is faster.
     pub decided: bool,
 }
 
 impl Times {
-    /// Sums up takes, in any order; `None` if there are none.
+    /// Summarises takes, in any order. Returns `None` if there are no takes.
     pub fn of(mut takes: Vec<f64>) -> Option<Self> {
         takes.sort_by(f64::total_cmp);
         let min = *takes.first()?;
         let last = takes.len() - 1;
-        // With an even number of takes, halfway between the two in the middle.
+        // For an even number of takes the median is halfway between the two in the middle.
         let median = 0.5 * (takes[last / 2] + takes[takes.len() / 2]);
         Some(Self { min, median, takes })
     }
@@ -50,33 +50,39 @@ impl Times {
         Span { min: self.min * scale, median: self.median * scale }
     }
 
-    /// Whether a grade would be a grade of the clock and of the start of threads: there is only one take, or
-    /// the shortest take ends before a hundredth of a second is over.
+    /// Whether the times are too short for a grade.
+    ///
+    /// They are if there is only one take, or if the shortest take is below a hundredth of a
+    /// second. A grade would then mostly measure the clock and the start of threads.
     pub fn are_too_short(&self) -> bool {
         self.takes.len() < 2 || self.min < SHORTEST
     }
 
-    /// Returns how far the median lies above the shortest take, as a share of it.
+    /// Returns how far the median is above the shortest take, as a share of the shortest take.
     pub fn spread(&self) -> f64 {
         self.median / self.min - 1.0
     }
 }
 
 impl Span {
-    /// Computes `of` twice: by the shortest takes, and by the medians.
+    /// Computes `of` twice: for the shortest takes, and for the medians.
     pub fn both(of: impl Fn(fn(&Self) -> f64) -> f64) -> Self {
         Self { min: of(|span| span.min), median: of(|span| span.median) }
     }
 
-    /// Returns the least of some runs, by each statistic for itself: the run with the shortest take need not have
-    /// the least median. `None` if there are no runs.
+    /// Returns the least shortest take and the least median of some runs, or `None` if there are no
+    /// runs.
+    ///
+    /// The two may be of different runs.
     pub fn least(runs: impl IntoIterator<Item = Self>) -> Option<Self> {
         runs.into_iter()
             .reduce(|a, b| Self { min: a.min.min(b.min), median: a.median.min(b.median) })
     }
 
-    /// Compares with another run. The true time of a run lies between its shortest take and its median: if these two
-    /// stretches overlap, nothing is decided.
+    /// Compares the run with another run.
+    ///
+    /// The true time of a run is between its shortest take and its median. If these ranges overlap,
+    /// nothing is decided.
     pub fn over(self, other: Self) -> Ratio {
         Ratio {
             of_minima: self.min / other.min,
@@ -86,17 +92,18 @@ impl Span {
     }
 }
 
-/// Seconds of the shortest take that counts for a grade.
+/// Least seconds of a shortest take for a grade.
 const SHORTEST: f64 = 0.01;
 
 /// Message in place of a grade.
 pub const TOO_SHORT: &str =
     "Too short to grade: take more particles or --steps, and two --rounds or more.";
 
-/// Greatest difference between a grade by the shortest takes and the grade by the medians that is not noise.
+/// Difference between the grades by the shortest takes and by the medians above which the grade is
+/// noisy.
 const NOISE: f64 = 5.0;
 
-/// Whether the times of a grade, of 100, spread too wide to decide.
+/// Whether the times vary too much for this grade, of 100.
 pub fn is_noisy(grade: Span) -> bool {
     (grade.min - grade.median).abs() > NOISE
 }
@@ -112,7 +119,7 @@ pub fn warning(grade: Span, by_medians: f64) -> String {
     )
 }
 
-/// Writes a ratio in few digits: 1.24, or 1/6493 where it is far below 1.
+/// Formats a ratio with few digits: 1.24, or 1/6493 if it is far below 1.
 pub fn times_longer(ratio: f64) -> String {
     if ratio < 0.1 && ratio > 0.0 {
         format!("1/{}", three_digits(1.0 / ratio))
@@ -163,13 +170,13 @@ mod tests {
         assert!(quick.over(span(&[1.3, 1.4, 1.5])).decided);
         assert!(!span(&[1.05, 1.4, 1.5]).over(quick).decided);
         assert!(!quick.over(quick).decided);
-        // One bad take out of three does not spoil a clear case.
+        // One bad take of three does not change a clear result.
         assert!(span(&[2.0, 2.1, 9.0]).over(span(&[1.0, 1.1, 5.0])).decided);
     }
 
     #[test]
     fn minima_and_medians_have_their_own_least() {
-        // The first run has the shortest take, the second the least median.
+        // The first run has the shortest take, and the second run has the least median.
         let runs = [span(&[1.0, 4.0, 5.0]), span(&[2.0, 3.0, 6.0])];
         let least = Span::least(runs).expect("there are runs");
         assert_eq!((least.min, least.median), (1.0, 3.0));

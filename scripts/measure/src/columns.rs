@@ -1,4 +1,4 @@
-//! Tables of rows of one type, described by their columns.
+//! Tables that are described by their columns: each row is a value of the same type.
 
 use lab_kit::table::{Table, three_digits};
 
@@ -9,21 +9,21 @@ pub struct Columns<'c, R> {
     columns: Vec<(String, Cell<'c, R>)>,
 }
 
-/// Text of a column in a row; `None` where it is empty.
+/// The text of a column in a row; `None` if the cell is empty.
 type Cell<'c, R> = Box<dyn Fn(&R) -> Option<String> + 'c>;
 
 impl<'c, R> Columns<'c, R> {
-    /// Begins with the column that names a row.
+    /// Begins with a column of row names.
     pub fn of(head: impl Into<String>, name: impl Fn(&R) -> String + 'c) -> Self {
         Self { columns: Vec::new() }.text(head, name)
     }
 
-    /// Adds a column of words.
+    /// Adds a column of texts.
     pub fn text(self, head: impl Into<String>, cell: impl Fn(&R) -> String + 'c) -> Self {
         self.perhaps(head, move |row| Some(cell(row)))
     }
 
-    /// Adds a column that is left out if it is empty in every row.
+    /// Adds a column that is omitted if it is empty in every row.
     pub fn perhaps(
         mut self,
         head: impl Into<String>,
@@ -33,12 +33,13 @@ impl<'c, R> Columns<'c, R> {
         self
     }
 
-    /// Adds a column of numbers, which is left out if there is none.
+    /// Adds a column of numbers that is omitted if no row has a number.
     pub fn number(self, head: impl Into<String>, value: impl Fn(&R) -> Option<f64> + 'c) -> Self {
         self.perhaps(head, move |row| value(row).map(three_digits))
     }
 
-    /// Adds a column of numbers for each of `heads`. A value has the row and the column's index.
+    /// Adds a column of numbers for each of `heads`. `value` is given a row and the index of the
+    /// column.
     pub fn numbers(
         mut self,
         heads: impl IntoIterator<Item = impl Into<String>>,
@@ -56,7 +57,8 @@ impl<'c, R> Columns<'c, R> {
             .number("median", move |row| Some(times(row).median))
     }
 
-    /// Adds the spread of the times, and their ratio to another run's; a row without a ratio is that run itself.
+    /// Adds the spread of the times, and their ratio to another run. A row without a ratio is that
+    /// other run.
     pub fn compared(
         self,
         spread: impl Fn(&R) -> f64 + 'c,

@@ -1,15 +1,15 @@
-//! Printed numbers of the CS3210 report, for runs of hard discs.
+//! Numbers that the CS3210 report printed for runs of hard discs.
 
 use lab_kit::Workers;
 use serde::Serialize;
 
 use super::published::{growth, scaling, swept};
 
-/// Number of the CS3210 report for a run of [`HARD_STEPS`] steps.
+/// A number of the CS3210 report for a run of [`HARD_STEPS`] steps.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Printed {
-    /// Its program died of a segmentation fault.
+    /// The report's program ended with a segmentation fault.
     Crashes,
     /// The shortest of three takes.
     #[serde(untagged)]
@@ -26,9 +26,11 @@ impl Printed {
     }
 }
 
-/// Finds the report's number for one of its programs, with threads (OpenMP), ranks (MPI) or a device (CUDA); a scene
-/// (N, L, r); and the number of workers if that varies. Its own sweeps ran on 20 threads or 16
-/// processes, its Table 2 on 20 threads.
+/// Finds the report's number for one of its programs and a scene (N, L, r); `None` if it has none.
+///
+/// A program runs with threads (OpenMP), ranks (MPI) or a device (CUDA). `workers` is the number of
+/// workers if it varies. Other runs of the report used 20 threads or 16 processes, and its Table 2
+/// used 20 threads.
 pub fn hard_discs(
     with: Workers,
     variant: &str,
@@ -66,7 +68,7 @@ pub fn hard_discs(
     seconds.map(Printed::Seconds)
 }
 
-/// Finds y at this x.
+/// Returns y at this x; `None` if there is no such point.
 fn at(points: &[(f64, f64)], x: f64) -> Option<f64> {
     points.iter().find(|point| point.0 == x).map(|point| point.1)
 }

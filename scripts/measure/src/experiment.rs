@@ -1,8 +1,8 @@
 //! Experiments: jobs that take turns.
 //!
-//! A machine's speed drifts with its clock, its temperature and its neighbours. So jobs take
-//! turns: each round runs every job once, and a bad minute hurts all of them. Every other round
-//! goes backwards, so that no job always follows the same one. The yardstick takes part.
+//! A machine's speed changes with its clock, its temperature and its other programs. So jobs take
+//! turns: each round runs every job once, and a bad minute affects all jobs. Every other round goes
+//! backwards, so that no job always follows the same one. The streaming bound takes part.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ use super::fit::{Effort, Fit, LeftOut};
 use super::job::Job;
 use super::runner::Runner;
 
-/// Times of one job in all rounds.
+/// Times of a job in all rounds.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Timing {
     /// The job.
@@ -28,7 +28,7 @@ pub struct Timing {
     ranks: Option<usize>,
     #[serde(skip_deserializing)]
     threads: usize,
-    /// Its times.
+    /// The job's times.
     #[serde(rename = "seconds")]
     pub times: Times,
     /// Counters of the shortest run.
@@ -41,25 +41,25 @@ pub struct Timing {
 /// Nanoseconds per particle of the streaming bound.
 #[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub struct Bound {
-    /// Particles.
+    /// Number of particles.
     pub n: usize,
-    /// Threads.
+    /// Number of threads.
     pub threads: usize,
-    /// The shortest take.
+    /// Nanoseconds per particle of the shortest take.
     pub nanoseconds: f64,
 }
 
 /// Times of all jobs.
 pub struct Timings {
-    /// In the order of the jobs.
+    /// Timings in the order of the jobs.
     pub timings: Vec<Timing>,
-    /// By ascending n, one thread and all threads.
+    /// Streaming bounds by ascending n, each with one thread and with all threads.
     pub bounds: Vec<Bound>,
-    /// Jobs that were not measured, and why.
+    /// Jobs that were not measured, and the reasons.
     pub left_out: LeftOut,
 }
 
-/// Returns the turn order of a round: forwards, and every other round backwards.
+/// Returns the order of turns in a round: forwards, or backwards in every other round.
 pub fn turns(count: usize, round: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
     if round % 2 == 1 {
@@ -68,8 +68,9 @@ pub fn turns(count: usize, round: usize) -> Vec<usize> {
     order
 }
 
-/// Lets `items` take turns, `rounds` times, behind a bar that names them. Returns the results of each item, round by
-/// round.
+/// Runs `items` in turns, for a number of rounds, and shows a progress bar with their names.
+///
+/// Returns the results of each item, round by round.
 ///
 /// # Errors
 /// A run fails.
@@ -92,7 +93,7 @@ pub fn in_turns<T, O>(
     Ok(all)
 }
 
-/// Lets `items` run once each. Returns their results in order.
+/// Runs `items` once each. Returns their results in order.
 ///
 /// # Errors
 /// A run fails.
@@ -105,7 +106,7 @@ pub fn one_by_one<T, O>(
 }
 
 impl Effort {
-    /// Runs all jobs, and the yardstick, round after round.
+    /// Runs all jobs and the streaming bound, round after round.
     ///
     /// # Errors
     /// A job fails.
@@ -142,7 +143,7 @@ impl Effort {
     }
 }
 
-/// Makes a bound to be measured for each n, on one thread and on all.
+/// Returns a bound to be measured for each n, with one thread and with all threads.
 fn bounds_of(jobs: &[Job]) -> Vec<Bound> {
     let mut sizes: Vec<usize> = jobs.iter().map(|job| job.scene.n()).collect();
     sizes.sort_unstable();
@@ -166,7 +167,7 @@ impl Bound {
         Self { n, threads, nanoseconds: streaming::nanoseconds(n, threads) }
     }
 
-    /// Takes the time once more; the shortest take counts.
+    /// Measures the bound again, and keeps the shorter take.
     fn take(&mut self) {
         let again = Self::measured(self.n, self.threads);
         self.nanoseconds = self.nanoseconds.min(again.nanoseconds);
@@ -174,12 +175,12 @@ impl Bound {
 }
 
 impl Timings {
-    /// Finds the timing of a job.
+    /// Finds the timing of a job, with any number of steps.
     pub fn find(&self, job: &Job) -> Option<&Timing> {
         self.timings.iter().find(|timing| timing.job.is_but_for_steps(job))
     }
 
-    /// Returns the streaming bound at `n` of one thread, or of all threads if `all`.
+    /// Returns the streaming bound at `n` with one thread, or with all threads if `all`.
     pub fn bound(&self, n: usize, all: bool) -> f64 {
         let mut of_n = self.bounds.iter().filter(|bound| bound.n == n);
         let bound = if all { of_n.next_back() } else { of_n.next() };
@@ -218,7 +219,7 @@ impl Timing {
         self.times.span(1e3 / self.job.steps as f64)
     }
 
-    /// Returns a counter divided by the steps; `None` if it was not counted.
+    /// Returns a counter divided by the number of steps; `None` if the program does not have it.
     pub fn per_step(&self, counter: &str) -> Option<f64> {
         self.counters.get(counter).map(|total| total / self.job.steps as f64)
     }

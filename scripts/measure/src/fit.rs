@@ -1,4 +1,4 @@
-//! The number of steps of a run: as many as there is time for.
+//! Chooses the number of steps of each run, so that a measurement fits into its time.
 
 use anyhow::Result;
 use clap::Args;
@@ -8,42 +8,45 @@ use super::autograder::slope;
 use super::job::Job;
 use super::runner::Runner;
 
-/// Most steps of a run. The course reports ran 1,000 steps; more show nothing new.
+/// Greatest number of steps of a run. The course reports ran 1,000 steps; more steps show nothing
+/// new.
 pub const MOST_STEPS: u64 = 1000;
 
-/// Greatest share of all the time that a single step may take.
+/// Greatest share of the total time that a single step may take.
 const LONGEST: f64 = 1.0 / 20.0;
 
-/// Time that a measurement may take, as the command line says it. A command with other defaults says so by
+/// The time that a measurement may take, as options. A command with other defaults sets them with
 /// `mut_arg`.
 #[derive(Args, Clone, Copy)]
 pub struct Effort {
-    /// Time steps of every run [default: as many as the time allows, at most 1000]
+    /// Number of time steps of every run [default: as many as the time allows, at most 1000]
     #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     pub steps: Option<u64>,
-    /// How often each run is repeated
+    /// Number of takes of each run
     #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     pub rounds: u16,
-    /// Seconds for all runs together, if --steps does not decide; one step each is the least
+    /// Seconds for all runs together, if --steps is not set; every run takes at least one step
     #[arg(long, default_value_t = 60.0, value_name = "SECONDS")]
     pub seconds: f64,
 }
 
-/// The way in which jobs get their steps, where nobody says.
+/// The way to choose the numbers of steps, if the user does not set them.
 #[derive(Clone, Copy)]
 pub enum Fit {
-    /// All jobs have the same number: as many as suit the slowest of the programs, each in the first of its jobs.
+    /// All jobs have the same number of steps. It suits the slowest program, which is tried in the
+    /// first of its jobs.
     Alike,
-    /// Each job has as many as its share of the time allows, at most `most`.
+    /// Each job has as many steps as its share of the time allows, at most `most`.
     Each {
-        /// The upper limit.
+        /// The greatest number of steps.
         most: u64,
-        /// Whether a scene on which a single step would take far too long, as with all pairs, is left out untried.
+        /// Whether to omit, without a try, scenes on which a single step would take far too long,
+        /// as with all pairs.
         affordable: bool,
     },
 }
 
-/// Jobs that are not measured, and why.
+/// Jobs that are not measured, and the reasons.
 pub type LeftOut = Vec<(Job, String)>;
 
 /// Jobs with their numbers of steps.
@@ -52,15 +55,15 @@ pub(crate) struct Fitted {
     pub(crate) left_out: LeftOut,
 }
 
-/// A job that was tried out.
+/// A job that was tried.
 struct TriedOut {
     job: Job,
-    /// Seconds of a step; unknown (NaN) if the command line says how many steps there are.
+    /// Seconds of a step; NaN if the user sets the number of steps.
     step: f64,
 }
 
 impl Effort {
-    /// Gives each job its steps.
+    /// Chooses the number of steps of each job.
     pub(crate) fn fitted(&self, runner: &Runner, jobs: Vec<Job>, fit: Fit) -> Result<Fitted> {
         let share = self.seconds / (jobs.len() * usize::from(self.rounds)) as f64;
         match fit {
@@ -86,7 +89,8 @@ impl Effort {
         Ok(Fitted { jobs, left_out: Vec::new() })
     }
 
-    /// Gives each job its own steps, and leaves out those with a step that would take longer than `longest` seconds.
+    /// Chooses the steps of each job separately. Omits jobs with a step that would take longer than
+    /// `longest` seconds.
     fn each(
         &self,
         runner: &Runner,
@@ -115,7 +119,8 @@ impl Effort {
         Ok(Fitted { jobs: tried.into_iter().map(|tried| tried.job).collect(), left_out })
     }
 
-    /// Tries out a job, also if its steps are given: a refusal of a device shows only when it is tried.
+    /// Tries a job, even if its steps are given, because a device shows a refusal only when it
+    /// runs.
     fn try_out(&self, runner: &Runner, job: Job, share: f64, most: u64) -> Result<TriedOut> {
         let Some(steps) = self.steps else { return calibrated(runner, job, share, most) };
         if job.program.workers == Workers::Device {
@@ -125,14 +130,15 @@ impl Effort {
     }
 }
 
-/// Gives the job the number of steps, 1 to `most`, in which it runs for about `seconds`. Tries it out.
+/// Chooses a number of steps from 1 to `most` with which the job runs for about `seconds`. Tries
+/// the job.
 fn calibrated(runner: &Runner, mut job: Job, seconds: f64, most: u64) -> Result<TriedOut> {
     job.steps = 1;
     loop {
         let took = runner.run(&job)?.seconds.max(1e-9);
         let step = took / job.steps as f64;
         let fitting = (seconds / step) as u64;
-        // A try of a few milliseconds says little: the first steps find cold caches.
+        // A run of a few milliseconds says little, because the first steps find cold caches.
         if took > 0.2 * seconds || job.steps == most {
             job.steps = fitting.clamp(1, most);
             return Ok(TriedOut { job, step });
@@ -141,8 +147,10 @@ fn calibrated(runner: &Runner, mut job: Job, seconds: f64, most: u64) -> Result<
     }
 }
 
-/// Foresees the seconds of a step of `job` from two smaller scenes that were tried: the time grows as it grew between
-/// these, but at least in proportion, and at worst four times for twice the particles.
+/// Predicts the seconds of a step of `job` from two smaller scenes that were tried.
+///
+/// The time grows as it grew between these scenes, but at least in proportion to n, and at most to
+/// n².
 fn foreseen(tried: &[TriedOut], job: &Job) -> Option<f64> {
     let alike = tried.iter().filter(|tried| tried.job.is_like(job));
     let points: Vec<_> = alike.map(|tried| (tried.job.scene.n() as f64, tried.step)).collect();
@@ -152,7 +160,7 @@ fn foreseen(tried: &[TriedOut], job: &Job) -> Option<f64> {
     Some(last.1 * (n / last.0).powf(slope(&[before, last]).clamp(1.0, 2.0)))
 }
 
-/// Returns a program's own words without its name.
+/// Returns a program's message without the program's name.
 fn refusal(error: &anyhow::Error) -> String {
     let words = error.root_cause().to_string();
     format!("not run: {}", words.split_once(" failed: ").map_or(&*words, |(_, words)| words))

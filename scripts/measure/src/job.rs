@@ -1,4 +1,4 @@
-//! One run of one program: its command line, and the numbers that it prints.
+//! Jobs: a run of a program, its command line, and the numbers that it prints.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -12,49 +12,51 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::scene::Scene;
 
-/// Name of the file to which a program writes its states.
+/// Name of the file that a program writes its states to.
 pub(crate) const FRAMES: &str = "frames.txt";
 
-/// Name of the file to which a program writes its events.
+/// Name of the file that a program writes its events to.
 pub(crate) const EVENTS: &str = "events.txt";
 
-/// A program and its work.
+/// A program and its task.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Job {
     /// The program.
     pub program: Program,
     /// The scene that it simulates.
     pub scene: Scene,
-    /// Time steps.
+    /// Number of time steps.
     pub steps: u64,
-    /// Threads, or ranks if the program has ranks, unless the program says how many.
+    /// Number of threads, or of ranks if the program has ranks, unless the program's name contains
+    /// the number.
     #[serde(skip)]
     pub workers: usize,
-    /// Whether it collects statistics, which costs time.
+    /// Whether the program collects statistics, which costs time.
     #[serde(skip)]
     pub statistics: bool,
-    /// Its states are wanted after steps 1, 1 + every, 1 + 2 every, …; `None` if no states are wanted.
+    /// Number of steps between two states, or `None` for no states. The first state is the one
+    /// after step 1.
     #[serde(skip)]
     pub every: Option<u64>,
-    /// Whether it records the activities of each rank.
+    /// Whether the program records the activities of each rank.
     #[serde(skip)]
     pub events: bool,
 }
 
-/// Numbers that a run prints or writes.
+/// The numbers that a run prints or writes.
 #[derive(Clone, Debug, Deserialize)]
 pub struct RunOutput {
-    /// Seconds of stepping, without start, scene and output.
+    /// Seconds of the steps, without start, scene and output.
     pub seconds: f64,
-    /// Averages over the steps, if they were asked for.
+    /// Averages over the steps, if the job has statistics.
     pub statistics: Option<Averages>,
-    /// Finite counters of the variant.
+    /// The variant's counters that are finite.
     #[serde(default, deserialize_with = "numbers")]
     pub counters: BTreeMap<String, f64>,
-    /// The states that were asked for.
+    /// The states, if the job has any.
     #[serde(skip)]
     pub frames: Vec<Vec<Particle>>,
-    /// The events that were asked for.
+    /// The events, if the job records them.
     #[serde(skip)]
     pub events: Vec<Event>,
 }
@@ -62,9 +64,10 @@ pub struct RunOutput {
 /// Averages over the steps of a run.
 #[derive(Clone, Copy, Debug, Deserialize)]
 pub struct Averages {
-    /// Pairs looked at per particle and step.
+    /// Number of pair tests per particle and step.
     pub pair_tests: f64,
-    /// Pairs in reach, seen from each of their two particles, per particle and step.
+    /// Number of neighbours within the cutoff per particle and step; a pair counts for both
+    /// particles.
     pub neighbours: f64,
 }
 
@@ -90,24 +93,26 @@ impl Job {
         self.ranks().unwrap_or(1) * self.threads()
     }
 
-    /// Returns its name in a progress bar.
+    /// Returns the job's name in a progress bar.
     pub(crate) fn name(&self) -> String {
         format!("{} n={}", self.program, self.scene.n())
     }
 
-    /// Whether it has the same program and as many workers, whatever its scene and its parameters are.
+    /// Whether the job has the same program and number of workers; its scene and its parameters may
+    /// differ.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
         self.program.binary() == other.program.binary()
             && self.program.variant == other.program.variant
             && self.all_workers() == other.all_workers()
     }
 
-    /// Whether it is the same run, of any length.
+    /// Whether the job is the same run with any number of steps.
     pub(crate) fn is_but_for_steps(&self, other: &Self) -> bool {
         Self { steps: other.steps, ..self.clone() } == *other
     }
 
-    /// Adds its words to a command that starts the program's variant. Its files are in `folder`.
+    /// Appends the job's options to a command that starts the program's variant. The program's
+    /// files are in `folder`.
     pub(crate) fn tell(&self, command: &mut Command, folder: &Path) -> Result<()> {
         command.args(["-t", &self.threads().to_string(), "--json"]);
         self.scene.tell(command, &folder.join("input.txt"), self.steps)?;
@@ -125,7 +130,7 @@ impl Job {
     }
 }
 
-/// Reads counters without those that are infinite or NaN: JSON writes null for them.
+/// Reads counters, but omits null, which JSON has in place of infinite numbers and NaN.
 fn numbers<'de, D: Deserializer<'de>>(
     counters: D,
 ) -> std::result::Result<BTreeMap<String, f64>, D::Error> {
@@ -145,7 +150,7 @@ mod tests {
         Job { steps: 10, workers: 2, ..Job::new(program.parse().unwrap(), scene) }
     }
 
-    /// Returns the words of a job; FILE is its scene file in `folder`.
+    /// Returns the command line of a job; FILE is its scene file in `folder`.
     fn words(folder: &Path, scene: Scene) -> String {
         let mut command = Command::new("lab");
         job("lab3", scene).tell(&mut command, folder).unwrap();

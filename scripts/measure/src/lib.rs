@@ -1,12 +1,18 @@
-//! Measuring programs, judging the measurements, and showing them.
+//! Measures programs, judges the measurements, and shows them.
 //!
-//! A command names [programs](subject), a [scene] of discs by its [options](scene_options), and a quantity that [varies](over). These make
-//! [jobs](job), which a [runner] runs. How many steps each gets is [fitted](fit) to the time, and they take turns
-//! in an [experiment]: its [timings](experiment::Timing) hold the [times](clock) and counters. They are
-//! shown as a table of [columns], a [chart] and [numbers] in a file, with the grade of the [autograder], the streaming
-//! bound of the [yardstick](lab_machine::streaming) and the numbers that the course reports [published] beside them. Grading
-//! judges its own times by the same rules. Events that no clock shows are counted by [cachegrind];
-//! the least times by these counts are a program's [bounds].
+//! A measurement goes through these modules:
+//!
+//! 1. A command names [programs](subject), a [scene] of discs by its [options](scene_options), and
+//!    a quantity that [varies](over). These make [jobs](job).
+//! 2. The number of steps of each job is [fitted](fit) to the time.
+//! 3. The jobs take turns in an [experiment], which uses a [runner]. The results are [times](clock)
+//!    and counters ([`Timing`](experiment::Timing)).
+//! 4. The results are printed as a table of [columns], drawn as a [chart], and written as [numbers]
+//!    to a file. They include the grade of the [autograder], the [streaming
+//!    bound](lab_machine::streaming), and the numbers that the course reports [published].
+//!
+//! The grader judges its times by the same rules. [`cachegrind`] counts events that do not show in
+//! times; these counts give the least times of a program, its [bounds].
 
 pub mod autograder;
 pub mod bounds;

@@ -1,5 +1,6 @@
-//! Files that a measurement leaves behind: numbers as JSON, a figure as SVG. A figure is drawn from the numbers in the
-//! JSON file, so it can be drawn again without measuring.
+//! Files of a measurement: numbers as JSON, a figure as SVG.
+//!
+//! A figure is drawn from the numbers in the JSON file, so it can be drawn again without measuring.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +14,7 @@ use super::chart::{Form, Sheet, svg};
 use lab_kit::files::{read_bytes, write_file};
 use lab_kit::machine::{date, machine};
 
-/// File of the numbers.
+/// The file of the numbers, as an option.
 #[derive(Args)]
 pub struct Json {
     /// Write all numbers to this file as JSON
@@ -21,34 +22,34 @@ pub struct Json {
     json: Option<PathBuf>,
 }
 
-/// Files of the numbers and of the figure.
+/// The files of the numbers and of the figure, as options.
 #[derive(Args)]
 pub struct Files {
     #[command(flatten)]
     json: Json,
-    /// Draw the figure into this file
+    /// Draw the figure to this file
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
 }
 
-/// Contents of a file of numbers: the results, and how to make them again.
+/// Contents of a file of numbers: the results, and the command that makes them again.
 #[derive(Deserialize, Serialize)]
 pub struct DataFile<R = Value> {
     command: String,
-    /// The machine and the day; empty where they change nothing.
+    /// The machine and the date; empty if the results do not depend on them.
     #[serde(default)]
     machine: String,
     #[serde(default)]
     date: String,
-    /// Numbers that the command found.
+    /// The results of the command.
     pub results: R,
 }
 
 impl Files {
-    /// Writes the files that were asked for; `draw` makes the figure of the numbers that are written.
+    /// Writes the files that the user has named; `draw` makes the figure from the written numbers.
     ///
     /// # Errors
-    /// As for [`Self::again`], or a file cannot be written.
+    /// The same as those of [`Self::again`], or a file cannot be written.
     pub fn write<R: DeserializeOwned>(
         &self,
         results: impl Serialize,
@@ -62,10 +63,10 @@ impl Files {
         }
     }
 
-    /// Returns the figure of results that were written, and its file; `None` if no figure was asked for.
+    /// Returns the figure of written results, and its file; `None` if the user has named no figure.
     ///
     /// # Errors
-    /// The results are of another command, or lack what its options ask for.
+    /// The results are from a different command, or lack data that its options need.
     pub fn again<R: DeserializeOwned>(
         &self,
         results: &Value,
@@ -80,7 +81,7 @@ impl DataFile {
     /// Reads a file that `--json` wrote.
     ///
     /// # Errors
-    /// The file cannot be read, or has other contents.
+    /// The file cannot be read, or has different contents.
     pub fn read(path: &Path) -> Result<Self> {
         serde_json::from_slice(&read_bytes(path)?)
             .with_context(|| format!("cannot read {}", path.display()))
@@ -89,7 +90,7 @@ impl DataFile {
     /// Returns the words of the command line.
     pub fn words(&self) -> Vec<String> {
         let mut words = Vec::new();
-        // Every other part stands between quotes.
+        // Every other part is between quotes.
         for (at, part) in self.command.split('\'').enumerate() {
             match at % 2 {
                 0 => words.extend(part.split_whitespace().map(Into::into)),
@@ -101,8 +102,9 @@ impl DataFile {
 }
 
 impl Json {
-    /// Writes the numbers of a command of `cargo lab` if they were asked for, with the command, machine and date before
-    /// them.
+    /// Writes the numbers of a command of `cargo lab` to the user's file, if there is one.
+    ///
+    /// The command, the machine and the date precede the numbers.
     ///
     /// # Errors
     /// The file cannot be written.
@@ -110,7 +112,7 @@ impl Json {
         self.write_by("cargo lab", results)
     }
 
-    /// Writes the numbers of any program, whose command line begins with `program`.
+    /// Writes the numbers of any program; its command line begins with `program`.
     ///
     /// # Errors
     /// The file cannot be written.

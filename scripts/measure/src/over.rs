@@ -10,26 +10,27 @@ use crate::scene::Scene;
 use lab_kit::machine::{cores, doubled_up_to};
 use lab_kit::program::Program;
 
-/// A quantity to vary: a flag of the labs' programs.
+/// A quantity that can vary: an option of the labs' programs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Varied {
-    /// Particles, or discs.
+    /// Number of particles or discs.
     N,
     /// Side L of the square of hard discs.
     Length,
     /// Radius r of hard discs.
     Radius,
-    /// Soft discs in the area of a cutoff disc.
+    /// Mean number of soft discs in the area of a cutoff disc.
     Neighbours,
-    /// Threads of the process, or of each rank.
+    /// Number of threads of the process, or of each rank.
     Threads,
-    /// Processes of a lab with messages.
+    /// Number of processes of a lab with messages.
     Ranks,
-    /// A parameter of the variants, as for `--param`.
+    /// Value of a parameter of the variants, as for `--param`.
     Parameter(String),
 }
 
-/// `n=5000,10000`, or `radius` alone for the values of the CS3210 report.
+/// The quantity with its values: `n=5000,10000`, or `radius` alone for the values of the CS3210
+/// report.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Over {
     /// The quantity.
@@ -63,10 +64,10 @@ impl FromStr for Over {
 }
 
 impl Over {
-    /// Returns the values that were asked for, or else those that fit the lab's problem.
+    /// Returns the user's values, or values that fit the lab's problem.
     ///
     /// # Errors
-    /// The lab has no such quantity, or its values must be given.
+    /// The lab does not have the quantity, or the user must give values for it.
     pub fn values(&self, lab: &Program) -> Result<Vec<f64>> {
         let hard = lab.is_hard();
         match self.varied {
@@ -143,7 +144,7 @@ impl Varied {
         job
     }
 
-    /// Returns the value in the job; NaN if it has none.
+    /// Returns the value in the job; NaN if the job has no such quantity.
     pub fn of(&self, job: &Job) -> f64 {
         match (self, &job.scene) {
             (Self::N, scene) => scene.n() as f64,
@@ -160,17 +161,17 @@ impl Varied {
         }
     }
 
-    /// Whether it is the number of those who share the work.
+    /// Whether the quantity is a number of workers that share the work.
     pub fn is_workers(&self) -> bool {
         matches!(self, Self::Threads | Self::Ranks)
     }
 
-    /// Whether it is the number of threads in a workgroup of a device.
+    /// Whether the quantity is the number of threads in a workgroup of a device.
     pub fn is_workgroup(&self) -> bool {
         matches!(self, Self::Parameter(name) if name == "workgroup")
     }
 
-    /// Returns its name in a chart.
+    /// Returns the quantity's name in a chart.
     pub fn label(&self) -> String {
         match self {
             Self::N => "discs or particles N".into(),

@@ -1,4 +1,4 @@
-//! Printed numbers of the course reports, beside which measurements are shown: book/published.toml.
+//! Numbers that the course reports printed, for comparison with measurements: book/published.toml.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -7,10 +7,10 @@ use serde::Deserialize;
 
 use super::autograder::{strong_efficiency, weak_efficiency};
 
-/// Steps of a run of soft discs in the reports.
+/// Number of steps of a run of soft discs in the reports.
 pub const SOFT_STEPS: f64 = 1000.0;
 
-/// Steps of a run of hard discs in the report.
+/// Number of steps of a run of hard discs in the report.
 pub const HARD_STEPS: f64 = 50.0;
 
 static REPORTS: LazyLock<Reports> = LazyLock::new(|| {
@@ -32,7 +32,7 @@ struct Reports {
 pub struct Growth {
     /// The report and its table.
     pub name: String,
-    /// (n, seconds).
+    /// Points (n, seconds).
     pub points: Vec<(f64, f64)>,
 }
 
@@ -42,29 +42,31 @@ pub struct Growth {
 pub struct Scaling {
     /// The report and its section.
     pub name: String,
-    /// Variants of the kit that work as its program did, where several reports have programs of such a kind.
+    /// Variants of the kit that work like the report's program, if several reports have programs of
+    /// this kind.
     #[serde(default)]
     programs: Vec<String>,
     /// Seconds of the serial program on the scene of the strong scaling.
     serial: f64,
-    /// (workers, seconds), on one scene.
+    /// Points (workers, seconds) on one scene.
     pub strong: Vec<(usize, f64)>,
-    /// (workers, seconds), on a scene that grows with the workers; may be empty.
+    /// Points (workers, seconds) on a scene that grows with the workers; may be empty.
     #[serde(default)]
     weak: Vec<(usize, f64)>,
 }
 
-/// Measurements of CS3210 of one program of hard discs, beside its growth and its scaling.
+/// CS3210's measurements of a program of hard discs, in addition to its growth and its scaling.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Swept {
-    /// Variant of the kit that works as its program did.
+    /// Variant of the kit that works like the report's program.
     pub(crate) variant: String,
-    /// (side of the square, seconds).
+    /// Points (side of the square, seconds).
     pub(crate) by_side: Vec<(f64, f64)>,
-    /// (radius, seconds).
+    /// Points (radius, seconds).
     pub(crate) by_radius: Vec<(f64, f64)>,
-    /// Seconds of its other programs on the usual scene, by the names of the kit's variants.
+    /// Seconds of the report's other programs on the usual scene, by the names of the kit's
+    /// variants.
     #[serde(default)]
     pub(crate) variants: BTreeMap<String, f64>,
 }
@@ -97,7 +99,7 @@ impl Scaling {
         self.strong.iter().map(|&(p, _)| p as f64)
     }
 
-    /// Returns the serial time over the parallel time, for each number of workers.
+    /// Returns the serial time divided by the parallel time, for each number of workers.
     pub fn speedups(&self) -> Vec<f64> {
         self.strong.iter().map(|&(_, t)| self.serial / t).collect()
     }
@@ -107,7 +109,8 @@ impl Scaling {
         self.strong.iter().map(|&(p, t)| strong_efficiency(self.serial, p, t)).collect()
     }
 
-    /// Returns the weak efficiency for each number of workers; its scene for one worker is the strong one's.
+    /// Returns the weak efficiency for each number of workers. With one worker the scene is that of
+    /// the strong scaling.
     pub fn weak_efficiencies(&self) -> Vec<f64> {
         self.weak.iter().map(|&(_, t)| weak_efficiency(self.serial, t)).collect()
     }
@@ -177,8 +180,7 @@ mod tests {
         );
     }
 
-    /// The times of CS267 are printed with three decimals, which leaves the third decimal of a
-    /// slope open.
+    /// CS267 prints times with three decimals, so the third decimal of a slope is uncertain.
     #[test]
     fn cs267_slopes() {
         for (name, printed) in [
@@ -194,7 +196,7 @@ mod tests {
         }
     }
 
-    /// CSC367 prints no slope: «linear» is what its Table 1 must be by this rubric.
+    /// CSC367 prints no slope. It says «linear», which its Table 1 must be by this rubric.
     #[test]
     fn csc367_is_linear() {
         let slope = slope(&growth("csc367-serial").points);

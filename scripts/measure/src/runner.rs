@@ -1,4 +1,4 @@
-//! Running the labs' programs.
+//! Runs the labs' programs.
 
 use std::fs;
 use std::path::Path;
@@ -15,20 +15,20 @@ use tempfile::TempDir;
 
 use super::job::{EVENTS, FRAMES, Job, RunOutput};
 
-/// Binaries that were built, and a folder for their files.
+/// The binaries of programs, and a folder for their files.
 pub struct Runner {
-    /// The programs.
+    /// The binaries.
     pub binaries: Binaries,
     folder: TempDir,
-    /// Longest time of a run: a month, if nobody sets it.
+    /// Longest time of a run; a month unless a command changes it.
     pub limit: Duration,
 }
 
 impl Runner {
-    /// Builds the programs, and looks for an MPI if one needs it.
+    /// Builds the programs, and looks for MPI if a program needs it.
     ///
     /// # Errors
-    /// A program is not written yet or does not build, or there is no MPI.
+    /// A program is not written yet or does not build, or MPI is not installed.
     pub fn build(kit: &Kit, programs: &[Program]) -> Result<Self> {
         programs.iter().try_for_each(|program| expect_begun(kit, program))?;
         let binaries = Binaries::build(kit, programs)?;
@@ -37,7 +37,7 @@ impl Runner {
         Ok(Self { binaries, folder: tempfile::tempdir()?, limit })
     }
 
-    /// Lets a tool run the programs from now on; its words stand before theirs.
+    /// Runs the programs with a tool from now on; `tool` precedes their command lines.
     pub fn under(&mut self, tool: Vec<String>) {
         self.binaries.tool = tool;
     }
@@ -45,7 +45,7 @@ impl Runner {
     /// Runs a job to its end.
     ///
     /// # Errors
-    /// It does not start, takes too long, fails, or prints no results.
+    /// The program does not start, takes too long, fails, or prints no results.
     pub fn run(&self, job: &Job) -> Result<RunOutput> {
         let name = &job.program;
         let mut command = self.command(name, job.ranks().unwrap_or(1))?;
@@ -69,10 +69,10 @@ impl Runner {
         Ok(output)
     }
 
-    /// Begins a command that runs a program's variant, on `ranks` ranks if it has ranks.
+    /// Returns a command that runs a program's variant, on `ranks` ranks if the program has ranks.
     ///
     /// # Errors
-    /// It was not built.
+    /// The program was not built.
     pub fn command(&self, program: &Program, ranks: usize) -> Result<Command> {
         let mut command = self.binaries.start(program, ranks)?;
         if let Some(variant) = &program.variant {
@@ -89,10 +89,11 @@ impl Runner {
         self.folder.path()
     }
 
-    /// Runs a command to its end and returns what it prints.
+    /// Runs a command to its end and returns its output.
     ///
     /// # Errors
-    /// It does not start, takes too long, or fails: then in its own words.
+    /// The command does not start, takes too long, or fails. If it fails, the error is its own
+    /// message.
     pub fn words(&self, command: &mut Command, name: &str) -> Result<String> {
         let done = process::run(command, self.limit);
         let done = done.with_context(|| format!("{name} did not start"))?;
@@ -104,7 +105,8 @@ impl Runner {
     }
 }
 
-/// Refuses a lab that is as it was given: it would compile for minutes and end at its first `todo!`.
+/// Refuses a lab that is still as it was given. It would compile for minutes and end at its first
+/// `todo!`.
 fn expect_begun(kit: &Kit, program: &Program) -> Result<()> {
     if program.solution {
         return Ok(());
@@ -123,8 +125,9 @@ fn expect_begun(kit: &Kit, program: &Program) -> Result<()> {
     Ok(())
 }
 
-/// Finds the line of a failed run that says why: a panic's message, or the last error, because a library may print an
-/// error of its own before, or the last line.
+/// Finds the line that explains a failed run: a panic's message, the last error, or the last line.
+///
+/// The last error is taken because a library may print another error before it.
 fn complaint(stderr: &str) -> &str {
     let lines: Vec<&str> = stderr.lines().filter(|line| !line.trim().is_empty()).collect();
     let error = lines.iter().rfind(|line| line.starts_with("error"));

@@ -1,4 +1,4 @@
-//! Scenes, as a command line describes them and as the programs read them.
+//! Scenes, as a command line describes them and as programs read them.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -12,35 +12,35 @@ use serde::{Deserialize, Serialize};
 
 use lab_kit::files::write_file;
 
-/// A scene to simulate. Random numbers come from seed 1.
+/// A scene to simulate. Random numbers have seed 1.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scene {
     /// The official scene of `n` soft discs.
     Soft {
-        /// Particles.
+        /// Number of particles.
         n: usize,
     },
-    /// The counter scene of `n` soft discs: a rank makes its share and no more.
+    /// The counter scene of `n` soft discs, in which each rank makes only its share.
     Counter {
-        /// Particles.
+        /// Number of particles.
         n: usize,
     },
-    /// The official scene of `n` soft discs, spread or pressed together.
+    /// The official scene of `n` soft discs in a larger or smaller box.
     Spread {
-        /// Particles.
+        /// Number of particles.
         n: usize,
-        /// Particles in the area of a cutoff disc.
+        /// Mean number of particles in the area of a cutoff disc.
         neighbours: f64,
     },
-    /// Any soft discs.
+    /// A given scene of soft discs.
     #[serde(skip)]
     Given(Arc<soft::Scene>),
     /// Random hard discs.
     Hard {
-        /// Discs.
+        /// Number of discs.
         n: usize,
-        /// Side of the box.
+        /// Side of the square.
         side: f64,
         /// Radius of a disc.
         radius: f64,
@@ -50,20 +50,22 @@ pub enum Scene {
     },
 }
 
-/// Differences of random hard discs from the assignment's.
+/// Differences of random hard discs from the assignment's random discs.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct RandomDiscs {
     /// Least and greatest velocity component.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub speeds: Option<(f64, f64)>,
-    /// Side of the square in the middle that they begin in.
+    /// Side of the square in the middle where the discs begin.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub blob: Option<f64>,
 }
 
 impl Scene {
-    /// Makes a scene of soft discs, 100,000 if `n` is `None`; or of the hard discs of the CS3210 report's comparisons:
-    /// 10,000 of radius 1 in a box of side 20,000, or another number in a box of that side.
+    /// Makes the usual scene with `n` particles or discs, or with a default number.
+    ///
+    /// It has 100,000 soft discs, or the hard discs of the CS3210 report's comparisons: 10,000
+    /// discs of radius 1 in a square of side 20,000.
     pub fn usual(n: Option<usize>, hard: bool) -> Self {
         match hard {
             true => Self::Hard {
@@ -85,7 +87,7 @@ impl Scene {
         }
     }
 
-    /// Changes the number of discs.
+    /// Changes the number of particles or discs.
     #[must_use]
     pub fn with_n(mut self, count: usize) -> Self {
         match &mut self {
@@ -96,8 +98,10 @@ impl Scene {
         self
     }
 
-    /// Makes the scene `factor` times as large, and as crowded. The box of soft discs follows from their number; the square
-    /// of hard discs grows with them, and their speeds stay.
+    /// Makes the scene `factor` times as large, with the same density.
+    ///
+    /// The box of soft discs follows from their number. The square of hard discs grows with their
+    /// number, and their speeds stay the same.
     #[must_use]
     pub fn times(mut self, factor: usize) -> Self {
         if let (Self::Hard { side, radius, random, .. }, 2..) = (&mut self, factor) {
@@ -108,8 +112,9 @@ impl Scene {
         self.with_n(n)
     }
 
-    /// Adds the words to a command that let a program take `steps` steps of the scene. Writes what they cannot say to
-    /// `file`.
+    /// Appends the options to a command that make a program take `steps` steps of the scene.
+    ///
+    /// The function writes to `file` what options cannot express.
     ///
     /// # Errors
     /// The file cannot be written.
@@ -147,8 +152,9 @@ impl Scene {
     }
 }
 
-/// Makes the official scene of seed 1 in a box of another size: on average `neighbours` particles are
-/// in the area of a cutoff disc, and the velocities are the same.
+/// Makes the official scene of seed 1 in a box of a different size, with the same velocities.
+///
+/// On average, `neighbours` particles are in the area of a cutoff disc.
 fn spread(n: usize, neighbours: f64) -> Result<soft::Scene> {
     let official = soft::Scene::official(n as u64, 1)?;
     let size = (n as f64 * PI / neighbours).sqrt() * CUTOFF;

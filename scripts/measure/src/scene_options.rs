@@ -1,11 +1,11 @@
-//! Scenes as the command line describes them.
+//! Options that describe a scene.
 
 use anyhow::{Result, ensure};
 use clap::Args;
 
 use super::scene::{RandomDiscs, Scene};
 
-/// Properties of a scene besides the number of discs.
+/// Options of a scene without the number of discs.
 #[derive(Args)]
 pub struct DiscOptions {
     /// Side of the square of hard discs [default: 20000]
@@ -17,16 +17,16 @@ pub struct DiscOptions {
     /// Least and greatest velocity component of hard discs [default: L/(8r),L/4]
     #[arg(long, value_name = "LEAST,GREATEST", value_parser = two_numbers)]
     speeds: Option<(f64, f64)>,
-    /// Hard discs begin in a square of this side in the middle [default: anywhere]
+    /// Place hard discs in a square of this side in the middle [default: anywhere]
     #[arg(long, value_name = "SIDE", value_parser = positive)]
     blob: Option<f64>,
-    /// Soft discs in the area of a cutoff disc: the official scene, spread or pressed together
-    /// until their mean number is this [default: the official 0.63]
+    /// Mean number of soft discs in the area of a cutoff disc: the box of the official scene
+    /// becomes larger or smaller [default: the official 0.63]
     #[arg(long, value_name = "X", value_parser = positive)]
     neighbours: Option<f64>,
 }
 
-/// The scene that all programs have in common.
+/// The options of a scene that all programs share.
 #[derive(Args)]
 pub struct OneScene {
     /// Number of particles [default: 100000; 10000 hard discs]
@@ -37,7 +37,7 @@ pub struct OneScene {
 }
 
 impl OneScene {
-    /// Makes the scene, of soft or of hard discs.
+    /// Makes the scene of soft or of hard discs.
     ///
     /// # Errors
     /// An option is for discs of the other kind.
@@ -47,7 +47,7 @@ impl OneScene {
 }
 
 impl DiscOptions {
-    /// Makes the scene of `n` discs, or of as many as fit the problem.
+    /// Makes the scene of `n` discs, or of the usual number.
     ///
     /// # Errors
     /// An option is for discs of the other kind.

@@ -1,4 +1,5 @@
-//! Programs that a measuring command is about: a lab and variants of it, programs of any labs, or all soft discs.
+//! Options that name the programs of a measurement: a lab's variants, any programs, or all soft
+//! discs.
 
 use anyhow::{Result, bail, ensure};
 use clap::Args;
@@ -8,7 +9,7 @@ use lab_kit::program::Program;
 use lab_kit::{Discs, Kit, Lab, Workers};
 use lab_machine::Mpiexec;
 
-/// A lab and variants of it, as the command line names them.
+/// Options that name a lab and variants of it.
 #[derive(Args)]
 pub struct Subject {
     /// The lab, such as 2
@@ -19,38 +20,38 @@ pub struct Subject {
     /// Variants, separated by commas, or 'all'
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     variant: Vec<String>,
-    /// Adjust a parameter, in every variant that has it
+    /// Set a parameter, in every variant that has it
     #[arg(long, value_name = "NAME=VALUE", value_parser = parameter)]
     param: Vec<(String, f64)>,
 }
 
-/// Programs of any labs, as the command line names them.
+/// Options that name programs of any labs.
 #[derive(Args)]
 pub struct Programs {
-    /// The programs, the one to compare with first
+    /// The programs; the first one is the one to compare with
     #[arg(required = true, value_name = "PROGRAM")]
     programs: Vec<Program>,
-    /// Take the solutions instead of your own work
+    /// Measure the solutions instead of your own work
     #[arg(long)]
     solution: bool,
 }
 
-/// Programs of soft discs, as the command line names them.
+/// Options that name programs of soft discs.
 #[derive(Args)]
 pub struct SoftPrograms {
     /// The programs, such as lab12:pefrl [default: all solutions]
     #[arg(value_name = "PROGRAM")]
     programs: Vec<Program>,
-    /// Take the solutions of the labs named instead of your own work
+    /// Measure the solutions of the labs named instead of your own work
     #[arg(long)]
     solution: bool,
 }
 
 impl Programs {
-    /// Returns the programs, all of soft or all of hard discs.
+    /// Returns the programs, which are all of soft or all of hard discs.
     ///
     /// # Errors
-    /// Some are soft and some are hard.
+    /// Some programs are of soft and some are of hard discs.
     pub fn of_one_kind(&self) -> Result<Vec<Program>> {
         let mut programs = self.programs.clone();
         programs.iter_mut().for_each(|program| program.solution |= self.solution);
@@ -63,11 +64,12 @@ impl Programs {
 }
 
 impl SoftPrograms {
-    /// Returns the programs that are named, or all solutions that this machine can run; with `quick` those without
-    /// ranks.
+    /// Returns the programs that the user named, or all solutions that this machine can run.
+    ///
+    /// With `quick`, solutions with ranks are omitted.
     ///
     /// # Errors
-    /// One simulates hard discs.
+    /// A program simulates hard discs.
     pub fn packages(&self, kit: &Kit, quick: bool) -> Result<Vec<Program>> {
         let mut packages = self.programs.clone();
         for program in &mut packages {
@@ -87,7 +89,7 @@ impl SoftPrograms {
 }
 
 impl Subject {
-    /// Returns the lab's first program.
+    /// Returns the lab's package as a program without a variant.
     ///
     /// # Errors
     /// There is no such lab.
@@ -97,8 +99,10 @@ impl Subject {
         Ok(program)
     }
 
-    /// Builds the lab, and `others` that it is to be compared with. Lists the variants that were asked for; where none
-    /// was, the first variant, or all variants if `all`. All simulate the same kind of discs.
+    /// Builds the lab, and `others` to compare it with. Returns the variants that the user chose.
+    ///
+    /// Without a choice it returns the first variant, or all variants if `all`. All programs
+    /// simulate the same kind of discs.
     ///
     /// # Errors
     /// A program does not build, or there is no such variant or parameter.
@@ -131,7 +135,7 @@ impl Subject {
         Ok((runner, programs))
     }
 
-    /// Chooses among all variants.
+    /// Returns the variants that the user chose.
     fn chosen(&self, mut programs: Vec<Program>, all: bool) -> Result<Vec<Program>> {
         match self.variant.as_slice() {
             [] if all => return Ok(programs),
@@ -153,7 +157,7 @@ impl Subject {
     }
 }
 
-/// Lists the variants.
+/// Formats the names of the variants.
 fn names(programs: &[Program]) -> String {
     programs.iter().filter_map(|program| program.variant.as_deref()).collect::<Vec<_>>().join(", ")
 }

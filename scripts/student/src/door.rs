@@ -86,5 +86,5 @@ fn listed(families: &[Family]) -> String {
             out += &format!("  {name:width$}  {about}\n");
         }
     }
-    out + "\n'cargo lab COMMAND --help' says more of each.\n"
+    out + "\n'cargo lab COMMAND --help' says more of each; 'cargo lab --version' names all that is installed.\n"
 }

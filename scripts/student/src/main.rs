@@ -3,6 +3,7 @@
 mod calls;
 mod check;
 mod door;
+mod facts;
 mod hint;
 mod list;
 mod memory;
@@ -14,6 +15,7 @@ mod run;
 mod submit;
 mod tasks;
 mod test;
+mod version;
 mod watch;
 
 use std::process::ExitCode;
@@ -33,11 +35,17 @@ enum Command {
     Reset(reset::Options),
     Run(run::Options),
     Movie(movie::Options),
+    #[command(hide = true)]
+    Facts,
 }
 
 fn main() -> ExitCode {
     command::end_quietly_when_nobody_reads();
     command::finish(Kit::find().and_then(|kit| {
+        if std::env::args().nth(1).is_some_and(|word| word == "--version" || word == "-V") {
+            print!("{}", version::version(&kit));
+            return Ok(ExitCode::SUCCESS);
+        }
         if let Some(code) = door::elsewhere(&kit)? {
             return Ok(code);
         }
@@ -52,6 +60,7 @@ fn main() -> ExitCode {
             Command::Reset(options) => reset::run(&kit, options),
             Command::Run(options) => run::run(&kit, options),
             Command::Movie(options) => movie::run(&kit, options),
+            Command::Facts => facts::run(&kit),
         }
     }))
 }

@@ -63,7 +63,7 @@ impl VecBins {
         // end 2.3
     }
 
-    /// Empties all bins and puts `particles` into them.
+    /// Empties all bins and puts `particles` into them. Each bin keeps its memory.
     ///
     /// Book: chapter 2, *Rebuild*.
     pub fn refill(&mut self, particles: &[Particle]) {

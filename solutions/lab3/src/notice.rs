@@ -28,7 +28,7 @@ impl Notice {
     /// Writes the numbers, and raises the flag.
     ///
     /// Each [`Atomic::store`] has an [`Ordering`]. Take the weakest with which a thread that sees the flag
-    /// raised also sees all numbers.
+    /// raised also sees all numbers. If you prefer a fence, take [`common_threads::fence`], which the test sees.
     ///
     /// Book: chapter 3, *A flag instead of a lock*.
     pub fn post(&self, statistics: &Statistics) {
@@ -42,10 +42,10 @@ impl Notice {
         // end 3.12
     }
 
-    /// What was posted; none if that is not there yet. It does not wait.
+    /// What was posted; `None` if that is not there yet. It looks at the flag once, and does not wait.
     ///
-    /// Each [`Atomic::load`] has an [`Ordering`], too. What is returned is whole: the numbers that were posted, and none
-    /// from before.
+    /// Each [`Atomic::load`] has an [`Ordering`], too: again the weakest that will do. What is returned is whole: the
+    /// numbers that were posted, and none from before.
     ///
     /// Book: chapter 3, *A flag instead of a lock*.
     pub fn read(&self) -> Option<Statistics> {

@@ -5,7 +5,8 @@ use solution2::Grid;
 
 use crate::{Bin, Change, Cut, Regions, remove};
 
-/// Empties all bins and puts every particle into the one that it lies in. Only one thread runs this.
+/// Empties all bins, which keep their memory, and puts every particle into the one that it lies in. Only one
+/// thread runs this.
 ///
 /// `particles[i]` has number i. [`Regions::parts_mut`] are the bins of each region,
 /// [`Regions::bin_mut`] is one bin.

@@ -1,8 +1,8 @@
 //! Task 4.2: what a lock costs.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use common_threads::{Guard, Lock};
+use common_threads::{Guard, Lock, Stopwatch};
 
 /// What one thread has spent its time on, and on locks.
 #[derive(Clone, Copy, Debug, Default)]
@@ -29,7 +29,7 @@ impl Meter {
     /// measure the clock. So a free lock is counted in [`locks`](Self::locks) and costs no more than
     /// [`Lock::try_lock`]. Only a lock that another thread holds is counted in
     /// [`contended`](Self::contended) too, and the wait for it ([`Lock::lock`]) is added to
-    /// [`waiting`](Self::waiting).
+    /// [`waiting`](Self::waiting). The clock is a [`Stopwatch`].
     ///
     /// Book: chapter 4, *Reading contention*.
     #[inline]
@@ -40,7 +40,7 @@ impl Meter {
             return guard;
         }
         self.contended += 1;
-        let start = Instant::now();
+        let start = Stopwatch::start();
         let guard = lock.lock();
         self.waiting += start.elapsed();
         guard

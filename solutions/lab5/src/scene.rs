@@ -13,7 +13,7 @@ use crate::ROOT;
 ///
 /// A broadcast ([`Root::broadcast_into`]) is the same call on all ranks: the root's buffer is read,
 /// those of all other ranks are overwritten. A buffer must have the right length before the call.
-/// So it takes three: the number of particles (a `u64`), the side of the box (an `f64`), and then
+/// So it takes three calls, and no more: the number of particles (a `u64`), the side of the box (an `f64`), and then
 /// the particles, as a slice of [`Wire`].
 ///
 /// All ranks call it together.

@@ -22,8 +22,9 @@ use mpi::{Count, Rank};
 ///
 /// A receive needs a buffer of the right length. So first exchange how many items there will be, a
 /// `u64` each way, and wait; then exchange the items. `work` comes between the start of the second
-/// exchange and the wait for it. Until a request has been waited for, its buffer belongs to the
-/// message: requests live in a [`request::scope`], which sees to it.
+/// exchange and the wait for it. (By then both sides know which lists are empty. Whether these are sent
+/// is up to you.) Until a request has been waited for, its buffer belongs to the message: requests live in a
+/// [`request::scope`], which sees to it.
 ///
 /// Book: chapter 6, *Both ways at once*.
 pub fn exchange_beside<T, R>(

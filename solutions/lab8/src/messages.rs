@@ -11,9 +11,9 @@ use mpi::traits::*;
 /// A worker does not know how long its list will be. It can ask the message itself before it
 /// makes a buffer: [`Source::receive_vec`] does.
 ///
-/// The master starts all sends ([`Destination::immediate_send`], within a [`request::scope`]) and
-/// then waits for all of them. The report sends and waits, one worker after the other, and a
-/// worker that is not ready yet keeps the next ones waiting.
+/// The master starts all sends ([`Destination::immediate_send`], within a [`request::scope`]; see
+/// chapter 6, *Both ways at once*) and then waits for all of them. The report sends and waits, one worker
+/// after the other, and a worker that is not ready yet keeps the next ones waiting.
 ///
 /// A master that works sends nothing to itself and keeps its own list: a message to its own rank that
 /// is too long to be copied aside waits for a receive that is never reached.

@@ -3,28 +3,28 @@
 // The prefix sum of [3, 1, 0, 2] is [0, 3, 4, 4]: each number becomes the sum of those before it.
 // It turns the numbers of particles in the bins into the starts of the bins.
 //
-// A workgroup sums a block of THREADS numbers in its own fast memory (CUDA: __shared__). It cannot
-// see what other workgroups do, so it leaves the sum of its block in `sums`; the host has those
-// summed in turn, and added back (task 9.6b).
+// A workgroup sums a block of THREADS numbers in its own fast memory. It cannot see what other workgroups do, so it
+// leaves the sum of its block in `sums`; the host has those summed in turn, and added back (task 9.6b).
 
 @group(0) @binding(0) var<storage, read_write> values: array<u32>;
 @group(0) @binding(1) var<storage, read_write> sums: array<u32>;
 
-// One number for each invocation of the workgroup.
-var<workgroup> partial: array<u32, THREADS>;
-
 // Replaces each block of `values` by its prefix sum and writes the sum of the whole block to
 // `sums[block]`. `local` is the number of the invocation within its workgroup.
 //
+// The invocations share THREADS numbers, and three functions are given for them (shared.wgsl in
+// labs/engines/device-discs/src/soft): `put(k, number)` writes number k, `fetch(k)` reads it, and `meet()` is the
+// barrier.
+//
 // The algorithm is that of Hillis and Steele: for reach = 1, 2, 4, … each invocation adds to its
-// number the one `reach` before it. After the last round partial[local] is the sum of the
+// number the one `reach` before it. After the last round fetch(local) is the sum of the
 // numbers 0 to local of the block, its own included; the prefix sum leaves its own out.
 //
-// The invocations of a workgroup do not run in step. workgroupBarrier() (CUDA: __syncthreads())
-// holds each of them until all have come so far and all their writes can be seen. Each round needs
-// two: one before any invocation reads what its neighbours wrote in the round before, and one before
-// any overwrites what its neighbours still have to read. Every invocation must meet every barrier, so the last
-// block, which may be partly empty, sums zeros instead of leaving early.
+// The invocations of a workgroup do not run in step. meet() holds each of them until all have come so
+// far and all their writes can be seen. Each round needs two: one before any invocation reads what its
+// neighbours wrote in the round before, and one before any overwrites what its neighbours still have to
+// read. Every invocation must come to every meet(), so no meet() may depend on `local`, and the last block, which may
+// be partly empty, sums zeros instead of leaving early.
 @compute @workgroup_size(THREADS)
 fn scan_blocks(
     @builtin(global_invocation_id) id: vec3<u32>,
@@ -33,26 +33,27 @@ fn scan_blocks(
 ) {
     let i = invocation(id, groups);
     let block = i / THREADS;
+    own = local;
     // task 9.6: the prefix sum of a block
     var mine = 0u;
     if i < arrayLength(&values) {
         mine = values[i];
     }
-    partial[local] = mine;
+    put(local, mine);
     for (var reach = 1u; reach < THREADS; reach *= 2u) {
-        workgroupBarrier();
-        var sum = partial[local];
+        meet();
+        var sum = fetch(local);
         if local >= reach {
-            sum += partial[local - reach];
+            sum += fetch(local - reach);
         }
-        workgroupBarrier();
-        partial[local] = sum;
+        meet();
+        put(local, sum);
     }
     if i < arrayLength(&values) {
-        values[i] = partial[local] - mine;
+        values[i] = fetch(local) - mine;
     }
     if local == THREADS - 1u && block < arrayLength(&sums) {
-        sums[block] = partial[local];
+        sums[block] = fetch(local);
     }
     // end 9.6
 }

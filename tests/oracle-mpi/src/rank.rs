@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use common_mpi::{as_rank, together};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::{Ask, Columns, Random};
+use oracle::{Ask, Columns, Random, memory};
 
 /// A rank that answers questions.
 pub struct Rank<'a> {
@@ -59,6 +59,24 @@ impl Rank<'_> {
     /// Makes a call that all ranks make, or makes nothing where there is no job. `what` names it for the watch.
     pub fn call<T: Default>(&self, what: &str, call: impl FnOnce(&SimpleCommunicator) -> T) -> T {
         self.world.map_or_else(T::default, |world| together(what, || call(world)))
+    }
+
+    /// Asks whether the memory of this rank grows with the turns that all ranks take together. Each handles so many
+    /// `bytes`.
+    pub fn keeps_its_memory(
+        &self,
+        what: &str,
+        bytes: usize,
+        mut turn: impl FnMut(&SimpleCommunicator),
+        ask: &mut impl Ask,
+    ) {
+        let turns = |turns| {
+            for _ in 0..turns {
+                self.call(what, &mut turn);
+                self.world().barrier();
+            }
+        };
+        memory(&format!("{what} on {}", self.name()), (50, bytes), turns, ask);
     }
 
     /// The table with a column for each rank of what this rank has in each row, by the row's name, on the

@@ -30,6 +30,7 @@ mod frames;
 pub mod hard;
 mod model;
 mod official;
+mod panics;
 mod questions;
 mod random;
 pub mod reference;
@@ -43,8 +44,8 @@ mod watchdog;
 
 pub use apart::apart;
 pub use asking::{
-    Ask, InTest, Judge, Near, Recorder, beside, digest, flags, in_test, memory, no_other_calls,
-    others_within, rounded, truth, whole,
+    Ask, InTest, Judge, Near, Recorder, begins_send, beside, digest, flags, in_test, memory,
+    no_other_calls, others_within, resident, rounded, truth, whole,
 };
 pub use bits::difference;
 pub use columns::{Columns, spaced};

@@ -2,6 +2,7 @@
 
 use crate::Random;
 use crate::asking::{Judge, Recorder};
+use crate::panics::name_the_lab;
 
 /// A row of the table: one question about one task.
 #[derive(Debug)]
@@ -45,6 +46,7 @@ pub fn print(questions: &[Question]) {
 /// # Panics
 /// There is no such question, the file cannot be written, or the submission panics.
 pub fn answer(questions: &[Question], ask: fn(&str, &mut Random, &mut Recorder) -> bool) {
+    name_the_lab();
     let order = Order::read();
     let mut recorder = Recorder::new(&order.file);
     order.ask(questions, |name, random| ask(name, random, &mut recorder));

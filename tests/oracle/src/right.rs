@@ -99,8 +99,7 @@ fn likeness(found: &[f64], expected: &[f64]) -> Option<&'static str> {
         ),
         (
             &|f, e| (f - e).abs() <= 1e-9 * e.abs(),
-            "They differ in the last digits: another order of sums, a formula that is the same only on paper, \
-             or a fused multiply and add",
+            "They differ in the last digits only, as after the same operations in another order",
         ),
     ];
     kinds.iter().find(|(is, _)| all(is)).map(|(_, words)| *words)

@@ -22,6 +22,13 @@ pub fn dense_with_seed(seed: u64) -> Scene {
     lattice_with_jitter(150, 10.3 * CUTOFF, 1.0, seed)
 }
 
+/// Two particles exactly a cutoff from a third, along x and along y, at rest.
+pub fn at_the_cutoff() -> Scene {
+    let at = |x: f64, y: f64| Particle { x: x * CUTOFF, y: y * CUTOFF, ..Particle::default() };
+    let particles = vec![at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
+    Scene::new(2.0 * CUTOFF, particles).expect("all are in the box")
+}
+
 /// The example of chapters 5 and 6: a dozen particles in a box of side 6, which has six rows of
 /// bins of side 1, before a step and after it.
 ///

@@ -17,6 +17,8 @@ pub struct Call {
     pub is_collective: bool,
     /// The rank that all others talk to; -1 where there is none.
     pub root: c_int,
+    /// What a reduction makes of all numbers, such as `sum`; none for an operation of the program's own.
+    pub operation: Option<&'static str>,
     /// The rank that this one alone sends to or receives from, and the message's tag.
     pub other: Option<[c_int; 2]>,
     /// How many items this rank sends, or has room for, and the bytes of one.
@@ -77,6 +79,7 @@ fn between(name: &'static str) -> Call {
         name,
         is_collective: false,
         root: -1,
+        operation: None,
         other: None,
         items: [0, 1],
         is_alike: false,
@@ -96,6 +99,13 @@ impl Call {
 
     fn root(self, root: c_int) -> Self {
         Self { root, ..self }
+    }
+
+    fn by(self, operation: MPI_Op) -> Self {
+        // SAFETY: the library's constants do not change.
+        let known = unsafe { [(RSMPI_SUM, "sum"), (RSMPI_MAX, "maximum"), (RSMPI_MIN, "minimum")] };
+        let operation = known.iter().find(|(known, _)| *known == operation).map(|(_, name)| *name);
+        Self { operation, ..self }
     }
 
     fn items(self, count: c_int, of: MPI_Datatype) -> Self {
@@ -177,11 +187,11 @@ told! {
     MPI_Alltoallv(from: In, sent: Ints, sent_from: Ints, of: Type, to: Out, room: Ints, starts: Ints, as_of: Type, comm: Comm)
         = all("MPI_Alltoallv", comm);
     MPI_Reduce(from: In, to: Out, count: Int, of: Type, by: MPI_Op, root: Int, comm: Comm)
-        = all("MPI_Reduce", comm).root(root).alike(count, of);
+        = all("MPI_Reduce", comm).by(by).root(root).alike(count, of);
     MPI_Allreduce(from: In, to: Out, count: Int, of: Type, by: MPI_Op, comm: Comm)
-        = all("MPI_Allreduce", comm).alike(count, of);
+        = all("MPI_Allreduce", comm).by(by).alike(count, of);
     MPI_Scan(from: In, to: Out, count: Int, of: Type, by: MPI_Op, comm: Comm)
-        = all("MPI_Scan", comm).alike(count, of);
+        = all("MPI_Scan", comm).by(by).alike(count, of);
     MPI_Finalize() = all("MPI_Finalize", unsafe { RSMPI_COMM_WORLD });
     MPI_Send(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm) = between("MPI_Send").other(to, tag);
     MPI_Ssend(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm) = between("MPI_Ssend").other(to, tag);
@@ -196,9 +206,15 @@ told! {
         = between("MPI_Mprobe").other(from, tag);
     MPI_Isend(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm, request: *mut MPI_Request)
         = between("MPI_Isend").other(to, tag);
+    MPI_Issend(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm, request: *mut MPI_Request)
+        = between("MPI_Issend").other(to, tag);
     MPI_Irecv(into: Out, count: Int, of: Type, from: Int, tag: Int, comm: Comm, request: *mut MPI_Request)
         = between("MPI_Irecv").other(from, tag);
     MPI_Wait(request: *mut MPI_Request, status: *mut MPI_Status) = between("MPI_Wait");
     MPI_Waitall(count: Int, requests: *mut MPI_Request, status: *mut MPI_Status)
         = between("MPI_Waitall");
+    MPI_Waitany(count: Int, requests: *mut MPI_Request, index: *mut Int, status: *mut MPI_Status)
+        = between("MPI_Waitany");
+    MPI_Waitsome(count: Int, requests: *mut MPI_Request, over: *mut Int, indices: *mut Int, status: *mut MPI_Status)
+        = between("MPI_Waitsome");
 }

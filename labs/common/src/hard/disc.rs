@@ -2,9 +2,10 @@
 
 use crate::Vec2;
 
-/// A disc: where its centre is, how it moves, how often it has collided.
+/// A disc: its centre, its velocity and the number of its collisions.
 ///
-/// Its number is its index in the scene; the radius is the same for all and belongs to the scene.
+/// The number of the disc is its index in the scene. The radius is the same for all discs and
+/// belongs to the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct Disc {
@@ -12,29 +13,29 @@ pub struct Disc {
     pub x: f64,
     /// Centre along y, in r ..= L − r.
     pub y: f64,
-    /// Way along x in one step.
+    /// Displacement along x in one step.
     pub vx: f64,
-    /// Way along y in one step.
+    /// Displacement along y in one step.
     pub vy: f64,
-    /// Collisions with other discs since the start.
+    /// Number of collisions with other discs since the start.
     pub pair_collisions: u32,
-    /// Collisions with walls since the start. A corner counts once.
+    /// Number of collisions with walls since the start. A corner counts once.
     pub wall_collisions: u32,
 }
 
 impl Disc {
-    /// A disc that has not collided yet.
+    /// Makes a disc that has not collided yet.
     pub const fn new(x: f64, y: f64, vx: f64, vy: f64) -> Self {
         Self { x, y, vx, vy, pair_collisions: 0, wall_collisions: 0 }
     }
 
-    /// The centre.
+    /// Returns the centre.
     #[inline]
     pub fn position(&self) -> Vec2 {
         Vec2::new(self.x, self.y)
     }
 
-    /// The way of one step.
+    /// Returns the displacement in one step.
     #[inline]
     pub fn velocity(&self) -> Vec2 {
         Vec2::new(self.vx, self.vy)

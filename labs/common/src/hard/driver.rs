@@ -1,4 +1,4 @@
-//! The program around a lab of hard discs: its command line, its clock, its output.
+//! The program around a lab of hard discs: its command line, its clock and its output.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Write};
@@ -14,22 +14,22 @@ use crate::program::{self, Choice, Complaint};
 use crate::soft::general;
 use crate::{Config, Variant, write_whole};
 
-/// Discs are read and written this many at a time.
+/// Number of discs that are read and written at a time.
 const CHUNK: usize = 1 << 16;
 
-/// Simulate hard discs: reads N, L, r, S, print or perf, and perhaps N lines 'i x y vx vy'.
+/// Simulate hard discs: read N, L, r, S, print or perf, and optionally N lines 'i x y vx vy'
 #[derive(Parser)]
 #[command(arg_required_else_help = false)]
 struct Options {
-    /// The input [default: the standard input]
+    /// The input file [default: standard input]
     input: Option<PathBuf>,
-    /// Seed of the random discs, where the input lists none
+    /// Seed of the random discs, if the input lists no discs
     #[arg(short, default_value_t = 1, value_name = "SEED", value_parser = clap::value_parser!(u32).range(1..), allow_negative_numbers = true)]
     seed: u32,
     /// Least and greatest velocity component of random discs [default: L/(8r) and L/4]
     #[arg(long, value_name = "LEAST,GREATEST", value_parser = speeds, allow_hyphen_values = true)]
     speeds: Option<(f64, f64)>,
-    /// Random discs lie in a square of this side in the middle [default: the whole]
+    /// Place random discs in a square of this side in the middle [default: the whole square]
     #[arg(long, value_name = "SIDE", value_parser = side, allow_negative_numbers = true)]
     blob: Option<f64>,
     #[command(flatten)]
@@ -41,11 +41,11 @@ pub fn drive(variants: &[Variant<dyn Simulation>]) -> ExitCode {
     drive_on_rank(variants, true, |input| input.unwrap_or_default())
 }
 
-/// As [`drive`], in a program of several processes that all call it with the same command line:
-/// only the `root` reads, prints and writes.
+/// Runs the program of a lab as one of several processes with the same command line.
 ///
-/// `share` hands the root's input to all: the root calls it with the bytes, the other
-/// ranks with nothing, and all get the bytes.
+/// Every process calls it; only the `root` reads, prints and writes. `share` distributes the root's
+/// input: the root calls it with the bytes, the other ranks call it with `None`, and it returns the
+/// bytes to all.
 pub fn drive_on_rank(
     variants: &[Variant<dyn Simulation>],
     root: bool,
@@ -70,7 +70,8 @@ fn run_lab(
     let name =
         options.input.as_ref().map_or("standard input".into(), |path| path.display().to_string());
     let complaint = |e: &dyn std::fmt::Display| format!("{name}: {e}");
-    // An input that the root cannot read reaches the other ranks as an empty one, so that all fail.
+    // If the root cannot read the input, the other ranks receive an empty one, so that all ranks
+    // fail.
     let (own, unreadable) = match root.then(|| bytes(options)).transpose() {
         Ok(own) => (own, None),
         Err(error) => (Some(Vec::new()), Some(complaint(&error))),
@@ -93,7 +94,7 @@ fn run_lab(
             .map(Some)
             .map_err(|e| format!("cannot write {}: {e}", path.display())),
         None if !root || options.choice.json => {
-            // Looking is collective under MPI: whether to look is the same on all ranks.
+            // Reading is collective under MPI, so all ranks make the same decision to read.
             let mut nowhere = io::sink();
             let out: Option<&mut dyn Write> =
                 (!options.choice.json || options.choice.output.is_some()).then_some(&mut nowhere);
@@ -147,13 +148,14 @@ fn adjusted(mut random: RandomScene, options: &Options) -> RandomScene {
     random
 }
 
-/// The output of a moment.
+/// The moment whose output is written.
 enum Frame {
     Step(u64),
     End(u64),
 }
 
-/// Runs all steps and writes the output of the problem's mode; returns the time of the steps.
+/// Runs all steps and writes the output of the problem's mode. Returns the time that the steps
+/// took.
 fn simulate(
     simulation: &mut dyn Simulation,
     problem: &Problem,
@@ -192,7 +194,7 @@ fn simulate(
     Ok(stepping)
 }
 
-/// The results of the run: as JSON instead of the discs, or beside them where they do not disturb.
+/// Prints the results of the run: as JSON instead of the discs, or as text beside the discs.
 fn report(
     variant: &Variant<dyn Simulation>,
     config: &Config,

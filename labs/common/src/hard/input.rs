@@ -1,11 +1,11 @@
-//! Reading the assignment's input: N, L, r, S, `print` or `perf`, and perhaps N discs.
+//! Reads the assignment's input: N, L, r, S, `print` or `perf`, and optionally N discs.
 
 use std::io::BufRead;
 
 use super::words::{InputError, Words};
 use super::{Disc, RandomScene, Scene, SceneError};
 
-/// What an input asks for.
+/// The contents of an input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
     /// Number of discs N.
@@ -16,26 +16,27 @@ pub struct Problem {
     pub radius: f64,
     /// Number of time steps S.
     pub steps: u64,
-    /// How much to write.
+    /// The amount of output.
     pub mode: Mode,
-    /// The discs, if the input lists them. If not, they are random.
+    /// The discs, if the input lists them. Otherwise discs are random.
     pub discs: Option<Vec<Disc>>,
 }
 
-/// How much a run writes.
+/// The amount of a run's output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// The start, every step, the end.
+    /// The start, every step and the end.
     Print,
     /// The start and the end.
     Perf,
 }
 
 impl Problem {
-    /// The scene to start from; `random` may adjust the random scene where no discs are listed.
+    /// Returns the scene at the start. If no discs are listed, `random` may adjust the random
+    /// scene.
     ///
     /// # Errors
-    /// The numbers make no scene.
+    /// The numbers do not make a valid scene.
     pub fn scene(
         &mut self,
         seed: u32,
@@ -48,10 +49,10 @@ impl Problem {
     }
 }
 
-/// Reads an input. The five fields of the head may stand on any lines; each disc has its own.
+/// Reads an input. The five fields of the head may be on any lines; each disc is on its own line.
 ///
 /// # Errors
-/// See [`InputError`], which names the line and the field.
+/// An [`InputError`], which names the line and the field.
 pub fn read_problem(input: impl BufRead) -> Result<Problem, InputError> {
     let mut lines = Words::new(input);
     let n = lines.head("N", "a whole number of discs, 1 or more", |n: &u64| *n > 0)?;
@@ -65,7 +66,7 @@ pub fn read_problem(input: impl BufRead) -> Result<Problem, InputError> {
     let mode = if mode == "print" { Mode::Print } else { Mode::Perf };
     lines.end_of_line("the head")?;
 
-    // No memory on the head's word alone: an input that promises a billion discs may hold three.
+    // The list grows disc by disc, because an input may claim a billion discs and contain three.
     let mut discs = Vec::new();
     while lines.next_line()? {
         let i = discs.len() as u64;

@@ -1,9 +1,10 @@
-//! Hard discs: discs that fly straight and collide with each other and the walls (labs 7, 8, 9).
+//! Hard discs: discs that fly straight and collide with each other and with the walls (labs 7, 8
+//! and 9).
 //!
-//! This is the problem of NUS's CS3210, Assignment 1: N discs of radius r in a square of side L,
-//! in time steps of length 1. In one step a disc takes part in at most one collision. Which ones
-//! happen, if several could, is the model's own rule: the earliest first, and each takes its discs
-//! out of the step. Chapter 7 of the book states every rule; the labs implement them.
+//! The problem is Assignment 1 of NUS's CS3210: N discs of radius r in a square of side L, in time
+//! steps of length 1. In one step a disc takes part in at most one collision. If several collisions
+//! could happen, the earliest comes first, and its discs have no other collision in the step; this
+//! rule is the model's own. Chapter 7 of the book states every rule, and the labs implement them.
 
 mod disc;
 mod driver;

@@ -1,4 +1,4 @@
-//! Writing discs in the assignment's format: `%10.8f` numbers, one disc a line.
+//! Writes discs in the assignment's format: `%10.8f` numbers, one disc per line.
 
 use std::io::{self, Write};
 
@@ -7,7 +7,7 @@ use super::Disc;
 /// Writes the lines `t i x y vx vy` of the discs `first ..` after step `t`.
 ///
 /// # Errors
-/// `out` fails.
+/// Writing to `out` fails.
 pub fn write_step(out: &mut dyn Write, t: u64, first: usize, discs: &[Disc]) -> io::Result<()> {
     for (i, disc) in (first..).zip(discs) {
         let Disc { x, y, vx, vy, .. } = disc;
@@ -16,11 +16,13 @@ pub fn write_step(out: &mut dyn Write, t: u64, first: usize, discs: &[Disc]) -> 
     Ok(())
 }
 
-/// Writes the lines `S i x y vx vy pcollisions wcollisions` of the discs `first ..` at the end of
-/// a run of `steps` steps.
+/// Writes the lines `S i x y vx vy pcollisions wcollisions` of the discs `first ..` at the end of a
+/// run.
+///
+/// `steps` is S, the number of steps.
 ///
 /// # Errors
-/// `out` fails.
+/// Writing to `out` fails.
 pub fn write_end(out: &mut dyn Write, steps: u64, first: usize, discs: &[Disc]) -> io::Result<()> {
     for (i, disc) in (first..).zip(discs) {
         let Disc { x, y, vx, vy, pair_collisions, wall_collisions } = disc;

@@ -1,15 +1,15 @@
-//! Random scenes that can be repeated from a seed.
+//! Random scenes, which a seed determines.
 
 use rand_mt::Mt;
 
 use super::{Disc, Scene, SceneError};
 use crate::room::room_for;
 
-/// The form of a random scene.
+/// The parameters of a random scene.
 ///
-/// Every number of a disc, in the order x, y, vx, vy, takes one draw u in 0 .. 1 of 53 bits from
-/// the Mersenne Twister MT19937. A coordinate is linear in u. For a velocity component let
-/// s = 2 u − 1: its sign is that of s, its magnitude is linear in |s|.
+/// Every number of a disc, in the order x, y, vx, vy, takes a number u in 0 .. 1 with 53 random
+/// bits from the Mersenne Twister MT19937. A coordinate is linear in u. For a velocity component
+/// let s = 2 u − 1: the component has the sign of s, and its magnitude is linear in |s|.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RandomScene {
     /// Number of discs.
@@ -18,37 +18,39 @@ pub struct RandomScene {
     pub side: f64,
     /// Radius r of a disc.
     pub radius: f64,
-    /// Where the generator starts.
+    /// Seed of the generator.
     pub seed: u32,
     /// Least and greatest magnitude of a velocity component.
     pub speeds: (f64, f64),
-    /// The centres lie in a square of this side in the middle.
+    /// Side of a square in the middle that contains the centres.
     pub within: f64,
 }
 
 impl RandomScene {
-    /// The assignment's scene: all over the square, with velocity components of L/(8 r) to L/4.
+    /// Returns the assignment's scene: centres in the whole square, velocity components of L/(8 r)
+    /// to L/4.
     pub fn new(n: u64, side: f64, radius: f64, seed: u32) -> Self {
         let speeds = (side / (8.0 * radius), side / 4.0);
         Self { n, side, radius, seed, speeds, within: side - 2.0 * radius }
     }
 
-    /// The same with velocity components of magnitude `least` to `greatest`.
+    /// Sets the least and the greatest magnitude of a velocity component.
     #[must_use]
     pub fn with_speeds(self, least: f64, greatest: f64) -> Self {
         Self { speeds: (least, greatest), ..self }
     }
 
-    /// The same with all centres in a square of side `within` in the middle.
+    /// Restricts the centres to a square of side `within` in the middle.
     #[must_use]
     pub fn with_blob(self, within: f64) -> Self {
         Self { within: within.min(self.side - 2.0 * self.radius), ..self }
     }
 
-    /// Draws the scene.
+    /// Generates the scene.
     ///
     /// # Errors
-    /// The numbers make no scene ([`SceneError`]), or the discs need more memory than there is.
+    /// The numbers do not make a valid scene ([`SceneError`]), or the discs need more memory than
+    /// there is.
     pub fn draw(&self) -> Result<Scene, SceneError> {
         let Self { n, side, radius, seed, .. } = *self;
         Scene::check_square(side, radius)?;
@@ -66,14 +68,14 @@ impl RandomScene {
         Scene::new(side, radius, discs)
     }
 
-    /// A coordinate of a centre, for a number `u` in 0 .. 1.
+    /// Returns a coordinate of a centre, for a number `u` in 0 .. 1.
     fn coordinate(&self, u: f64) -> f64 {
         let Self { side, radius, within, .. } = *self;
         // Rounding must not push a disc that touches a wall through it.
         ((side - within) / 2.0 + within * u).clamp(radius, side - radius)
     }
 
-    /// A component of a velocity, for a number `u` in 0 .. 1.
+    /// Returns a component of a velocity, for a number `u` in 0 .. 1.
     fn component(&self, u: f64) -> f64 {
         let (least, greatest) = self.speeds;
         let s = 2.0 * u - 1.0;
@@ -81,7 +83,7 @@ impl RandomScene {
     }
 }
 
-/// A number in 0 .. 1 with 53 random bits: the generator authors' `genrand_res53`.
+/// Returns a number in 0 .. 1 with 53 random bits: the generator authors' `genrand_res53`.
 fn unit(twister: &mut Mt) -> f64 {
     let high = f64::from(twister.next_u32() >> 5);
     let low = f64::from(twister.next_u32() >> 6);

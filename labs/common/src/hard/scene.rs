@@ -1,4 +1,4 @@
-//! Discs in a square, checked once.
+//! Scenes of hard discs, which are checked when they are made.
 
 use super::Disc;
 use crate::SceneError;
@@ -6,9 +6,9 @@ use crate::scene_error::{self, check_body, check_length};
 
 /// A square of side L with discs of radius r in it.
 ///
-/// A scene that exists is sound: it has a disc, every number in it is finite, 0 < 2 r ≤ L, and
-/// every disc lies inside the walls, r ≤ x, y ≤ L − r. Discs may overlap each other. Labs rely on
-/// it and check nothing.
+/// Every scene is valid: it has a disc, every number in it is finite, 0 < 2 r ≤ L, and every disc
+/// is inside the walls, r ≤ x, y ≤ L − r. Discs may overlap each other. Labs rely on this and need
+/// no tests.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     side: f64,
@@ -17,10 +17,10 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Checks `discs` of radius `radius` in a square of side `side`.
+    /// Checks `discs` of radius `radius` in a square of side `side`, and makes a scene.
     ///
     /// # Errors
-    /// See [`SceneError`], which names the first disc at fault.
+    /// A [`SceneError`], which names the first disc that is not valid.
     pub fn new(side: f64, radius: f64, discs: Vec<Disc>) -> Result<Self, SceneError> {
         Self::check_square(side, radius)?;
         Self::check_count(discs.len() as u64)?;
@@ -57,22 +57,22 @@ impl Scene {
         })
     }
 
-    /// Side L of the square.
+    /// Returns the side L of the square.
     pub fn side(&self) -> f64 {
         self.side
     }
 
-    /// Radius r of every disc.
+    /// Returns the radius r of every disc.
     pub fn radius(&self) -> f64 {
         self.radius
     }
 
-    /// The discs in the order of their numbers.
+    /// Returns the discs in the order of their numbers.
     pub fn discs(&self) -> &[Disc] {
         &self.discs
     }
 
-    /// Number of discs, at least 1.
+    /// Returns the number of discs, at least 1.
     #[expect(clippy::len_without_is_empty, reason = "a scene is never empty")]
     pub fn len(&self) -> usize {
         self.discs.len()

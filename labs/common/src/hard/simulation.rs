@@ -5,28 +5,33 @@ use crate::Event;
 
 /// An engine that moves hard discs.
 ///
-/// An engine is reusable: each [`load`](Simulation::load) forgets the scene before. Looking, by
-/// [`read`](Simulation::read), never changes what comes after.
-///
-/// Under MPI every rank calls every method together; only the root's `out` is filled.
+/// An engine can be reused: each [`load`](Simulation::load) replaces the scene. Calls of
+/// [`read`](Simulation::read) never change later results. Under MPI every rank calls every method
+/// together; only the root's `out` is filled.
 pub trait Simulation {
-    /// Starts over from `scene`.
+    /// Starts from `scene`.
     fn load(&mut self, scene: &Scene);
 
     /// Advances all discs by one time step.
     fn step(&mut self);
 
-    /// Writes the discs with numbers `first .. first + out.len()` into `out`.
+    /// Writes the discs with numbers `first .. first + out.len()` to `out`.
     fn read(&self, first: usize, out: &mut [Disc]);
 
-    /// What this variant has counted since it was loaded, name and value, such as
-    /// `("pair tests", 4.5e7)`. Shown at the end of a run.
+    /// Returns the names and values of this variant's counters since the scene was loaded.
+    ///
+    /// An example is `("pair tests", 4.5e7)`.
+    ///
+    /// The program prints them at the end of a run.
     fn counters(&self) -> Vec<(&'static str, f64)> {
         Vec::new()
     }
 
-    /// The activities of all ranks since the scene was loaded, if the engine was built to record it; none if it
-    /// cannot. Written by `--events FILE`.
+    /// Returns the activities of all ranks since the scene was loaded.
+    ///
+    /// Returns `None` if the engine does not record them.
+    ///
+    /// The option `--events FILE` writes them to a file.
     fn events(&self) -> Option<Vec<Event>> {
         None
     }

@@ -1,4 +1,4 @@
-//! The lines and words of an input, and where in it an error is.
+//! Lines and words of an input, and the place of an error in it.
 
 use std::fmt::Display;
 use std::io::{self, BufRead};
@@ -6,23 +6,23 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-/// The reason why an input is refused.
+/// The reason why an input is not valid.
 #[derive(Debug, Error)]
 pub enum InputError {
-    /// It cannot be read.
+    /// The input cannot be read.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// A field has the wrong form, or the fields make no scene.
+    /// A field has the wrong form, or the fields do not make a valid scene.
     #[error("line {line}: {what}")]
     Line {
-        /// Counted from 1; the last line if the input ends.
+        /// Number of the line, counted from 1; the last line if the input ends too early.
         line: usize,
-        /// The field and its fault.
+        /// The field and the reason.
         what: String,
     },
 }
 
-/// An input by lines and, within a line, by words.
+/// An input that is read by lines and, within a line, by words.
 pub(super) struct Words<R> {
     input: R,
     text: String,
@@ -31,12 +31,12 @@ pub(super) struct Words<R> {
 }
 
 impl<R: BufRead> Words<R> {
-    /// Stands before the first line.
+    /// Starts before the first line.
     pub(super) fn new(input: R) -> Self {
         Self { input, text: String::new(), at: 0, line: 0 }
     }
 
-    /// Goes to the next line that is not blank; false at the end of the input.
+    /// Goes to the next line that is not blank. Returns false at the end of the input.
     pub(super) fn next_line(&mut self) -> Result<bool, InputError> {
         loop {
             self.text.clear();
@@ -51,7 +51,7 @@ impl<R: BufRead> Words<R> {
         }
     }
 
-    /// The next word of this line.
+    /// Returns the next word of this line, or `None` at its end.
     pub(super) fn word(&mut self) -> Option<&str> {
         let rest = &self.text[self.at..];
         let start = self.at + rest.find(|c: char| !c.is_whitespace())?;
@@ -60,7 +60,7 @@ impl<R: BufRead> Words<R> {
         Some(&self.text[start..self.at])
     }
 
-    /// A field of the head, on this line or a later one.
+    /// Reads a field of the head, on this line or on a later one.
     pub(super) fn head<T: FromStr>(
         &mut self,
         field: &str,
@@ -73,7 +73,7 @@ impl<R: BufRead> Words<R> {
         self.field(field, expected, good)
     }
 
-    /// A field of this line.
+    /// Reads a field of this line.
     pub(super) fn field<T: FromStr>(
         &mut self,
         field: impl Display,
@@ -90,13 +90,13 @@ impl<R: BufRead> Words<R> {
         Err(self.error(format_args!("{field}: expected {expected}, found '{found}'")))
     }
 
-    /// Refuses whatever else stands on this line.
+    /// Checks that this line has no more words.
     pub(super) fn end_of_line(&mut self, after: &str) -> Result<(), InputError> {
         let found = self.word().map(shortened);
         found.map_or(Ok(()), |found| Err(self.error(format_args!("'{found}' after {after}"))))
     }
 
-    /// The fault, with the number of the line.
+    /// Returns an error with the number of the line.
     pub(super) fn error(&self, what: impl Display) -> InputError {
         InputError::Line { line: self.line.max(1), what: what.to_string() }
     }

@@ -1,4 +1,4 @@
-//! The numbers that fix the model. Lengths, masses and times have no unit.
+//! The constants of the model. Lengths, masses and times have no unit.
 
 /// Area of the box per particle: a box for n particles has side √(0.0005 n).
 pub const DENSITY: f64 = 0.0005;
@@ -6,10 +6,10 @@ pub const DENSITY: f64 = 0.0005;
 /// Mass of a particle.
 pub const MASS: f64 = 0.01;
 
-/// Particles further apart than this do not feel each other.
+/// Greatest distance at which two particles exert a force on each other.
 pub const CUTOFF: f64 = 0.01;
 
-/// The force stops growing below this distance.
+/// Distance below which the force no longer grows.
 pub const MIN_R: f64 = CUTOFF / 100.0;
 
 /// The time step.

@@ -1,9 +1,9 @@
-//! The counter scene: any particle computed from its number alone.
+//! The counter scene, in which any particle is computed from its number alone.
 //!
-//! The official generator hands out its particles one after the other, and must remember the whole
-//! shuffle meanwhile. So every process of a program that wants a part of the scene must replay all
-//! of it, in memory that grows with the scene. Here nothing is remembered. The scene obeys the same
-//! law: the same sites, each taken once, in shuffled order, with speeds drawn from -1 to 1. Only
+//! The official generator makes its particles one after the other, and must store the whole
+//! shuffle. So every process that wants a part of the scene must generate the whole scene, in
+//! memory that grows with the scene. The counter scene needs no memory. It has the same
+//! distribution: the same sites, each taken once, in shuffled order, with speeds from -1 to 1. Only
 //! the random numbers differ.
 
 use std::ops::Range;
@@ -15,14 +15,14 @@ use super::shuffle::Shuffle;
 use super::{Particle, Scene, SceneError};
 use crate::room::room_for;
 
-/// Which words of the generator are speeds; the shuffle takes those of stream 0.
+/// Number of the generator's stream that speeds come from. The shuffle uses stream 0.
 const SPEEDS: u32 = 1;
 
-/// The particles of a counter scene, each of which can be had without the rest.
+/// The particles of a counter scene, each of which can be computed without the others.
 ///
-/// Knows n and a seed and nothing else. Particles can be asked for by id, and by where they stand:
-/// row by row of the lattice that they start on. So a process that has a part of the box makes the
-/// particles of its part, in time and memory that grow with the part.
+/// It stores only n and a seed. Particles can be computed by id, and by position: row by row of the
+/// lattice at the start. So a process that has a part of the box makes the particles of its part,
+/// in time and memory that grow with the part.
 #[derive(Clone, Copy, Debug)]
 pub struct CounterParticles {
     lattice: Lattice,
@@ -31,10 +31,10 @@ pub struct CounterParticles {
 }
 
 impl Scene {
-    /// The counter scene of `n` particles.
+    /// Makes the counter scene of `n` particles.
     ///
     /// # Errors
-    /// As [`Scene::official`].
+    /// The same as those of [`Scene::official`].
     pub fn counter(n: u64, seed: u32) -> Result<Self, SceneError> {
         let scene = CounterParticles::new(n, seed)?;
         let mut particles = room_for(scene.count()).ok_or(SceneError::Memory("particle", n))?;
@@ -44,7 +44,7 @@ impl Scene {
 }
 
 impl CounterParticles {
-    /// The scene of `n` particles.
+    /// Makes the scene of `n` particles.
     ///
     /// # Errors
     /// `n` is 0 or beyond [`Scene::MOST`], or the seed is 0.
@@ -58,37 +58,37 @@ impl CounterParticles {
         Ok(Self { lattice, shuffle, seed })
     }
 
-    /// Number of particles.
+    /// Returns the number of particles.
     pub fn count(&self) -> usize {
         self.lattice.n
     }
 
-    /// Side of the box.
+    /// Returns the side of the box.
     pub fn size(&self) -> f64 {
         self.lattice.size
     }
 
-    /// Particle `id`, 0 .. [`count`](Self::count).
+    /// Returns particle `id`, which is in 0 .. [`count`](Self::count).
     pub fn particle(&self, id: usize) -> Particle {
         self.at(id, self.shuffle.forward(id))
     }
 
-    /// Number of rows that the particles stand in, nearly √n.
+    /// Returns the number of rows of particles, nearly √n.
     pub fn rows(&self) -> usize {
         self.lattice.rows
     }
 
-    /// Where along y all particles of `row` stand. It grows with the row.
+    /// Returns y of all particles of `row`. It grows with the row.
     pub fn y(&self, row: usize) -> f64 {
         self.lattice.y(row)
     }
 
-    /// How many particles stand in `rows`.
+    /// Returns the number of particles in `rows`.
     pub fn count_in(&self, rows: Range<usize>) -> usize {
         self.sites(rows).len()
     }
 
-    /// The particles that stand in `rows`, in the order of their sites.
+    /// Returns the particles in `rows`, in the order of their sites.
     pub fn in_rows(&self, rows: Range<usize>) -> impl Iterator<Item = Particle> {
         self.sites(rows).map(|site| self.at(self.shuffle.backward(site), site))
     }
@@ -125,7 +125,7 @@ mod tests {
         }
     }
 
-    /// The bits of all positions, in order.
+    /// Returns the bits of all positions, in order.
     fn sites(scene: &Scene) -> Vec<[u64; 2]> {
         let mut sites: Vec<_> =
             scene.particles().iter().map(|p| [p.y.to_bits(), p.x.to_bits()]).collect();
@@ -155,7 +155,7 @@ mod tests {
         let scene = Scene::counter(20_000, 3).unwrap();
         let speeds: Vec<f64> = scene.particles().iter().flat_map(|p| [p.vx, p.vy]).collect();
         assert!(speeds.iter().all(|v| (-1.0..1.0).contains(v)));
-        // Five standard errors of 40,000 draws.
+        // The bounds are five standard errors of 40,000 numbers.
         let mean = speeds.iter().sum::<f64>() / 40_000.0;
         assert!(mean.abs() < 0.0145, "mean {mean}");
         let square = speeds.iter().map(|v| v * v).sum::<f64>() / 40_000.0;
@@ -164,7 +164,7 @@ mod tests {
         assert!(across.abs() < 0.012, "vx and vy go together: {across}");
     }
 
-    /// A scene must be the same tomorrow and on every machine.
+    /// A scene must be the same at any time and on every machine.
     #[test]
     fn the_scene_never_changes() {
         let scene = CounterParticles::new(1_000_000_000, 1).unwrap();

@@ -1,4 +1,4 @@
-//! The program around a lab: its command line, its clock, its output.
+//! The program around a lab of soft discs: its command line, its clock and its output.
 
 use std::fs::File;
 use std::io::{self, BufReader, Write};
@@ -16,10 +16,10 @@ use super::{
 use crate::program::{self, Choice, Complaint};
 use crate::{Config, Variant, write_whole};
 
-/// Frames are read and written this many particles at a time.
+/// Number of particles that are read and written at a time.
 const CHUNK: usize = 1 << 20;
 
-/// Simulate soft discs.
+/// Simulate soft discs
 #[derive(Parser)]
 #[command(arg_required_else_help = false)]
 struct Options {
@@ -29,7 +29,7 @@ struct Options {
     /// Seed of the scene, 1 or more
     #[arg(short, default_value_t = 1, value_name = "SEED", allow_negative_numbers = true)]
     seed: u32,
-    /// What makes the scene
+    /// Generator of the scene
     #[arg(long, value_enum, default_value_t = Generator::Official, value_name = "NAME")]
     generator: Generator,
     #[command(flatten)]
@@ -49,17 +49,18 @@ struct Options {
     /// Collect statistics of the pairs and print their averages
     #[arg(long)]
     statistics: bool,
-    /// Say what the program decided from the scene, and what it skipped
+    /// Print what the program decided from the scene, and what it skipped
     #[arg(long)]
     explain: bool,
 }
 
-/// Where a scene comes from that is not read from a file.
+/// The generator of a scene that is not read from a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Generator {
-    /// The original program's, which must make all particles to know any
+    /// The generator of the original program, which must make all particles to know any of them
     Official,
-    /// The same positions and law of speeds; each particle is computed from its number alone
+    /// The same positions and the same distribution of speeds; each particle is computed from its
+    /// number alone
     Counter,
 }
 
@@ -74,9 +75,10 @@ pub fn drive(variants: &[Variant<dyn Simulation>]) -> ExitCode {
     drive_on_rank(variants, true)
 }
 
-/// As [`drive`], in a program of several processes that all call it with the same command line:
-/// only the `root` prints and writes. What went wrong for all is the root's to say; another rank
-/// speaks only if the job has not ended a second later.
+/// Runs the program of a lab as one of several processes with the same command line.
+///
+/// Every process calls it; only the `root` prints and writes. The root reports an error that all
+/// processes have; another process prints its error only if the job has not ended a second later.
 pub fn drive_on_rank(variants: &[Variant<dyn Simulation>], root: bool) -> ExitCode {
     program::run(root, |options| run_lab(variants, options, root))
 }
@@ -104,7 +106,7 @@ fn run_lab(
         .map_err(|e| format!("cannot write {}: {e}", path.display()))?,
         None => simulate(&mut *simulation, n, options, root, None).map_err(|e| e.to_string())?,
     };
-    // Ranks may have to add up their counts, so all of them are asked.
+    // Ranks may have to add up their counters, so all ranks call this.
     let counters = simulation.counters();
     let events = simulation.events();
     if !root {
@@ -118,7 +120,7 @@ fn run_lab(
     program::say(&report(variant, &config, counters, n, options, &run))
 }
 
-/// Loads the scene that was asked for, and returns its number of particles and its size.
+/// Loads the scene that the user chose, and returns its number of particles and its size.
 fn load(simulation: &mut dyn Simulation, options: &Options) -> Result<(usize, f64), Complaint> {
     let Some(path) = &options.scene else {
         match options.generator {
@@ -155,7 +157,7 @@ fn simulate(
         run.stepping += start.elapsed();
         done += batch;
         run.statistics.extend(simulation.statistics());
-        // Looking is collective under MPI: every rank reads, only the root has a file.
+        // Reading is collective under MPI: every rank reads, and only the root has a file.
         if options.choice.output.is_some() && (done - 1) % options.every == 0 {
             chunk.resize(n.min(CHUNK), Particle::default());
             for first in (0..n).step_by(CHUNK) {
@@ -175,9 +177,11 @@ fn simulate(
     Ok(run)
 }
 
-/// How many steps to take in a row after `done` of them: until the next output, which is after
-/// steps 0, `every`, 2 `every`, … counted from 0, and after each step where statistics are asked
-/// for; else until the progress bar should move.
+/// Returns how many steps to take in a row after `done` of them.
+///
+/// The next stop is the next output, which is after steps 0, `every`, 2 `every`, … counted from 0.
+/// With statistics it is the next step. Without output and statistics, the progress bar must move
+/// from time to time.
 fn batch(done: u64, options: &Options) -> u64 {
     const BAR: u64 = 50;
     let look = match () {
@@ -188,7 +192,7 @@ fn batch(done: u64, options: &Options) -> u64 {
     look.min(BAR).min(options.steps - done)
 }
 
-/// The results of the run, for a person or as a line of JSON.
+/// Prints the results of the run, for a person or as a line of JSON.
 fn report(
     variant: &Variant<dyn Simulation>,
     config: &Config,

@@ -1,19 +1,19 @@
-//! Writing positions in the format of the original program.
+//! Writes positions in the format of the original program.
 
 use std::io::{self, Write};
 
 use super::Particle;
 
-/// How numbers are written.
+/// The format of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrameFormat {
     /// `x y` with six significant digits, as C++ streams print doubles.
     Official,
-    /// `x y vx vy` with as many digits as it takes to read the same number back.
+    /// `x y vx vy`, with enough digits to read the same numbers back.
     Full,
 }
 
-/// Writes a run: one line `n size`, then for each frame one line a particle and an empty line.
+/// Writes a run: one line `n size`, then for each frame one line per particle and an empty line.
 pub struct FrameWriter<W> {
     out: W,
     format: FrameFormat,
@@ -23,7 +23,7 @@ impl<W: Write> FrameWriter<W> {
     /// Writes the first line.
     ///
     /// # Errors
-    /// `out` fails.
+    /// Writing to `out` fails.
     pub fn new(mut out: W, format: FrameFormat, n: usize, size: f64) -> io::Result<Self> {
         match format {
             FrameFormat::Official => writeln!(out, "{n} {}", general(size))?,
@@ -35,7 +35,7 @@ impl<W: Write> FrameWriter<W> {
     /// Writes the next particles of a frame.
     ///
     /// # Errors
-    /// `out` fails.
+    /// Writing to `out` fails.
     pub fn particles(&mut self, particles: &[Particle]) -> io::Result<()> {
         for Particle { x, y, vx, vy, .. } in particles {
             match self.format {
@@ -49,14 +49,16 @@ impl<W: Write> FrameWriter<W> {
     /// Ends a frame.
     ///
     /// # Errors
-    /// `out` fails.
+    /// Writing to `out` fails.
     pub fn end_frame(&mut self) -> io::Result<()> {
         writeln!(self.out)
     }
 }
 
-/// A number as C's `%g` prints it: six significant digits, no trailing zeros, an exponent where
-/// the number is below 1e-4 or has more than six digits before the point.
+/// Formats a number as C's `%g` does: with six significant digits and without trailing zeros.
+///
+/// The format has an exponent if the number is below 1e-4 or has more than six digits before the
+/// point.
 pub fn general(value: f64) -> String {
     const DIGITS: i32 = 6;
     if !value.is_finite() {

@@ -1,8 +1,8 @@
-//! Where the particles of a generated scene stand.
+//! The sites of the particles of a generated scene.
 
 use super::DENSITY;
 
-/// Side of the official box for `n` particles.
+/// Returns the side of the official box for `n` particles.
 pub fn official_size(n: usize) -> f64 {
     (DENSITY * n as f64).sqrt()
 }
@@ -23,18 +23,18 @@ pub(crate) struct Lattice {
 }
 
 impl Lattice {
-    /// The lattice of `n` sites, at least 1.
+    /// Makes the lattice of `n` sites, at least 1.
     pub(crate) fn new(n: usize) -> Self {
         let columns = (n as f64).sqrt().ceil() as usize;
         Self { n, size: official_size(n), columns, rows: n.div_ceil(columns) }
     }
 
-    /// Where along x `site` lies.
+    /// Returns x of `site`.
     pub(crate) fn x(&self, site: usize) -> f64 {
         self.size * (1.0 + (site % self.columns) as f64) / (1 + self.columns) as f64
     }
 
-    /// Where along y all sites of `row` lie.
+    /// Returns y of all sites of `row`.
     pub(crate) fn y(&self, row: usize) -> f64 {
         self.size * (1.0 + row as f64) / (1 + self.rows) as f64
     }

@@ -1,9 +1,9 @@
 //! Soft discs: particles that repel each other within a cutoff radius (labs 1 to 6, 9 and 10).
 //!
-//! This is the problem of Berkeley's CS267, Assignment 2, to the bit. The box grows with the
-//! number of particles, so that the density stays the same: 0.2 particles per square of side
-//! [`CUTOFF`]. Spread at random a particle would have 0.6 neighbours; they repel each other, and
-//! it has 0.1.
+//! The problem is Assignment 2 of Berkeley's CS267, to the bit. The box grows with the number of
+//! particles, so that the density stays the same: 0.2 particles per square of side [`CUTOFF`]. If
+//! particles were independent, each would have 0.6 neighbours; they repel each other, so each has
+//! 0.1.
 
 mod constants;
 mod counter;

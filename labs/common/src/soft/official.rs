@@ -1,8 +1,8 @@
 //! The official scene: the start that CS267's `init_particles` makes, to the bit.
 //!
-//! Particles stand on a lattice, in shuffled order so that neighbours in memory are strangers in
-//! space, with velocities drawn from -1 to 1. The original uses the C++ library's Mersenne
-//! Twister and its distributions; their arithmetic is repeated here.
+//! Particles are on a lattice in shuffled order, so neighbours in memory are far apart in the box.
+//! Velocities are random numbers from -1 to 1. The original uses the C++ library's Mersenne Twister
+//! and distributions; this module repeats their arithmetic.
 
 use rand_mt::Mt;
 
@@ -11,7 +11,7 @@ use super::{Particle, Scene, SceneError};
 use crate::room::room_for;
 
 impl Scene {
-    /// The official scene of `n` particles.
+    /// Makes the official scene of `n` particles.
     ///
     /// # Errors
     /// `n` is 0, beyond [`Scene::MOST`] or beyond the machine's memory, or the seed is 0.
@@ -26,7 +26,9 @@ impl Scene {
 }
 
 /// The particles of an official scene one after the other, for a program that keeps only some of
-/// them. It needs 4 bytes for each particle of the scene, for the shuffle.
+/// them.
+///
+/// The shuffle takes 4 bytes for each particle of the scene.
 #[derive(Clone, Debug)]
 pub struct OfficialParticles {
     lattice: Lattice,
@@ -36,10 +38,10 @@ pub struct OfficialParticles {
 }
 
 impl OfficialParticles {
-    /// The generator at its first particle.
+    /// Makes the generator, before its first particle.
     ///
     /// # Errors
-    /// As [`Scene::official`].
+    /// The same as those of [`Scene::official`].
     pub fn new(n: u64, seed: u32) -> Result<Self, SceneError> {
         let count = Scene::check_count(n)?;
         if seed == 0 {
@@ -76,7 +78,7 @@ impl Iterator for OfficialParticles {
     }
 }
 
-/// An integer in 0 ..= `greatest`, by Lemire's method on 32-bit draws.
+/// Returns an integer in 0 ..= `greatest`, by Lemire's method with 32-bit numbers.
 fn uniform_int(twister: &mut Mt, greatest: u32) -> u32 {
     let range = greatest + 1;
     let mut product = u64::from(twister.next_u32()) * u64::from(range);
@@ -89,7 +91,7 @@ fn uniform_int(twister: &mut Mt, greatest: u32) -> u32 {
     (product >> 32) as u32
 }
 
-/// A number in -1 .. 1 from a random word, in single precision.
+/// Returns a number in -1 .. 1 from a random word, in single precision.
 pub(super) fn unit_speed(word: u32) -> f64 {
     const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
     let unit = (word as f32 / 4_294_967_296.0).min(BELOW_ONE);

@@ -2,10 +2,10 @@
 
 use crate::Vec2;
 
-/// A particle: its id, where it is, how it moves.
+/// A particle: its position, its velocity and its id.
 ///
-/// Its acceleration is not part of it: that lives for one step only, in an array of its own, so
-/// that a program can read all positions while it writes accelerations.
+/// Its acceleration is stored in a separate array, because it is valid for one step only. So a
+/// program can read all positions while it writes accelerations.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct Particle {
@@ -17,20 +17,22 @@ pub struct Particle {
     pub vx: f64,
     /// Velocity along y.
     pub vy: f64,
-    /// Its number in the scene, 0 .. n. It keeps it wherever a lab moves it in memory.
+    /// Number of the particle in the scene, 0 .. n. It stays the same wherever a lab moves the
+    /// particle in memory.
     pub id: u32,
 }
 
 impl Particle {
-    /// The vector from this particle to `other`.
+    /// Returns the vector from this particle to `other`.
     #[inline]
     pub fn to(&self, other: &Self) -> Vec2 {
         Vec2::new(other.x - self.x, other.y - self.y)
     }
 }
 
-/// Copies the particles with ids `first .. first + out.len()` into `out`, in id order, from
-/// wherever they stand in `particles`.
+/// Copies the particles with ids `first .. first + out.len()` to `out`, in id order.
+///
+/// `particles` may be in any order.
 pub fn read_by_id<'a>(
     particles: impl IntoIterator<Item = &'a Particle>,
     first: usize,

@@ -1,18 +1,18 @@
-//! Random numbers without a state: number `counter` of the stream `key`, computed on the spot.
+//! Random numbers without a state: a function of a counter and a key.
 
 /// Multipliers of the two halves.
 const M: [u32; 2] = [0xD251_1F53, 0xCD9E_8D57];
 
-/// Added to the key after each round.
+/// Constants that are added to the key after each round.
 const W: [u32; 2] = [0x9E37_79B9, 0xBB67_AE85];
 
 const ROUNDS: usize = 10;
 
-/// Philox4x32-10: four random 32-bit words for each counter of four words and key of two.
+/// Philox4x32-10: returns four random 32-bit words for each counter of four words and key of two.
 ///
-/// A generator like the Mersenne Twister hands out its numbers one after the other, so the
-/// millionth costs a million draws. This one is a keyed bijection of the counter and
-/// remembers nothing: any number can be asked for, in any order, on any process.
+/// A generator like the Mersenne Twister makes its numbers one after the other, so the millionth
+/// number costs a million calls. This function is a bijection of the counter that depends on the
+/// key, and it stores nothing. Every process can compute any number, in any order.
 ///
 /// Source: Salmon, Moraes, Dror and Shaw, *Parallel random numbers: as easy as 1, 2, 3*, SC11.
 pub(crate) fn philox4x32(counter: [u32; 4], mut key: [u32; 2]) -> [u32; 4] {
@@ -26,7 +26,7 @@ pub(crate) fn philox4x32(counter: [u32; 4], mut key: [u32; 2]) -> [u32; 4] {
     c
 }
 
-/// High and low word of a product.
+/// Returns the high and the low word of a product.
 fn wide_product(a: u32, b: u32) -> (u32, u32) {
     let product = u64::from(a) * u64::from(b);
     ((product >> 32) as u32, product as u32)

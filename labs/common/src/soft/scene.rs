@@ -1,4 +1,4 @@
-//! Particles in a box, checked once.
+//! Scenes of soft discs, which are checked when they are made.
 
 use super::Particle;
 use crate::SceneError;
@@ -6,8 +6,8 @@ use crate::scene_error::{self, check_body, check_length};
 
 /// A square box of side [`size`](Scene::size) with particles in it.
 ///
-/// A scene that exists is sound: it has a particle, every number in it is finite, every particle
-/// lies in the box, walls included, and ids count from 0. Labs rely on it and check nothing.
+/// Every scene is valid: it has a particle, every number in it is finite, every particle is in the
+/// box, walls included, and ids count from 0. Labs rely on this and need no tests.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     size: f64,
@@ -18,10 +18,10 @@ impl Scene {
     /// The greatest number of particles.
     pub const MOST: usize = scene_error::MOST;
 
-    /// Checks `particles` in a box of side `size`, and numbers them in the order given.
+    /// Checks `particles` in a box of side `size`, numbers them in this order, and makes a scene.
     ///
     /// # Errors
-    /// See [`SceneError`], which names the first particle at fault.
+    /// A [`SceneError`], which names the first particle that is not valid.
     pub fn new(size: f64, mut particles: Vec<Particle>) -> Result<Self, SceneError> {
         check_length("the side of the box", size)?;
         Self::check_count(particles.len() as u64)?;
@@ -39,17 +39,17 @@ impl Scene {
         scene_error::check_count("particle", n)
     }
 
-    /// Side of the box.
+    /// Returns the side of the box.
     pub fn size(&self) -> f64 {
         self.size
     }
 
-    /// The particles in id order.
+    /// Returns the particles in id order.
     pub fn particles(&self) -> &[Particle] {
         &self.particles
     }
 
-    /// Number of particles, at least 1.
+    /// Returns the number of particles, at least 1.
     #[expect(clippy::len_without_is_empty, reason = "a scene is never empty")]
     pub fn len(&self) -> usize {
         self.particles.len()

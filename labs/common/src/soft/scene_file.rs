@@ -1,4 +1,4 @@
-//! Reading a scene from a text file.
+//! Reads a scene from a text file.
 
 use std::io::{self, BufRead, Read};
 
@@ -6,34 +6,36 @@ use thiserror::Error;
 
 use super::{Particle, Scene, SceneError};
 
-/// Why a file holds no scene.
+/// The reason why a file does not contain a scene.
 #[derive(Debug, Error)]
 pub enum SceneFileError {
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// It ends too early, or a line has the wrong form.
+    /// The file ends too early, or a line has the wrong form.
     #[error("{0}")]
     Text(String),
-    /// The numbers are there but make no scene.
+    /// The numbers do not make a valid scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
 }
 
-/// The longest line of a scene, in bytes. Four numbers take less, and a file such as `/dev/zero` has no end of a line.
+/// The longest line of a scene, in bytes. A file such as `/dev/zero` has no end of a line.
 const LONGEST: u64 = 2000;
 
-/// Reads a scene: a line `n size`, then n lines `x y vx vy`. What follows an empty line is not looked at, so
-/// that a file of full frames (`--full`) is a scene: its first frame.
+/// Reads a scene: a line `n size`, then n lines `x y vx vy`. Lines after an empty line are ignored.
+///
+/// So a file of full frames (`--full`) is a scene: its first frame.
 ///
 /// # Errors
-/// See [`SceneFileError`], which names the line.
+/// A [`SceneFileError`], which names the line.
 pub fn read_scene(mut input: impl BufRead) -> Result<Scene, SceneFileError> {
     let first = line_of(&mut input, 1)?.unwrap_or_default();
     let (n, size) = header(&first).ok_or_else(|| bad(1, "'n size'", &first))?;
     Scene::check_count(n)?;
 
-    // No memory on the header's word alone: a file that promises a billion may hold three.
+    // The list grows particle by particle, because a file may claim a billion particles and contain
+    // three.
     let mut particles = Vec::new();
     for line in 2.. {
         let text = line_of(&mut input, line)?;

@@ -1,18 +1,21 @@
-//! A shuffle without a list: where a number goes, and which number goes there, each computed alone.
+//! A shuffle without a list: each image and each preimage is computed separately.
 
 use super::philox::philox4x32;
 
-/// Rounds of the network. After three a permutation looks random forwards, after four in both
-/// directions (Luby and Rackoff, 1988).
+/// Number of rounds of the network.
+///
+/// After three rounds a permutation looks random forwards, after four rounds in both directions
+/// (Luby and Rackoff, 1988).
 const ROUNDS: u32 = 4;
 
-/// A random one-to-one map of the numbers 0 .. `n` to themselves that takes no memory.
+/// A random one-to-one map of the numbers 0 .. `n` to themselves that needs no memory.
 ///
-/// A number is cut in two, `column` and `row` of a table of `columns` by `rows` entries. Each
-/// round adds to one half a random function of the other, modulo its range. Whatever the function
-/// is, the same function subtracted undoes it: a *Feistel network*. The table may have a few
-/// entries more than `n`; a number that lands on one of these is mapped once more, until it lands below `n`
-/// (*cycle walking*; Black and Rogaway, *Ciphers with arbitrary finite domains*, 2002).
+/// A number is divided into two halves, `column` and `row` of a table of `columns` by `rows`
+/// entries. Each round adds to one half a random function of the other half, modulo its range.
+/// Subtracting the same function undoes the round, whatever the function is: this is a *Feistel
+/// network*. The table may have a few entries more than `n`. A number that is mapped to one of
+/// these is mapped again, until the result is below `n` (*cycle walking*; Black and Rogaway,
+/// *Ciphers with arbitrary finite domains*, 2002).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shuffle {
     n: usize,
@@ -22,13 +25,13 @@ pub(crate) struct Shuffle {
 }
 
 impl Shuffle {
-    /// A shuffle of `n` numbers by way of a table that has `columns · rows` ≥ `n` entries.
+    /// Makes a shuffle of `n` numbers with a table that has `columns · rows` ≥ `n` entries.
     pub(crate) fn new(n: usize, columns: usize, rows: usize, seed: u32) -> Self {
         assert!(n <= columns * rows, "a table has an entry for every number");
         Self { n, columns, rows, seed }
     }
 
-    /// Where `number` goes.
+    /// Returns the index that `number` is mapped to.
     pub(crate) fn forward(&self, number: usize) -> usize {
         self.walk(number, |(mut column, mut row)| {
             for round in 0..ROUNDS {
@@ -42,7 +45,7 @@ impl Shuffle {
         })
     }
 
-    /// The number that goes to `index`.
+    /// Returns the number that is mapped to `index`.
     pub(crate) fn backward(&self, index: usize) -> usize {
         self.walk(index, |(mut column, mut row)| {
             for round in (0..ROUNDS).rev() {
@@ -68,7 +71,7 @@ impl Shuffle {
         }
     }
 
-    /// A random number below `range`, which fits into 32 bits.
+    /// Returns a random number below `range`, which fits into 32 bits.
     fn random(&self, round: u32, half: usize, range: usize) -> usize {
         let [word, ..] = philox4x32([half as u32, round, 0, 0], [self.seed, 0]);
         ((u64::from(word) * range as u64) >> 32) as usize
@@ -100,7 +103,7 @@ mod tests {
         }
     }
 
-    /// χ² with 99 degrees of freedom exceeds 149 in one of a thousand.
+    /// χ² with 99 degrees of freedom exceeds 149 in one of a thousand shuffles.
     #[test]
     fn no_index_is_preferred() {
         let n = 100;
@@ -118,7 +121,7 @@ mod tests {
     fn numbers_in_a_row_are_strangers() {
         let shuffle = shuffle(10_000, 1);
         let indices: Vec<usize> = (0..10_000).map(|number| shuffle.forward(number)).collect();
-        // Nine indices of ten thousand: nine hits are expected.
+        // Nine of ten thousand indices are hits, so nine hits are expected.
         let in_a_row = indices.windows(2);
         let hits = in_a_row
             .filter(|pair| {

@@ -5,28 +5,33 @@ use crate::Event;
 
 /// An engine that moves soft discs.
 ///
-/// An engine is reusable: each [`load`](Simulation::load) forgets the scene before. Looking, by
-/// [`read`](Simulation::read) or the statistics, never changes what comes after.
-///
-/// Under MPI every rank calls every method together; only the root's `out` is filled.
+/// An engine can be reused: each [`load`](Simulation::load) replaces the scene. Calls of
+/// [`read`](Simulation::read) and [`statistics`](Simulation::statistics) never change later
+/// results. Under MPI every rank calls every method together; only the root's `out` is filled.
 pub trait Simulation {
-    /// Starts over from `scene`.
+    /// Starts from `scene`.
     fn load(&mut self, scene: &Scene);
 
-    /// Starts over from the official scene. An engine whose particles live on several machines
-    /// overrides this, so that none of them has to hold the whole scene.
+    /// Starts from the official scene.
+    ///
+    /// An engine whose particles are on several machines overrides it, so that no machine stores
+    /// the whole scene.
     ///
     /// # Errors
+    /// The same as those of [`Scene::official`].
     /// As [`Scene::official`].
     fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         self.load(&Scene::official(n, seed)?);
         Ok(())
     }
 
-    /// Starts over from the counter scene. An engine whose particles live on several machines
-    /// overrides this, so that each makes its own and none holds more.
+    /// Starts from the counter scene.
+    ///
+    /// An engine whose particles are on several machines overrides it, so that each machine makes
+    /// only its own particles.
     ///
     /// # Errors
+    /// The same as those of [`Scene::counter`].
     /// As [`Scene::counter`].
     fn load_counter(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         self.load(&Scene::counter(n, seed)?);
@@ -36,36 +41,47 @@ pub trait Simulation {
     /// Advances all particles by one time step.
     fn step(&mut self);
 
-    /// Advances all particles by `steps` time steps. An engine overrides it if steps in a row are
-    /// cheaper than one by one, for example because its threads then need not start again.
+    /// Advances all particles by `steps` time steps.
+    ///
+    /// An engine overrides it if several steps in a row are cheaper than single steps, for example
+    /// because its threads then start only once.
     fn run(&mut self, steps: u64) {
         for _ in 0..steps {
             self.step();
         }
     }
 
-    /// Writes the particles with ids `first .. first + out.len()` into `out`, in id order.
+    /// Writes the particles with ids `first .. first + out.len()` to `out`, in id order.
     fn read(&self, first: usize, out: &mut [Particle]);
 
-    /// The statistics of the last step; none if the engine was built without statistics.
+    /// Returns the statistics of the last step, or `None` if the engine was built without
+    /// statistics.
     fn statistics(&self) -> Option<Statistics> {
         None
     }
 
-    /// What this variant counts beyond the statistics since it was loaded, name and value, such
-    /// as `("lock wait [s]", 0.25)`. Shown at the end of a run.
+    /// Returns the names and values of this variant's counters since the scene was loaded.
+    ///
+    /// They do not include the statistics.
+    ///
+    /// An example is `("lock wait [s]", 0.25)`. The program prints them at the end of a run.
     fn counters(&self) -> Vec<(&'static str, f64)> {
         Vec::new()
     }
 
-    /// The activities of all ranks since the scene was loaded, if the engine was built to record it; none if it
-    /// cannot. Written by `--events FILE`.
+    /// Returns the activities of all ranks since the scene was loaded.
+    ///
+    /// Returns `None` if the engine does not record them.
+    ///
+    /// The option `--events FILE` writes them to a file.
     fn events(&self) -> Option<Vec<Event>> {
         None
     }
 
-    /// What an engine that plans decided and skipped, a line each; none if it decides nothing.
-    /// Shown by `--explain`.
+    /// Returns the decisions of an engine that plans and the work that it skipped, one per line, or
+    /// `None`.
+    ///
+    /// The option `--explain` prints them.
     fn plan(&self) -> Option<String> {
         None
     }

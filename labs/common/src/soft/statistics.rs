@@ -1,16 +1,17 @@
-//! Statistics of a run's pairs, which cost nothing when nobody asks.
+//! Statistics of a run's pairs, which cost nothing in a run without statistics.
 
-/// What one step saw, over ordered pairs (i, j) with 0 < r² ≤ cutoff².
+/// The statistics of one step, over ordered pairs (i, j) with 0 < r² ≤ cutoff².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Statistics {
-    /// The least distance of a pair, in units of the cutoff; 1 if there was no pair.
+    /// The least distance of a pair, in cutoffs; 1 if there was no pair.
     pub dmin: f64,
-    /// The sum of the distances, in units of the cutoff.
+    /// The sum of the distances, in cutoffs.
     pub davg: f64,
-    /// Their number. Each unordered pair counts twice.
+    /// The number of pairs. Each unordered pair counts twice.
     pub navg: u64,
-    /// How many ordered pairs were looked at, near or far: the work of the step. A program that
-    /// looks at a pair once and serves both particles counts 1.
+    /// The number of ordered pairs that were tested, near or far: the work of the step.
+    ///
+    /// A program that tests a pair once and uses the result for both particles counts 1.
     pub pair_tests: u64,
 }
 
@@ -20,26 +21,27 @@ impl Default for Statistics {
     }
 }
 
-/// Looks on while a step computes its forces.
+/// An observer of the forces of a step.
 ///
-/// Every engine takes its observer as a type parameter. With [`NoStatistics`] each call is empty and
-/// the compiler removes it, so that a run without statistics pays nothing for them.
+/// Every engine has its observer as a type parameter. With [`NoStatistics`] all calls are empty and
+/// the compiler removes them, so a run without statistics does not pay for them.
 pub trait Observer: Default + Clone + Send + Sync + 'static {
-    /// `pairs` ordered pairs were looked at.
+    /// Records that `pairs` ordered pairs were tested.
     fn tested(&mut self, pairs: u64);
 
-    /// An ordered pair at squared distance `r2` ≤ cutoff² was found. The particle itself, at 0,
-    /// may be among them and does not count.
+    /// Records an ordered pair at squared distance `r2` ≤ cutoff².
+    ///
+    /// The pair of a particle with itself, at distance 0, may be among them and is ignored.
     fn seen(&mut self, r2: f64);
 
-    /// Adds what `other` saw of the same step.
+    /// Adds the records of `other` for the same step.
     fn merge(&mut self, other: &Self);
 
-    /// The statistics since this observer was made; none if it collects none.
+    /// Returns the statistics since this observer was made, or `None` if it collects none.
     fn statistics(&self) -> Option<Statistics>;
 }
 
-/// The observer that does not look.
+/// The observer that records nothing.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoStatistics;
 
@@ -55,8 +57,9 @@ impl Observer for NoStatistics {
     }
 }
 
-/// A boxed engine: with the observer `$tally` where the run collects statistics, else with [`NoStatistics`]. `$engine`
-/// is compiled for both, and calls either one `$observer`.
+/// Makes a boxed engine with the observer `$tally` or, without statistics, [`NoStatistics`].
+///
+/// `$engine` is compiled for both observers, and calls either of them `$observer`.
 #[macro_export]
 macro_rules! observed {
     ($config:expr, $tally:ty, |$observer:ident| $engine:expr) => {
@@ -70,28 +73,28 @@ macro_rules! observed {
     };
 }
 
-/// The statistics of a step that several observers have seen, merged in their order.
+/// Returns the statistics of a step that several observers have recorded, merged in their order.
 pub fn merged<'a, O: Observer>(observers: impl IntoIterator<Item = &'a O>) -> Option<Statistics> {
     let mut all = O::default();
     observers.into_iter().for_each(|seen| all.merge(seen));
     all.statistics()
 }
 
-/// The statistics of a run, from those of its steps.
+/// The statistics of a run, computed from the statistics of its steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Averages {
-    /// The least distance of any pair in any step, in units of the cutoff.
+    /// The least distance of any pair in any step, in cutoffs.
     pub absmin: f64,
-    /// The mean over steps that had a pair of their mean distance, in units of the cutoff.
+    /// The mean distance in a step, averaged over the steps that had a pair, in cutoffs.
     pub absavg: f64,
-    /// Neighbours per particle and step.
+    /// Number of neighbours per particle and step.
     pub neighbours: f64,
-    /// Ordered pairs looked at per particle and step.
+    /// Number of tested ordered pairs per particle and step.
     pub pair_tests: f64,
 }
 
 impl Averages {
-    /// Averages over the `steps` of a run of `n` particles; none for a run without steps.
+    /// Averages over the `steps` of a run of `n` particles. Returns `None` for a run without steps.
     pub fn of(n: usize, steps: &[Statistics]) -> Option<Self> {
         if steps.is_empty() {
             return None;

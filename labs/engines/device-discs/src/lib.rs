@@ -1,16 +1,19 @@
-//! Soft and hard discs on a graphics processor. Buffers, bins, parameters, statistics and the order of the
-//! launches stand here; the kernels, in WGSL, come from the type that implements [`soft::SoftKernels`] or
-//! [`hard::HardKernels`]. Lab 9 of the kit does, and its source is where to read how.
+//! Soft and hard discs on a graphics processor.
 //!
-//! - [`soft::SoftDiscs`]: particles that repel each other within a cutoff. They are sorted into bins on the
-//!   device and never leave it; positions are double, or single and relative to their bin.
-//! - [`hard::HardDiscs`]: discs that collide. The device looks at all pairs, in double or single precision, and
-//!   passes on those that may collide; the host decides, in f64, so that the bytes are those of lab 7's
-//!   sequential program on every device.
+//! This package contains buffers, bins, parameters, statistics and the order of the launches. A
+//! type that implements [`soft::SoftKernels`] or [`hard::HardKernels`] supplies the kernels in
+//! WGSL. Lab 9 of the kit has such types; read its source for an example.
+//!
+//! - [`soft::SoftDiscs`]: particles that repel each other within a cutoff. They are sorted into
+//!   bins on the device, and stay there. Positions are in double precision, or in single precision
+//!   relative to their bin.
+//! - [`hard::HardDiscs`]: discs that collide. The device tests all pairs, in double or single
+//!   precision, and returns the pairs that may collide. The host decides in f64, so the bytes are
+//!   those of lab 7's sequential program on every device.
 //!
 //! # Example
 //!
-//! A hundred steps of any scene, in single precision, with whatever kernels are given:
+//! A hundred steps of any scene, in single precision, with any kernels:
 //!
 //! ```
 //! use common::soft::{Particle, Scene, Simulation};
@@ -32,10 +35,11 @@
 //!
 //! # Units, shapes, errors
 //!
-//! Lengths, velocities and times are those of [`common::soft`] and [`common::hard`]; the kernels of hard discs
-//! see lengths in sides of the square. A scene of n particles takes some 60 n bytes of the device in single
-//! precision and 100 n in double. What a device cannot do is a [`device::GpuError`]; within a step, where nobody
-//! can be told, it is a panic with the same words.
+//! Lengths, velocities and times are those of [`common::soft`] and [`common::hard`]; the kernels of
+//! hard discs use sides of the square as the unit of length. A scene of n particles takes about 60
+//! n bytes of the device in single precision and 100 n in double precision. If a device cannot do
+//! its work, functions return a [`device::GpuError`]. A step has no result, so it panics with the
+//! same message.
 
 pub mod hard;
 mod parameters;

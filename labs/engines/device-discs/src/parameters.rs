@@ -1,9 +1,9 @@
-//! Parameters that both engines have, and how they are read.
+//! The parameters that both engines have.
 
 use common::{BuildError, Config, Parameter};
 use device::{Gpu, Stopwatch};
 
-/// Invocations in a workgroup.
+/// The number of invocations in a workgroup.
 pub(crate) const WORKGROUP: Parameter = Parameter {
     name: "workgroup",
     about: "invocations in a workgroup (CUDA: threads in a block)",
@@ -18,17 +18,17 @@ pub(crate) const TIMING: Parameter = Parameter::switch(
     false,
 );
 
-/// The value of [`WORKGROUP`].
+/// Returns the value of [`WORKGROUP`].
 pub(crate) fn threads(config: &Config) -> u32 {
     config.parameter("workgroup") as u32
 }
 
-/// A clock, if [`TIMING`] asks for one and the device has one.
+/// Returns a clock, if [`TIMING`] is on and the device has a clock.
 pub(crate) fn stopwatch(gpu: &Gpu, config: &Config) -> Option<Stopwatch> {
     if config.parameter("timing") == 0.0 { None } else { Stopwatch::new(gpu) }
 }
 
-/// What a user is told.
+/// Converts an error into the error of a program that cannot be built.
 pub(crate) fn refused(error: impl ToString) -> BuildError {
     BuildError(error.to_string())
 }

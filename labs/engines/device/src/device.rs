@@ -1,4 +1,4 @@
-//! The device: found once, shared by all engines of a program.
+//! The device: opened once, and shared by all engines of a program.
 
 use std::env;
 use std::sync::OnceLock;
@@ -15,22 +15,24 @@ use crate::error::GpuError;
 
 /// An open device and its queue.
 ///
-/// A queue takes work in the order in which it is submitted and runs it while the host goes on.
-/// Nothing comes back unless the host waits for it.
+/// A queue runs work in the order of submission while the host continues. Results reach the host
+/// only when the host waits for them.
 pub struct Gpu {
     /// Makes buffers, kernels and command buffers.
     pub device: Device,
-    /// Runs them.
+    /// Runs command buffers.
     pub queue: Queue,
     info: AdapterInfo,
 }
 
 impl Gpu {
-    /// This program's device: the one named by the environment variable `WGPU_ADAPTER_NAME`, or
-    /// else the fastest kind there is. It is opened at the first call.
+    /// Returns this program's device, which is opened at the first call.
+    ///
+    /// It is the device that the environment variable `WGPU_ADAPTER_NAME` names, or else the
+    /// fastest kind that the machine has.
     ///
     /// # Errors
-    /// There is none, or it cannot be opened.
+    /// There is no such device, or it cannot be opened.
     pub fn shared() -> Result<&'static Self, GpuError> {
         static SHARED: OnceLock<Result<Gpu, GpuError>> = OnceLock::new();
         SHARED.get_or_init(Self::open).as_ref().map_err(Clone::clone)
@@ -50,8 +52,10 @@ impl Gpu {
         Ok(Self { device, queue, info })
     }
 
-    /// Its name. Where the device is a program on the host's own processor, the name
-    /// says so, because such a device must not be compared with a graphics processor.
+    /// Returns the device's name.
+    ///
+    /// The name of a device that is a program on the host's processor says so, because such a
+    /// device must not be compared with a graphics processor.
     pub fn name(&self) -> String {
         let note =
             if self.is_software() { " (software on the host's processor, not a GPU)" } else { "" };
@@ -68,26 +72,27 @@ impl Gpu {
         self.device.features().contains(Features::SHADER_F64)
     }
 
-    /// Whether the device can note the time between two kernels.
+    /// Whether the device can measure the time between two kernels.
     pub fn has_timestamps(&self) -> bool {
         self.device.features().contains(Features::TIMESTAMP_QUERY)
     }
 
-    /// The limits of the device: threads in a workgroup, workgroups in a launch, bytes in a buffer.
+    /// Returns the limits of the device: threads in a workgroup, workgroups in a launch, bytes in a
+    /// buffer.
     pub fn limits(&self) -> Limits {
         self.device.limits()
     }
 
-    /// The most bytes that a kernel can see in one buffer.
+    /// Returns the greatest number of bytes that a kernel can access in one buffer.
     pub fn most_bytes(&self) -> u64 {
         let limits = self.limits();
         limits.max_storage_buffer_binding_size.min(limits.max_buffer_size)
     }
 
-    /// Device memory of `bytes` bytes, all zero, that kernels read and write.
+    /// Returns device memory of `bytes` bytes, all zero, for kernels to read and write.
     ///
     /// # Errors
-    /// The device gives no buffer so large.
+    /// The device has no buffer of this size.
     pub fn storage(&self, what: &'static str, bytes: u64) -> Result<Buffer, GpuError> {
         let most = self.most_bytes();
         if bytes > most {
@@ -101,7 +106,7 @@ impl Gpu {
         }))
     }
 
-    /// A small block of parameters that every invocation reads and none writes.
+    /// Returns a small block of parameters that every invocation reads and none writes.
     pub fn uniform(&self, bytes: &[u8]) -> Buffer {
         let mut contents = bytes.to_vec();
         contents.resize(bytes.len().next_multiple_of(16), 0);
@@ -112,18 +117,18 @@ impl Gpu {
         })
     }
 
-    /// Copies `values` to the start of `buffer`, before whatever is submitted next.
+    /// Copies `values` to the start of `buffer`, before any work that is submitted later.
     pub fn upload<T: NoUninit>(&self, buffer: &Buffer, values: &[T]) {
         self.queue.write_buffer(buffer, 0, bytemuck::cast_slice(values));
     }
 
-    /// Waits until everything that was submitted is done, as `cudaDeviceSynchronize` does.
+    /// Waits until all submitted work is done, as `cudaDeviceSynchronize` does.
     pub fn wait(&self) {
         self.device.poll(PollType::wait_indefinitely()).expect("the device is not lost");
     }
 
-    /// Facts for a reader of measurements, besides [`name`](Self::name): names and values
-    /// in words.
+    /// Returns names and values for a reader of measurements, in words, without the
+    /// [`name`](Self::name).
     pub fn about(&self) -> Vec<(&'static str, String)> {
         let limits = self.limits();
         let kind = match self.info.device_type {

@@ -1,56 +1,57 @@
-//! What can go wrong on the way to a device and on it.
+//! Errors of the device: it is missing, it lacks a feature, or it refuses a launch.
 
 use thiserror::Error;
 
-/// Why a program cannot run on this machine's device, or a kernel was not run.
+/// The reason why a program cannot run on this machine's device, or why a kernel did not run.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum GpuError {
-    /// No driver, or no device behind it.
+    /// There is no driver, or no device that it drives.
     #[error(
         "no adapter: this machine offers no Vulkan, Metal or DirectX 12 device (on Debian and \
          Ubuntu the packages mesa-vulkan-drivers and libvulkan1 bring one made of software)"
     )]
     NoAdapter,
-    /// `WGPU_ADAPTER_NAME` asks for a device that is not there.
+    /// `WGPU_ADAPTER_NAME` names a device that the machine does not have.
     #[error("no adapter: none is called '{wanted}', as WGPU_ADAPTER_NAME asks; there is {found}")]
     NoSuchAdapter {
-        /// What the variable says.
+        /// The value of the variable.
         wanted: String,
-        /// The names of the devices found.
+        /// The names of the devices that the machine has.
         found: String,
     },
-    /// The driver does not let us in.
+    /// The driver does not open the device.
     #[error("the device {name} cannot be opened: {why}")]
     Closed {
-        /// The device.
+        /// The name of the device.
         name: String,
-        /// The driver's words.
+        /// The driver's message.
         why: String,
     },
-    /// Half of all graphics processors compute in single precision only.
+    /// The device has no double precision. Half of all graphics processors compute in single
+    /// precision only.
     #[error("the device {0} has no double precision; choose a variant that ends in f32")]
     NoDoubles(String),
-    /// More memory in one piece than the device hands out.
+    /// A buffer is larger than the device allows.
     #[error("{what} needs {bytes} bytes in one buffer, and the device {name} gives at most {most}")]
     Memory {
-        /// What should be stored.
+        /// The contents of the buffer, in words.
         what: &'static str,
-        /// Its size.
+        /// The size of the buffer.
         bytes: u64,
         /// The greatest size of a buffer.
         most: u64,
-        /// The device.
+        /// The name of the device.
         name: String,
     },
-    /// The launch is larger than the device's limits.
+    /// The launch exceeds the device's limits.
     #[error(transparent)]
     Launch(#[from] LaunchError),
-    /// The driver or wgpu's validation said no. Nothing was run.
+    /// The driver or wgpu's validation refused a call. No kernel was run.
     #[error("{what} was refused, so it did not run: {why}")]
     Refused {
-        /// A kernel's name.
+        /// The name of the kernel or of the call.
         what: String,
-        /// The reason, with the line of a WGSL source where there is one.
+        /// The reason, with the line of the WGSL source if there is one.
         why: String,
     },
 }
@@ -58,26 +59,26 @@ pub enum GpuError {
 /// A launch that the device cannot run.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum LaunchError {
-    /// No workgroup, or none in it.
+    /// The launch has no workgroup, or a workgroup has no thread.
     #[error("a launch needs at least one workgroup of one thread, not {blocks} of {threads}")]
     Nothing {
-        /// Workgroups asked for.
+        /// Number of workgroups.
         blocks: u32,
-        /// Threads a workgroup asked for.
+        /// Number of threads in a workgroup.
         threads: u32,
     },
-    /// The workgroup does not fit on one multiprocessor.
+    /// The workgroup has too many threads for a multiprocessor.
     #[error("a workgroup of {threads} threads is too large: this device runs at most {most}")]
     Threads {
-        /// Threads a workgroup asked for.
+        /// Number of threads in a workgroup.
         threads: u32,
         /// The device's limit.
         most: u32,
     },
-    /// More workgroups than the device counts.
+    /// There are more workgroups than the device allows.
     #[error("{blocks} workgroups are too many: this device takes at most {most} by {most}")]
     Blocks {
-        /// Workgroups asked for.
+        /// Number of workgroups.
         blocks: u32,
         /// The device's limit along x and along y.
         most: u32,

@@ -1,15 +1,17 @@
-//! A kernel: a function in WGSL that many invocations run at once, and the numbers it computes with.
+//! Kernels: functions in WGSL that many invocations run at once, and the numbers that they compute
+//! with.
 
 use bytemuck::Pod;
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, Buffer, ComputePipeline,
-    ComputePipelineDescriptor, PipelineCompilationOptions, ShaderModuleDescriptor, ShaderSource,
+    ComputePipelineDescriptor, ErrorFilter, PipelineCompilationOptions, ShaderModuleDescriptor,
+    ShaderSource,
 };
 
 use crate::device::Gpu;
 use crate::error::GpuError;
 
-/// The mark of a missing answer in a starter's source.
+/// The text that marks a missing answer in a starter's source.
 const TODO: &str = "// todo: task ";
 
 /// A function in WGSL, compiled for this device.
@@ -18,7 +20,7 @@ pub struct Kernel {
     name: &'static str,
 }
 
-/// A kernel with its buffers: ready to be launched again and again.
+/// A kernel with its buffers, which can be launched any number of times.
 pub struct Bound {
     pub(crate) pipeline: ComputePipeline,
     pub(crate) buffers: BindGroup,
@@ -26,14 +28,15 @@ pub struct Bound {
 }
 
 impl Kernel {
-    /// Compiles the entry point `name` of `sources`, which are read as one text, in this order, before the
-    /// functions of `launch.wgsl`. `threads` is the size of its workgroups, `constants` the values of its
-    /// `override`s.
+    /// Compiles the entry point `name` of `sources`, followed by the functions of `launch.wgsl`.
     ///
-    /// It is refused if the sources are no WGSL, or need a feature that the device lacks.
+    /// The sources are joined in this order. `threads` is the size of the workgroups, and
+    /// `constants` contains the values of the `override`s. The device refuses sources that are not
+    /// valid WGSL, or that need a feature that it lacks.
     ///
     /// # Panics
-    /// A task in the sources is still to do ([`refuse_todo`]), or it is refused outside an error scope.
+    /// A task in the sources is not done yet ([`refuse_todo`]), or the device refuses the sources
+    /// outside an error scope.
     pub fn new(
         gpu: &Gpu,
         name: &'static str,
@@ -62,7 +65,10 @@ impl Kernel {
         Self { pipeline, name }
     }
 
-    /// Gives the kernel its buffers: `(binding, buffer)` for each `@binding` that it uses.
+    /// Binds buffers to the kernel: `(binding, buffer)` for each `@binding` that it uses.
+    ///
+    /// # Panics
+    /// The kernel's code does not use one of the bindings, or uses a different one.
     pub fn bind(&self, gpu: &Gpu, buffers: &[(u32, &Buffer)]) -> Bound {
         let entries: Vec<_> = buffers
             .iter()
@@ -71,16 +77,25 @@ impl Kernel {
                 resource: buffer.as_entire_binding(),
             })
             .collect();
-        let buffers = gpu.device.create_bind_group(&BindGroupDescriptor {
+        let scope = gpu.device.push_error_scope(ErrorFilter::Validation);
+        let group = gpu.device.create_bind_group(&BindGroupDescriptor {
             label: Some(self.name),
             layout: &self.pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
-        Bound { pipeline: self.pipeline.clone(), buffers, name: self.name }
+        if let Some(error) = pollster::block_on(scope.pop()) {
+            let bindings: Vec<u32> = buffers.iter().map(|(binding, _)| *binding).collect();
+            panic!(
+                "the kernel '{}' must use its buffers @binding {bindings:?}, and no other: is one of them missing in its \
+                 code? The device says: {error}",
+                self.name
+            );
+        }
+        Bound { pipeline: self.pipeline.clone(), buffers: group, name: self.name }
     }
 }
 
-/// Panics if a task in `sources` is still to do: `todo!` is no WGSL.
+/// Panics if a task in `sources` is not done yet, because WGSL has no `todo!`.
 ///
 /// # Panics
 /// A source has a line `// todo: task …`.
@@ -92,18 +107,18 @@ pub fn refuse_todo(sources: &[&str]) {
     }
 }
 
-/// `real` in WGSL: f32 or f64.
+/// The number type that kernels call `real`: f32 or f64.
 pub trait Real: Pod + Into<f64> + Send + Sync + 'static {
-    /// What `real` is, in WGSL.
+    /// The definition of `real` in WGSL.
     const ALIAS: &'static str;
 
     /// Whether the device must compute in double precision.
     const DOUBLE: bool;
 
-    /// The greatest relative error of rounding once.
+    /// The greatest relative error of one rounding.
     const ROUNDING: f64;
 
-    /// The nearest such number; the greatest one, if `value` is beyond it.
+    /// Returns the nearest number of this type, or the greatest one if `value` is beyond it.
     fn of(value: f64) -> Self;
 }
 
@@ -128,10 +143,10 @@ impl Real for f32 {
 }
 
 impl Gpu {
-    /// Makes sure that kernels may compute with `R`.
+    /// Checks that kernels may compute with `R`.
     ///
     /// # Errors
-    /// `R` is f64, and the device has none.
+    /// `R` is f64, and the device has no double precision.
     pub fn expect_real<R: Real>(&self) -> Result<(), GpuError> {
         if R::DOUBLE && !self.has_doubles() {
             return Err(GpuError::NoDoubles(self.name()));

@@ -1,4 +1,4 @@
-//! The shape of a launch, and who decides about it.
+//! The shape of a launch, and the decisions of lab 9 about it.
 
 use wgpu::Limits;
 
@@ -6,51 +6,53 @@ use crate::device::Gpu;
 use crate::error::{GpuError, LaunchError};
 use crate::kernel::Kernel;
 
-/// The shape of a launch: a number of workgroups, and a number of invocations in each. CUDA says a grid of
-/// blocks of threads, and `<<<blocks, threads>>>`.
+/// The shape of a launch: a number of workgroups, and a number of invocations in each.
 ///
-/// One that asks for more than the device can run is not run *in part*: it is not run at all, and the buffers
-/// keep what was in them.
+/// In CUDA it is a grid of blocks of threads, `<<<blocks, threads>>>`. The device runs all of a
+/// launch or nothing: a launch that exceeds its limits leaves the buffers as they were.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Launch {
-    /// Workgroups along x and along y.
+    /// Number of workgroups along x and along y.
     pub groups: [u32; 2],
-    /// Invocations in a workgroup.
+    /// Number of invocations in a workgroup.
     pub threads: u32,
 }
 
 impl Launch {
-    /// Workgroups in all.
+    /// Returns the number of workgroups.
     pub fn blocks(&self) -> u32 {
         self.groups[0] * self.groups[1]
     }
 }
 
-/// What an engine asks about launches: how large they may be, and whether the device refused something.
+/// The decisions about launches: how large they may be, and how errors of the device are found.
 pub trait Launcher {
-    /// `blocks` workgroups of `threads` invocations, in rows as short as `limits` asks for. A few workgroups
-    /// more than `blocks` do no harm.
+    /// Returns a launch of at least `blocks` workgroups of `threads` invocations, within `limits`.
+    ///
+    /// A row of workgroups has a greatest length, so a launch may have several rows, and a few
+    /// workgroups more than `blocks`.
     ///
     /// # Errors
-    /// The device cannot run it.
+    /// The device cannot run the launch.
     fn launch(blocks: u32, threads: u32, limits: &Limits) -> Result<Launch, LaunchError>;
 
-    /// At least one invocation for each of `n` items, in workgroups of `threads`, and at least one workgroup.
+    /// Returns a launch with an invocation for each of `n` items, in workgroups of `threads`. It
+    /// has at least one workgroup.
     ///
     /// # Errors
-    /// The device cannot run it.
+    /// The device cannot run the launch.
     fn launch_over(n: u32, threads: u32, limits: &Limits) -> Result<Launch, LaunchError>;
 
-    /// Does `work`, and says so if the device or wgpu refused any of it.
+    /// Calls `work`, and returns an error if the device or wgpu refused any part of it.
     ///
     /// # Errors
-    /// [`GpuError::Refused`] with the reason, and `what` was refused.
+    /// [`GpuError::Refused`] with the reason; `what` is the name of the work in the message.
     fn checked<T>(gpu: &Gpu, what: &str, work: impl FnOnce() -> T) -> Result<T, GpuError>;
 
     /// Compiles the entry point `name` of `sources` for workgroups of `threads` ([`Kernel::new`]).
     ///
     /// # Errors
-    /// The device refuses it.
+    /// The device refuses the sources.
     fn compiled(
         gpu: &Gpu,
         name: &'static str,

@@ -1,4 +1,4 @@
-// Given to every kernel: which invocation am I, and how many are we?
+// Functions of every kernel: the number of an invocation, and the number of all invocations.
 //
 // CUDA                                      WGSL
 // threadIdx.x                               @builtin(local_invocation_id).x
@@ -9,13 +9,13 @@
 
 override THREADS: u32 = 64u;
 
-// The number of an invocation, from its global id and the number of workgroups. A launch of more
-// workgroups than fit in a row has several rows.
+// Returns the number of an invocation, from its global id and the number of workgroups. A launch
+// with more workgroups than fit in a row has several rows.
 fn invocation(id: vec3<u32>, groups: vec3<u32>) -> u32 {
     return id.x + id.y * groups.x * THREADS;
 }
 
-// All invocations of the launch.
+// Returns the number of invocations of the launch.
 fn invocations(groups: vec3<u32>) -> u32 {
     return groups.x * groups.y * THREADS;
 }

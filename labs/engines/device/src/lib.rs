@@ -1,7 +1,7 @@
-//! A graphics processor, driven through [wgpu]: kernels in WGSL, launches, memory that goes back and forth, and
-//! a clock on the device's side.
+//! A graphics processor, driven through [wgpu]: kernels in WGSL, launches, memory, a device clock.
 //!
-//! wgpu is safe and general, and a little wordy. What is left here is what CUDA's host side has:
+//! wgpu is safe and general, and needs many lines. This package reduces it to the host side of
+//! CUDA:
 //!
 //! | CUDA | here |
 //! |---|---|
@@ -12,12 +12,14 @@
 //! | events | a [`Stopwatch`] |
 //! | `cudaGetLastError` | a [`Launcher`], which also decides how large a launch may be |
 //!
-//! The program `device` says which device there is: `cargo run -p device`.
+//! The program `device` prints the name and the properties of this machine's device: `cargo run -p
+//! device`.
 //!
 //! # Example
 //!
-//! Squares, one by each invocation. Sixteen are launched for ten numbers, so each asks whether its number
-//! exists; `invocation` is given to every kernel, and so is `THREADS`, the size of a workgroup.
+//! Every invocation squares one number. Sixteen invocations are launched for ten numbers, so each
+//! tests whether its number exists. Every kernel has the function `invocation`, and `THREADS`, the
+//! size of a workgroup.
 //!
 //! ```
 //! use device::{Gpu, GpuError, Kernel, Launch, Readback, Work};
@@ -53,10 +55,11 @@
 //!
 //! # Units, shapes, errors
 //!
-//! Memory is counted in bytes, launches in workgroups and in invocations of each, a stopwatch in seconds. What
-//! the machine lacks is a [`GpuError`]: no adapter, no double precision, no buffer of such a size. Calls that
-//! build kernels and submit work return no error: what wgpu refuses there goes to its innermost *error scope*, and
-//! where none is open it panics. [`Launcher::checked`] is such a scope.
+//! Memory is counted in bytes, a launch in workgroups and in invocations of each, a stopwatch in
+//! seconds. If the machine lacks an adapter, double precision or a buffer of the size, a function
+//! returns a [`GpuError`]. Functions that build kernels and submit work return no error. If wgpu
+//! refuses such a call, the error goes to the innermost *error scope*; without an error scope, wgpu
+//! panics. [`Launcher::checked`] is such a scope.
 
 mod device;
 mod error;

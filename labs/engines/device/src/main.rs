@@ -1,4 +1,4 @@
-//! Which device there is: `cargo run -p device`.
+//! Prints the name and the properties of this machine's device: `cargo run -p device`.
 
 use std::process::ExitCode;
 

@@ -1,4 +1,4 @@
-//! From device memory to the host.
+//! Copies from device memory to the host.
 
 use std::ops::Range;
 
@@ -10,18 +10,18 @@ use crate::work::Work;
 
 /// Host memory that the device can write to, kept from one read to the next.
 ///
-/// A graphics card computes in memory that the host cannot see. What the host wants to read is
-/// copied to memory that both see, and *mapped* there once the copy is done. CUDA's
-/// `cudaMemcpy(…, cudaMemcpyDeviceToHost)` does both at once. The report used unified memory, where
-/// the same copy happens page by page, whenever either side touches a page that is elsewhere.
+/// A graphics card computes in memory that the host cannot access. To read a buffer, the host has
+/// it copied to memory that both can access, and *maps* this memory once the copy is done. CUDA's
+/// `cudaMemcpy(…, cudaMemcpyDeviceToHost)` does both at once. The report used unified memory: the
+/// driver makes the same copy page by page, whenever either side touches a page that is on the
+/// other side.
 #[derive(Default)]
 pub struct Readback {
     staging: Option<Buffer>,
 }
 
 impl Readback {
-    /// Copies the items `range` of each of `sources`, once `work` and everything submitted before
-    /// is done, and waits for it.
+    /// Submits `work`, waits for all work, and returns the items `range` of each of `sources`.
     pub fn read<T: Pod, const K: usize>(
         &mut self,
         gpu: &Gpu,

@@ -1,4 +1,4 @@
-//! A clock on the device's side.
+//! A clock on the device.
 
 use std::cell::RefCell;
 
@@ -8,12 +8,14 @@ use wgpu::{
 
 use crate::device::Gpu;
 
-/// The most launches in one piece of work.
+/// Greatest number of launches that are timed in one piece of work.
 const MOST: u32 = 256;
 const BYTES: u64 = MOST as u64 * 2 * 8;
 
-/// How long each kernel ran, by *timestamp queries*: the device notes its own clock before and
-/// after a launch. The host's clock would also see the way there and back.
+/// The time that each kernel ran, by *timestamp queries*.
+///
+/// The device reads its clock before and after a launch. The host's clock would include the way to
+/// the device and back.
 pub struct Stopwatch {
     queries: QuerySet,
     resolved: Buffer,
@@ -22,7 +24,7 @@ pub struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// A clock, if the device has one.
+    /// Returns a stopwatch, or `None` if the device has no clock.
     pub fn new(gpu: &Gpu) -> Option<Self> {
         gpu.has_timestamps().then(|| Self {
             queries: gpu.device.create_query_set(&QuerySetDescriptor {
@@ -36,12 +38,13 @@ impl Stopwatch {
         })
     }
 
-    /// Forgets its measurements.
+    /// Forgets all measurements.
     pub fn reset(&self) {
         self.seconds.borrow_mut().clear();
     }
 
-    /// Seconds each kernel has run since the last reset, in the order of their first launch.
+    /// Returns the seconds that each kernel has run since the last reset, in the order of first
+    /// launches.
     pub fn seconds(&self) -> Vec<(&'static str, f64)> {
         self.seconds.borrow().clone()
     }
@@ -86,7 +89,7 @@ impl Stopwatch {
     }
 }
 
-/// A buffer for timestamps.
+/// Makes a buffer for timestamps.
 fn buffer(gpu: &Gpu, usage: BufferUsages) -> Buffer {
     gpu.device.create_buffer(&BufferDescriptor {
         label: Some("timestamps"),

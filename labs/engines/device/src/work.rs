@@ -1,4 +1,4 @@
-//! A piece of work for the device.
+//! A piece of work for the device: a list of commands.
 
 use wgpu::{Buffer, CommandEncoder, ComputePass, ComputePassDescriptor};
 
@@ -7,8 +7,9 @@ use crate::kernel::Bound;
 use crate::launch::Launch;
 use crate::stopwatch::Stopwatch;
 
-/// Commands that are written down first and then submitted together. They run one after the
-/// other: each launch sees all that the launches before it wrote.
+/// Commands that are recorded first and then submitted together.
+///
+/// They run one after the other: each launch sees all results of the launches before it.
 pub struct Work<'a> {
     gpu: &'a Gpu,
     stopwatch: Option<&'a Stopwatch>,
@@ -18,7 +19,8 @@ pub struct Work<'a> {
 }
 
 impl<'a> Work<'a> {
-    /// Nothing to do yet. With a stopwatch each launch is timed on its own, and submitting waits.
+    /// Makes an empty piece of work. With a stopwatch, each launch is timed separately, and
+    /// submitting waits.
     pub fn new(gpu: &'a Gpu, stopwatch: Option<&'a Stopwatch>) -> Self {
         let encoder = gpu.device.create_command_encoder(&Default::default());
         Self { gpu, stopwatch, encoder, pass: None, launches: Vec::new() }
@@ -30,7 +32,7 @@ impl<'a> Work<'a> {
         self.encoder.clear_buffer(buffer, 0, None);
     }
 
-    /// Copies from one buffer to another on the device. Offsets and size in bytes.
+    /// Copies from one buffer to another on the device. Offsets and size are in bytes.
     pub fn copy(&mut self, from: &Buffer, start: u64, to: &Buffer, offset: u64, bytes: u64) {
         self.pass = None;
         if bytes > 0 {
@@ -38,7 +40,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Runs a kernel.
+    /// Records the launch of a kernel.
     pub fn launch(&mut self, kernel: &Bound, launch: Launch) {
         let timed = self.stopwatch.filter(|watch| watch.has_room(self.launches.len()));
         if timed.is_some() {
@@ -60,11 +62,11 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Hands the work to the device and does not wait for it. If any of it is refused, nothing of it is run.
+    /// Submits the work and does not wait for it. If the device refuses any part, it runs nothing.
     ///
     /// # Panics
-    /// It is refused outside an error scope. A kernel that was compiled, on a launch within the device's limits,
-    /// is not refused.
+    /// The device refuses the work outside an error scope. It never refuses a compiled kernel with
+    /// a launch within its limits.
     pub fn submit(mut self) {
         self.pass = None;
         let timed = self.stopwatch.filter(|_| !self.launches.is_empty());

@@ -1,7 +1,8 @@
-//! The CSC581 report's MPI program as its section 5.1 prints it, on its own scene.
+//! Runs the CSC581 report's MPI program as its section 5.1 prints it, on the report's scene.
 //!
-//! Its cut bounds the speed-up, whatever messages cost. Its faults lose particles and leave ghosts behind. All
-//! ranks run here one after the other, so counting needs no MPI. Rows lie along x, as in the report.
+//! The program's partition bounds the speed-up, however cheap messages are. Its faults lose
+//! particles and leave old ghosts. All ranks run here one after the other, so counting needs no
+//! MPI. Rows lie along x, as in the report.
 
 use std::ops::Range;
 use std::process::ExitCode;
@@ -16,7 +17,8 @@ use lab_measure::published::{SOFT_STEPS, scaling};
 use oracle::{acceleration_of_pair, fold};
 use serde::Serialize;
 
-/// Run the CSC581 report's MPI program as it is printed: the bounds of its cut, the losses by its faults
+/// Run the CSC581 report's MPI program as printed: the bounds of its partition, the losses by its
+/// faults
 #[derive(Parser)]
 #[command(name = "reported")]
 struct Options {
@@ -24,23 +26,23 @@ struct Options {
     json: Json,
 }
 
-/// Particles; in the weak scaling, of each rank.
+/// Number of particles; in the weak scaling, number for each rank.
 const N: usize = 500;
 
 /// Side of a bin. Bins are not stretched to fill the box.
 const BIN: f64 = 2.0 * CUTOFF;
 
-/// The program on a number of ranks.
+/// The results on a number of ranks.
 #[derive(Serialize)]
 struct Row {
     ranks: usize,
     rows_each: usize,
     rows_of_the_last: usize,
-    /// Largest part of the box that a rank has.
+    /// Largest share of the box that a rank has.
     share: f64,
     speedup_at_most: f64,
     weak_efficiency_at_most: f64,
-    /// Speed-up by the share, and by messages that cost as much as those of the report's one rank.
+    /// Speed-up from the share, if messages cost as much as for the report's single rank.
     speedup_foreseen: f64,
     repaired: Count,
     slip_alone: Count,
@@ -49,22 +51,25 @@ struct Row {
 
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 struct Count {
-    /// Particles in the blocks of their ranks after the last step.
+    /// Number of particles in the blocks of their ranks after the last step.
     left: usize,
-    /// Copies outside of the blocks after the last step, on all ranks. Only the program as printed looks at them.
+    /// Number of copies outside of the blocks after the last step, on all ranks. Only the program
+    /// as printed reads them.
     ghosts: usize,
-    /// Neighbours of a particle in a step. An old ghost of the particle itself is a neighbour too.
+    /// Mean number of neighbours of a particle in a step. An old ghost of the particle itself is a
+    /// neighbour too.
     neighbours: f64,
-    /// Pair tests in a step.
+    /// Number of pair tests in a step.
     pair_tests: f64,
 }
 
-/// Mistakes of the program.
+/// Faults of the program that are switched on.
 #[derive(Clone, Copy)]
 struct Faults {
-    /// `x <= start_bin`, where `>=` was meant.
+    /// The program tests `x <= start_bin` instead of `x >= start_bin`.
     slip: bool,
-    /// Ghosts are the leavers that the root sent, and none is cleared. Without this fault ghosts are always right.
+    /// Ghosts are the leavers that the root sent, and they are never removed. Without this fault
+    /// ghosts are always right.
     stale: bool,
 }
 
@@ -113,18 +118,19 @@ impl Row {
     }
 }
 
-/// Returns the number of rows of bins, and of bins in a row, in a box of this side.
+/// Returns the number of rows of bins in a box of this side, which is also the number of bins in a
+/// row.
 fn along(size: f64) -> usize {
     (size / BIN) as usize + 1
 }
 
-/// Returns the rows of a rank: `along / ranks`, and for the last rank also the rows that are left over.
+/// Returns the rows of a rank: `along / ranks`, and for the last rank also the remainder.
 fn block(along: usize, ranks: usize, rank: usize) -> Range<usize> {
     let each = along / ranks;
     rank * each..if rank + 1 == ranks { along } else { (rank + 1) * each }
 }
 
-/// Returns the largest part of the box of `n` particles that one of `ranks` ranks has.
+/// Returns the largest share of the box of `n` particles that one of `ranks` ranks has.
 fn share(n: usize, ranks: usize) -> f64 {
     let size = official_size(n);
     let mut largest: f64 = 0.0;
@@ -136,7 +142,7 @@ fn share(n: usize, ranks: usize) -> f64 {
     largest
 }
 
-/// Runs all steps and counts.
+/// Runs all steps and returns the counts.
 fn count(scene: &Scene, ranks: usize, faults: Faults) -> Count {
     let mut job = Job::new(scene, ranks, faults);
     (0..SOFT_STEPS as usize).for_each(|_| job.step());
@@ -159,12 +165,12 @@ struct Counted {
     pair_tests: usize,
 }
 
-/// All ranks.
+/// The state of all ranks.
 struct Job {
     faults: Faults,
     size: f64,
     along: usize,
-    /// Bins of the whole box, for each rank.
+    /// The bins of the whole box, for each rank.
     bins: Vec<Vec<Vec<Particle>>>,
     counted: Counted,
 }
@@ -178,7 +184,7 @@ struct Leavers {
 }
 
 impl Job {
-    /// Gives all particles to every rank, which bins them.
+    /// Gives all particles to every rank, which puts them into its bins.
     fn new(scene: &Scene, ranks: usize, faults: Faults) -> Self {
         let along = along(scene.size());
         let mut bins = vec![Vec::new(); along * along];
@@ -286,8 +292,9 @@ impl Job {
         leavers
     }
 
-    /// Sends each particle to the owner of its row, and as a ghost to the rank beyond a row that is taken for a border
-    /// row.
+    /// Sends each particle to the owner of its row.
+    ///
+    /// If the row counts as a border row, the particle also goes to the rank beyond as a ghost.
     fn send_through_root(&mut self, remote: &[Particle]) {
         let last = self.bins.len() - 1;
         let each = self.along / self.bins.len();

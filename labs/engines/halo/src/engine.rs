@@ -1,4 +1,7 @@
 //! The engine of a rank: a block of rows, and ghosts from the neighbours.
+//!
+//! `forces` exchanges ghosts and sums forces; `migrate` moves particles to other ranks and balances
+//! the blocks.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -33,7 +36,7 @@ pub struct Halo<O, T> {
     pub(crate) own: SortedBins,
     /// Copies of the particles in the row before the block and in the row after it.
     pub(crate) ghosts: [SortedBins; 2],
-    /// In the order of the own particles.
+    /// Accelerations of `own`'s particles, in the same order.
     pub(crate) accelerations: Vec<Vec2>,
     pub(crate) observer: O,
     pub(crate) traffic: Traffic,
@@ -45,7 +48,7 @@ pub struct Halo<O, T> {
 // ANCHOR_END: engine
 
 impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
-    /// An engine that sends its messages along `route`, and shares what it can among `workers`.
+    /// Makes an engine that sends its messages along `route` and divides its loops among `workers`.
     pub fn new(world: SimpleCommunicator, config: &Config, workers: Workers, route: Route) -> Self {
         let remainder_last = config.parameter("remainder-last") > 0.0;
         Self {
@@ -78,14 +81,14 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         self.world.size() as usize
     }
 
-    /// Starts over from a scene of `n` particles in a box of side `size`.
+    /// Starts from a scene of `n` particles in a box of side `size`.
     fn start(&mut self, n: usize, size: f64, replay: Replay<'_>) {
         let grid = Grid::new(size, self.bin_size * CUTOFF, n);
         let (cuts, share) = T::keep_share(&grid, self.ranks(), self.rank(), replay);
         self.begin(n, grid, cuts, share);
     }
 
-    /// Starts over with this rank's share of a scene of `n` particles.
+    /// Starts from this rank's share of a scene of `n` particles.
     fn begin(&mut self, n: usize, grid: Grid, cuts: Cuts, share: Vec<Particle>) {
         self.n = n;
         self.settle(grid, cuts, share);
@@ -99,7 +102,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         self.recuts = 0;
     }
 
-    /// Makes bins for the block that `cuts` give this rank and puts `particles` into them.
+    /// Makes bins for this rank's block in `cuts`, and puts `particles` into them.
     pub(crate) fn settle(&mut self, grid: Grid, cuts: Cuts, particles: Vec<Particle>) {
         self.block = cuts.block(self.rank());
         self.cuts = cuts;

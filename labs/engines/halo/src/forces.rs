@@ -1,4 +1,4 @@
-//! Forces and ghosts.
+//! Exchanges ghosts and sums forces.
 
 use std::ops::Range;
 
@@ -13,8 +13,8 @@ use crate::threads::sum_rows;
 use crate::{Blocks, Halo, Messages, Route, border_rows};
 
 impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
-    /// Sums the forces: of the interior rows while ghosts travel, of the border rows when they
-    /// are there.
+    /// Sums the forces of the interior rows while ghosts travel, and then the forces of the border
+    /// rows.
     ///
     /// All ranks call it together.
     pub(crate) fn sum_forces(&mut self) {
@@ -49,8 +49,8 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         }
     }
 
-    /// For each neighbour the ghosts that it needs: of the first row for the one before, of the
-    /// last row for the one after.
+    /// Returns the ghosts for each neighbour: the first row for the one before, the last row for
+    /// the one after.
     fn border_lists(&self) -> Vec<(Rank, Vec<Ghost>)> {
         let Range { start, end } = self.block;
         let columns = 0..self.own.grid().columns();
@@ -65,7 +65,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
             .collect()
     }
 
-    /// Replaces the ghosts of the step before by these.
+    /// Replaces the ghosts of the last step by those that arrived.
     fn take_ghosts(&mut self, arrived: &[Vec<Ghost>]) {
         let grid = *self.own.grid();
         let start = self.block.start;

@@ -1,49 +1,54 @@
-//! Soft discs on ranks: rows of bins cut into blocks, one for each rank, and ghosts from the neighbours in each step.
+//! Soft discs on ranks: each rank has a block of rows of bins, and ghosts from its neighbours.
 //!
-//! A rank has the particles of its block and nothing else of the scene. Of the row beyond its own on either side it needs
-//! copies, *ghosts*, which the ranks that have those rows send in each step. [`Halo`] is the engine around this. What a
-//! block is and how lists travel it asks of a type that its user gives:
+//! A rank has the particles of its block and nothing else of the scene. It also needs copies,
+//! *ghosts*, of the particles in the next row on either side. The ranks that have those rows send
+//! ghosts in each step. [`Halo`] is the engine. The user's type makes the decisions; it implements
+//! these traits:
 //!
-//! | trait | what it says |
-//! |-------|--------------|
-//! | [`Blocks`] | how rows are cut, which ranks are neighbours, which rows need no ghosts, where movers go |
-//! | [`Messages`] | how lists get to the neighbours while a rank works, and how to all ranks |
+//! | trait | decisions |
+//! |-------|-----------|
+//! | [`Blocks`] | the partition of the rows, the neighbours, the interior, the targets of movers |
+//! | [`Messages`] | how lists travel to the neighbours while a rank works, and to all ranks |
 //!
-//! Calls are resolved by the compiler. All ranks run the same program, and call the functions of
+//! The compiler resolves the calls. All ranks run the same program, and call the functions of
 //! [`Simulation`](common::soft::Simulation) together.
 //!
 //! # Example
 //!
-//! Seven rows for three ranks, of which one gets none, and the rows of a block that wait for ghosts:
+//! Seven rows are divided among three ranks, and one rank gets no rows. The last line shows the
+//! rows of a block that need ghosts:
 //!
 //! ```
 //! use halo::{Cuts, border_rows};
 //!
 //! let cuts = Cuts { starts: vec![0, 3, 3, 7] };
 //! assert_eq!((cuts.block(0), cuts.block(1), cuts.block(2)), (0..3, 3..3, 3..7));
-//! // Row 3 belongs to the last block that starts at it: the one before is empty.
+//! // Two blocks start at row 3. It belongs to the last of them, because the other is empty.
 //! assert_eq!((cuts.owner(2), cuts.owner(3)), (0, 2));
 //! assert_eq!(border_rows(&cuts.block(2), &(4..7)), [3..4, 7..7]);
 //! ```
 //!
 //! # Shapes
 //!
-//! A row is a row of bins of a [`Grid`](solution2::Grid), numbered along y. Particles lie in
-//! [`SortedBins`](solution2::SortedBins), accelerations in the same order; an index means the same particle until
-//! bins are sorted. Particles in messages are [`Wire`](common_mpi::Wire)s and [`Ghost`](common_mpi::Ghost)s.
+//! A row is a row of bins of a [`Grid`](solution2::Grid), numbered along y. Particles are in
+//! [`SortedBins`](solution2::SortedBins), and accelerations are in the same order. An index denotes
+//! the same particle until bins are sorted. Particles in messages are [`Wire`](common_mpi::Wire)s
+//! and [`Ghost`](common_mpi::Ghost)s.
 //!
 //! # Units
 //!
-//! Lengths are those of the box; the parameter `bin-size` is in cutoffs, `rebalance` in steps.
+//! Lengths are in units of the box. The parameter `bin-size` is in cutoffs, and `rebalance` in
+//! steps.
 //!
 //! # Errors
 //!
-//! A scene that cannot be is a [`SceneError`](common::soft::SceneError). A rank that ends early ends the job.
+//! A scene that is not valid gives a [`SceneError`](common::soft::SceneError). A rank that ends
+//! early ends the job.
 //!
 //! # Bits
 //!
-//! Ghosts carry their ids, and forces are summed in the order of ids: the bits are those of one rank, with any number of
-//! ranks and threads.
+//! Ghosts carry their ids, and forces are summed in the order of ids. So any number of ranks and
+//! threads gives the bits of one rank.
 
 mod blocks;
 mod engine;

@@ -1,22 +1,26 @@
-//! Messages from rank to rank, past the root.
+//! The interface for messages between ranks that do not pass through the root.
 
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// How messages travel.
+/// The way that messages travel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Route {
-    /// Non-blocking, to the two neighbours; to other ranks only if a particle goes there.
+    /// Non-blocking messages to the two neighbours, and to other ranks only if a particle goes
+    /// there.
     Neighbours,
-    /// By collective operations of all ranks.
+    /// Collective operations of all ranks.
     AllRanks,
 }
 
-/// How lists get from rank to rank.
+/// Exchanges of lists between ranks.
 pub trait Messages {
-    /// Sends each of the `outgoing` lists to its rank, receives a list from each of these same ranks, and calls `work`
-    /// once while the lists travel. Returns the lists received, in the order of `outgoing`, and what `work` returned.
+    /// Sends each of the `outgoing` lists to its rank, and receives a list from each of the same
+    /// ranks.
+    ///
+    /// Calls `work` once while the lists travel. Returns the received lists, in the order of
+    /// `outgoing`, and the result of `work`.
     fn exchange_beside<T, R>(
         world: &SimpleCommunicator,
         outgoing: &[(Rank, Vec<T>)],
@@ -25,7 +29,8 @@ pub trait Messages {
     where
         T: Equivalence + Default + Clone;
 
-    /// Sends `lists[k]` to rank k, for every k. Returns what all ranks sent to this one, in the order of ranks.
+    /// Sends `lists[k]` to rank k, for every k. Returns all that was sent to this rank, in the
+    /// order of ranks.
     ///
     /// All ranks call it together.
     fn exchange_all<T>(world: &SimpleCommunicator, lists: &[Vec<T>]) -> Vec<T>

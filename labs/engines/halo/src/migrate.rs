@@ -1,4 +1,4 @@
-//! Particles that move to another block, and blocks that are cut again.
+//! Moves particles to other ranks, and divides the rows again if one rank has too many particles.
 
 use common::soft::{Observer, Particle};
 use common_mpi::{Partners, Wire, by_rank};
@@ -9,23 +9,25 @@ use mpi::traits::*;
 use crate::threads::move_all;
 use crate::{Blocks, Cuts, Halo, Messages, Route};
 
-/// The fullest rank may have this many times the mean before rows are cut again.
+/// Particles of the fullest rank, as a multiple of the mean, above which rows are divided again.
 const TOLERANCE: f64 = 1.05;
 
 impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
-    /// Moves the own particles and takes out those that left the block.
+    /// Moves the rank's particles, and removes and returns those that left the block.
     pub(crate) fn move_particles(&mut self) -> Vec<Wire> {
         let grid = *self.own.grid();
         let particles = self.own.particles_mut();
         let indices = move_all(particles, &self.accelerations, &grid, &self.block, &self.workers);
-        // From the last to the first, so that a particle that fills a gap has been handled.
+        // The order is from the last to the first, so that the particle that fills a gap has been
+        // handled.
         indices.iter().rev().map(|&index| Wire::from(&self.own.take(index))).collect()
     }
 
-    /// Sends `leavers` to their new owners and takes in those that come here.
+    /// Sends `leavers` to their new owners and takes in the particles that arrive.
     ///
-    /// Along [`Route::Neighbours`] it takes messages to the neighbours. Since a particle may go
-    /// further, all ranks add up how many do, and only if there are any do they all exchange.
+    /// Along [`Route::Neighbours`] it sends messages to the neighbours. A particle may go further,
+    /// so all ranks add up the number of such particles; only if there are any do all ranks
+    /// exchange particles.
     pub(crate) fn migrate(&mut self, leavers: Vec<Wire>) {
         let grid = *self.own.grid();
         let neighbours = T::neighbours(&self.cuts, self.rank());
@@ -73,14 +75,14 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         self.own.sort();
     }
 
-    /// Sends particles to the ranks they are listed with, whichever those are.
+    /// Sends particles to the ranks that they are listed with, near or far.
     fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) -> Vec<Wire> {
         let lists = by_rank(particles, self.ranks());
         self.traffic.exchanged(self.rank(), &lists);
         self.clock.call(Partners::All, || T::exchange_all(&self.world, &lists))
     }
 
-    /// Cuts the rows again if one rank has too many particles.
+    /// Divides the rows again if one rank has too many particles.
     pub(crate) fn keep_balance(&mut self) {
         let most = self.clock.call(Partners::All, || self.fullest());
         if most as f64 <= TOLERANCE * self.n as f64 / self.ranks() as f64 {
@@ -103,7 +105,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         self.recuts += 1;
     }
 
-    /// Sends each particle to the rank that has its row by other cuts, which hold from now on.
+    /// Sends each particle to the rank that has its row by `cuts`, which are valid from now on.
     pub(crate) fn cut_anew(&mut self, cuts: Cuts) {
         let grid = *self.own.grid();
         let own = self.own.particles().iter();
@@ -112,7 +114,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         self.settle(grid, cuts, arrived.iter().map(Particle::from).collect());
     }
 
-    /// The particles of the rank that has most of them. All ranks call it together.
+    /// Returns the number of particles of the fullest rank. All ranks call it together.
     pub(crate) fn fullest(&self) -> u64 {
         let own = self.own.particles().len() as u64;
         let mut most = 0_u64;

@@ -1,4 +1,4 @@
-//! The engine as a program: its parameters, and how it is built.
+//! Builds the engine as a program from its parameters.
 
 use common::soft::Simulation;
 use common::{BuildError, Config, Parameter, observed};
@@ -26,7 +26,7 @@ const REMAINDER_LAST: Parameter = Parameter::switch(
     false,
 );
 
-/// Builds the engine of this rank, with `threads` threads, whose messages take this `route`.
+/// Builds the engine of this rank, with `threads` threads and messages along this `route`.
 ///
 /// # Errors
 /// There is no MPI library, or the system refuses the threads.

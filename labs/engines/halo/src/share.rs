@@ -1,12 +1,14 @@
-//! A rank's share of a scene that no rank holds.
+//! Makes a rank's share of a scene that is too large for one rank.
 
 use common::soft::{CounterParticles, Particle};
 use solution2::Grid;
 
 use crate::{Blocks, Cuts};
 
-/// The balanced cuts of a scene and the particles of `rank`'s block, from a scene that knows where each of its particles
-/// stands: no particle is made that is not kept. Time and memory grow with the share and with the number of rows.
+/// Returns the balanced blocks of a scene, and the particles of `rank`'s block.
+///
+/// The scene can compute the position of each particle separately, so only particles that are kept
+/// are made. Time and memory grow with the share and with the number of rows.
 pub fn make_share<T: Blocks>(
     grid: &Grid,
     ranks: usize,
@@ -25,7 +27,8 @@ pub fn make_share<T: Blocks>(
     (cuts, share)
 }
 
-/// The number of rows of the scene below row `end` of bins. Both kinds of rows count from the bottom.
+/// Returns the number of rows of the scene below row `end` of bins. Both kinds of rows count from
+/// the bottom.
 fn rows_below(grid: &Grid, scene: &CounterParticles, end: usize) -> usize {
     (0..scene.rows()).take_while(|&row| grid.row(scene.y(row)) < end).count()
 }

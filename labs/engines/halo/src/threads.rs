@@ -1,7 +1,7 @@
-//! What the threads of a rank share: forces of the interior, and moves.
+//! Loops that the threads of a rank share: forces of the interior, and moves.
 //!
-//! Ghosts and messages are the first thread's alone. So is the sort: it writes all over the
-//! array, and lab 3 shows what it takes to share that.
+//! The first thread alone handles ghosts and messages. It also sorts alone: the sort writes to all
+//! parts of the array, and lab 3 shows what sharing it costs.
 
 use std::ops::Range;
 

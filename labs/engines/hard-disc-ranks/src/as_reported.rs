@@ -1,4 +1,4 @@
-//! The report's step, in which the workers move the discs.
+//! The engine that steps as the report does: the workers move the discs.
 
 use common::Event;
 use common::hard::{Disc, Scene, Simulation};
@@ -16,20 +16,21 @@ use crate::wire::{CandidateWire, DiscWire};
 
 /// Master and workers as in the report.
 ///
-/// In each step the workers get their blocks again and send back the candidates that they find. The master
-/// takes those that happen, and tells the workers of them. Then the workers move the discs: each its own block,
-/// the report's `major_chunk`, and the other discs of the collisions that it carries out, `extra_send`. They send
-/// the moved discs back. The master sends with blocking calls, to one worker after the other.
+/// In each step the workers receive their blocks again and send back the candidates that they find.
+/// The master takes the candidates that happen, and sends them to the workers. Then the workers
+/// move discs: each worker its own block (the report's `major_chunk`) and the other discs of the
+/// collisions that it carries out (`extra_send`). They send back the moved discs. The master sends
+/// with blocking calls, to one worker after the other.
 pub struct AsReported<T> {
     base: MasterWorkers<T>,
     deal: Deal,
-    /// Discs that this rank has sent back from beyond its own block.
+    /// Number of discs that this rank has sent back from outside its own block.
     extra: u64,
     steps: u64,
 }
 
 impl<T: Dealing> AsReported<T> {
-    /// One rank of all in `world`.
+    /// Makes the engine of one rank of `world`.
     pub fn new(world: SimpleCommunicator, clock: Clock) -> Self {
         let team = Team::new(world.size() as usize, false);
         let deal = Deal { workers: team.workers, offsets: Vec::new() };
@@ -57,14 +58,16 @@ impl<T: Dealing> AsReported<T> {
         })
     }
 
-    /// The blocks of a collision's discs.
+    /// Returns the blocks that contain a collision's discs.
     fn blocks_of(&self, candidate: &Candidate) -> impl Iterator<Item = usize> + Clone {
         let blocks = self.base.blocks;
         discs_of(candidate).map(move |disc| blocks.owner(disc))
     }
 
-    /// The worker that carries out a collision. It has the blocks of all its discs, and one of them is its own if
-    /// that can be.
+    /// Returns the worker that carries out a collision.
+    ///
+    /// This worker has the blocks of all discs of the collision, and one of them is its own block
+    /// if possible.
     fn carrier(&self, candidate: &Candidate) -> usize {
         let blocks = self.blocks_of(candidate);
         let mut workers = blocks.clone().chain(0..self.deal.workers);
@@ -75,7 +78,8 @@ impl<T: Dealing> AsReported<T> {
         carrier.expect("some worker has looked at the pair")
     }
 
-    /// For each worker the collisions that it carries out, and those of its own discs that others carry out.
+    /// Returns for each worker the collisions that it carries out, and the others with discs of its
+    /// own block.
     fn orders(&self) -> Vec<Vec<CandidateWire>> {
         let mut orders = vec![Vec::new(); self.deal.workers];
         for candidate in &self.base.taken {

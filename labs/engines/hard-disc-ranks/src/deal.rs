@@ -1,32 +1,33 @@
-//! Who looks at which pairs: blocks of discs, dealt to workers.
+//! The distribution of pairs to workers: blocks of discs, and jobs that are pairs of blocks.
 
 use std::ops::Range;
 
-/// A rectangle of the matrix of all pairs, or the triangle where it meets the diagonal: the discs
-/// of block `row` with those of block `column`, `row` ≤ `column`.
+/// The pairs of discs of block `row` with discs of block `column`, `row` ≤ `column`.
+///
+/// In the matrix of all pairs this is a rectangle, or a triangle on the diagonal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Job {
     /// The block of the first discs.
     pub row: usize,
     /// The block of the second discs.
     pub column: usize,
-    /// Which of the discs of block `row` are looked at.
+    /// The part of block `row` that the job has.
     pub part: Part,
 }
 
 /// A block, or half of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Part {
-    /// All of it.
+    /// The whole block.
     Whole,
     /// The first half, rounded down.
     First,
-    /// The rest.
+    /// The rest of the block.
     Second,
 }
 
 impl Part {
-    /// This part of a block of discs.
+    /// Returns this part of a block of discs.
     pub fn of(self, block: Range<usize>) -> Range<usize> {
         let middle = block.start + block.len() / 2;
         match self {
@@ -37,25 +38,26 @@ impl Part {
     }
 }
 
-/// How all pairs are dealt to workers.
+/// The distribution of all pairs to workers.
 ///
-/// With W workers the discs are cut into W blocks. Think of the blocks on a ring, as hours on a
-/// clock: two of them are some distance 0 … W / 2 apart, whichever way round is shorter.
-/// Worker k has the blocks k + `offsets`, modulo W. All workers have the same pattern, each
-/// turned one further.
+/// With W workers there are W blocks of discs. The blocks are on a ring, like hours on a clock: the
+/// distance of two blocks is 0 … W / 2, the shorter way round. Worker k has the blocks k +
+/// `offsets`, modulo W. So all workers have the same pattern, each turned one block further than
+/// the last.
 // ANCHOR: deal
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Deal {
     /// Number of workers W, and of blocks.
     pub workers: usize,
-    /// Which blocks worker 0 has. Two of them are any given distance apart.
+    /// The blocks of worker 0. For every distance, two of them are this distance apart.
     pub offsets: Vec<usize>,
 }
 // ANCHOR_END: deal
 
 impl Deal {
-    /// The blocks that `worker` needs: a row of the report's `send_mat`. The first is the worker's
-    /// own, block `worker`.
+    /// Returns the blocks that `worker` needs: a row of the report's `send_mat`.
+    ///
+    /// The first is the worker's own block, number `worker`.
     pub fn blocks(&self, worker: usize) -> Vec<usize> {
         self.offsets.iter().map(|offset| (worker + offset) % self.workers).collect()
     }

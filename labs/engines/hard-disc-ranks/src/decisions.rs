@@ -1,48 +1,57 @@
-//! What a rank knows of the decisions of a step.
+//! A rank's knowledge of the decisions of a step.
 
 use hard_discs::{Candidate, Collisions, Hit};
 
 use crate::queues::Queues;
 use crate::strips::Reach;
 
-/// What a rank knows of the decisions of a step: the discs that it has, own and ghosts, the candidates
-/// that it has found, and what other ranks have told.
+/// A rank's knowledge of the decisions of a step.
 ///
-/// All lists of discs are in ascending order of numbers; a *slot* is an index into them.
-/// Candidates in `queues` name discs by their slots, all others by their numbers.
+/// The rank knows its own discs and ghosts, the candidates that it has found, and the news of other
+/// ranks. All lists of discs are in ascending order of numbers; a *slot* is an index into them.
+/// Candidates in `queues` name discs by their slots, and all other candidates name them by their
+/// numbers.
 // ANCHOR: decisions
 #[derive(Clone, Debug, Default)]
 pub struct Decisions {
     /// The numbers of the discs, ascending.
     pub numbers: Vec<u32>,
-    /// Which ranks have the disc.
+    /// The ranks that have each disc.
     pub reach: Vec<Reach>,
-    /// Whether the disc has not collided yet in this step, as far as is known here.
+    /// Whether each disc has not collided yet in this step, as far as this rank knows.
     pub free: Vec<bool>,
-    /// The disc's *rival*: its earliest candidate that another rank has found, as far as is known here.
-    /// Only a candidate that comes before it may be taken here.
+    /// Each disc's *rival*: its earliest candidate that another rank has found, as far as this rank
+    /// knows.
+    ///
+    /// This rank may take only candidates that come before the rivals.
     pub rivals: Vec<Option<Candidate>>,
-    /// The candidates found here, in a queue for each disc.
+    /// The candidates that this rank has found, in a queue for each disc.
     pub queues: Queues,
-    /// The candidates found here that are open, neither taken nor dropped, and the earliest open one
-    /// of one of their discs or of both.
+    /// The open candidates that this rank has found and that are the earliest for one or both of
+    /// their discs.
+    ///
+    /// A candidate is open if it is neither taken nor dropped.
     pub front: Vec<Candidate>,
-    /// The candidates found here that happen.
+    /// The candidates that this rank has found and that happen.
     pub taken: Vec<Candidate>,
-    /// How many of `taken` the partners have been told of.
+    /// Number of `taken` candidates that have been sent to the partners.
     pub told: usize,
-    /// Whether the disc waits for an open candidate to be decided; used within
-    /// [`Deciding::take_certain`](crate::Deciding::take_certain) only.
+    /// Whether each disc waits for the decision of an open candidate.
+    ///
+    /// Only [`Deciding::take_certain`](crate::Deciding::take_certain) uses it.
     pub waits: Vec<bool>,
 }
 // ANCHOR_END: decisions
 
-/// Earlier than any candidate: the rival of a disc whose other ranks have not told theirs yet.
+/// A candidate earlier than any other: the rival of a disc whose other ranks have not sent theirs
+/// yet.
 pub const UNKNOWN: Candidate = Candidate { time: f64::NEG_INFINITY, hit: Hit::Corner(0) };
 
 impl Decisions {
-    /// Starts over with these discs and candidates. All discs are free. A disc that other ranks have
-    /// too has the rival [`UNKNOWN`]; a disc that no other rank has has none.
+    /// Starts with these discs and candidates. All discs are free.
+    ///
+    /// A disc that other ranks have too gets the rival [`UNKNOWN`]; a disc that only this rank has
+    /// gets no rival.
     pub fn start<C: Collisions>(&mut self, numbers: &[u32], reach: &[Reach], found: &[Candidate]) {
         self.numbers.clear();
         self.numbers.extend_from_slice(numbers);
@@ -61,24 +70,26 @@ impl Decisions {
         self.queues.enter::<C>(found.iter().map(|candidate| self.local(candidate)).collect());
     }
 
-    /// The slot of a disc; none if it is not here.
+    /// Returns the slot of a disc, or `None` if this rank does not have the disc.
     pub fn slot(&self, number: u32) -> Option<usize> {
         self.numbers.binary_search(&number).ok()
     }
 
-    /// The slots of a candidate's discs, as far as this rank has them: all of them if the candidate
-    /// was found here, in the order first, second.
+    /// Returns the slots of a candidate's discs that this rank has, in the order first, second.
+    ///
+    /// If this rank has found the candidate, it has all its discs.
     pub fn slots(&self, candidate: &Candidate) -> impl Iterator<Item = usize> + Clone + use<> {
         let discs = [Some(candidate.hit.first()), candidate.hit.second()];
         discs.map(|number| self.slot(number?)).into_iter().flatten()
     }
 
-    /// A candidate found here, with slots instead of numbers, as `queues` has it.
+    /// Returns a candidate that this rank has found with slots instead of numbers, as `queues`
+    /// stores it.
     pub fn local(&self, candidate: &Candidate) -> Candidate {
         renamed(candidate, |number| self.slot(number).expect("its discs are here") as u32)
     }
 
-    /// The candidate of [`Self::local`], with numbers again.
+    /// Returns a candidate with numbers instead of slots, the inverse of [`Self::local`].
     pub fn named(&self, candidate: &Candidate) -> Candidate {
         renamed(candidate, |slot| self.numbers[slot as usize])
     }
@@ -89,7 +100,7 @@ impl Decisions {
     }
 }
 
-/// The same candidate with other names for its discs.
+/// Returns the candidate with different names for its discs.
 fn renamed(candidate: &Candidate, name: impl Fn(u32) -> u32) -> Candidate {
     let hit = match candidate.hit {
         Hit::Corner(a) => Hit::Corner(name(a)),

@@ -1,6 +1,7 @@
-//! The search of a rank with a strip.
+//! The search of a rank in its strip.
 
 use common::hard::Disc;
+use common_mpi::note;
 use hard_discs::{Candidate, Collisions, Find, Hit, Square, Window};
 use mpi::traits::*;
 
@@ -9,7 +10,7 @@ use crate::spatial_cuts::{Deciding, Range, SpatialCuts};
 use crate::wire::DiscWire;
 
 impl<T: Deciding> SpatialCuts<T> {
-    /// Fills `self.seen` with the own discs and `ghosts`.
+    /// Fills `self.seen` with this rank's discs and with `ghosts`.
     pub fn see(&mut self, ghosts: &[Vec<DiscWire>], range: Range) {
         let mut ghosts = ghosts.concat();
         ghosts.sort_by_key(|ghost| ghost.number);
@@ -17,13 +18,13 @@ impl<T: Deciding> SpatialCuts<T> {
         self.seen.fill(&self.own, &ghosts, |disc| T::reached(&self.strips, disc, range.reach));
     }
 
-    /// Starts the decisions with the discs seen, and enters what could happen to them: the `walls` of the
-    /// own discs, and the pairs at which this rank has to look.
+    /// Starts the decisions with the discs in `self.seen`, and enters their candidates.
     ///
-    /// The step is cut into windows of time, and a disc that has been taken in one window
-    /// need not be looked at in the next. Here these are the discs of candidates that are certain after
-    /// each window ([`Deciding::take_certain`]): later windows have later candidates, so the first so
-    /// far stays the first. For the same reason walls are entered in their windows.
+    /// These are the `walls` of this rank's discs, and the pairs that this rank must test. The step
+    /// is divided into windows of time. A disc that is taken in one window need not be tested in
+    /// the next. Here these are the discs of candidates that are certain after a window
+    /// ([`Deciding::take_certain`]): later windows have only later candidates, so the first
+    /// candidate so far stays the first. For the same reason walls are entered in their windows.
     pub fn find(&mut self, mut walls: Vec<Candidate>) {
         let Seen { numbers, discs, reach, .. } = &self.seen;
         self.decisions.start::<T::Rules>(numbers, reach, &[]);
@@ -55,8 +56,9 @@ impl<T: Deciding> SpatialCuts<T> {
     }
 }
 
-/// The wall collisions that could happen to `discs` in this step.
+/// Returns the candidates of `discs` with walls in this step.
 pub fn walls_of<C: Collisions>(discs: &[DiscWire], square: Square) -> Vec<Candidate> {
+    note("walls_of");
     discs
         .iter()
         .filter_map(|disc| C::wall_hit(disc.number as u32, &Disc::from(disc), square))

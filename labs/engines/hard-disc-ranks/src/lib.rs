@@ -1,20 +1,21 @@
-//! Hard discs on ranks: engines for discs of [`hard_discs`] that no rank has all of.
+//! Hard discs on ranks: engines for discs of [`hard_discs`] that are distributed to ranks.
 //!
-//! A step of hard discs is a search and a decision, in order of time. Two engines share it out:
+//! A step of hard discs is a search, and a decision in order of time. The engines distribute them
+//! in different ways:
 //!
-//! | engine | who has the discs | who decides | trait |
-//! |--------|-------------------|-------------|-------|
-//! | [`MasterWorkers`] | the master all, a worker its blocks | the master | [`Dealing`] |
-//! | [`AsReported`] | the same, and workers move them, as in the CS3210 report | the master | [`Dealing`] |
-//! | [`SpatialCuts`] | each rank those of its strip, and ghosts | all ranks, in rounds | [`Deciding`] |
+//! | engine | discs of a rank | decision | trait |
+//! |--------|-----------------|----------|-------|
+//! | [`MasterWorkers`] | all on the master, blocks on a worker | by the master | [`Dealing`] |
+//! | [`AsReported`] | the same; workers move them, as in the report | by the master | [`Dealing`] |
+//! | [`SpatialCuts`] | those of its strip, and ghosts | by all ranks, in rounds | [`Deciding`] |
 //!
-//! Each asks a type that its user gives for the steps of its algorithm, and for its messages ([`Messages`]). Calls are
-//! resolved by the compiler. All ranks run the same program, and call the functions of
-//! [`Simulation`](common::hard::Simulation) together. The bits are those of one rank.
+//! The user's type supplies the steps of the algorithm; it implements one of these traits, and
+//! [`Messages`]. The compiler resolves the calls. All ranks run the same program, and call the
+//! functions of [`Simulation`](common::hard::Simulation) together. The bits are those of one rank.
 //!
 //! # Example
 //!
-//! Discs in messages, and the workers of a job of four ranks:
+//! A disc in a message, and the workers of a job of four ranks:
 //!
 //! ```
 //! use common::hard::Disc;
@@ -30,9 +31,9 @@
 //!
 //! # Shapes, units, errors
 //!
-//! A disc's number is its index in the scene; a *slot* is an index into the discs that a rank has. Lengths are in the
-//! scene's unit, times in steps. Lists in messages may be of any length. A rank that ends early ends the job; nothing
-//! here returns an error.
+//! A disc's number is its index in the scene; a *slot* is an index into the discs that a rank has.
+//! Lengths are in the scene's unit, times in steps. Lists in messages may have any length. A rank
+//! that ends early ends the job. No function here returns an error.
 
 mod as_reported;
 mod deal;

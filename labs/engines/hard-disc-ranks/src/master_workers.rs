@@ -1,4 +1,4 @@
-//! Master and workers: what a rank keeps, sends and finds.
+//! The engine with a master and workers: the data of a rank, its messages and its search.
 
 use std::marker::PhantomData;
 
@@ -15,19 +15,22 @@ use crate::tally::Tally;
 use crate::team::{MASTER, Messages, Team};
 use crate::wire::{CandidateWire, DiscWire};
 
-/// What a master and its workers do: one deals the pairs and decides, the others search.
+/// The work of a master and its workers: the master distributes pairs and decides, and the others
+/// search.
 pub trait Dealing: Messages {
     /// The rules of a collision.
     type Rules: Collisions;
 
-    /// How all pairs are dealt to a number of workers.
+    /// Returns the distribution of all pairs to a number of workers.
     fn deal(workers: usize) -> Deal;
 
-    /// The jobs of a worker. Over all workers that is every pair of blocks once.
+    /// Returns the jobs of a worker. All workers together have every pair of blocks once.
     fn jobs(deal: &Deal, worker: usize) -> Vec<Job>;
 
-    /// Looks at the pairs of a job: appends those that collide in this step to `list`, and returns how many it has
-    /// looked at. `discs` has an entry for every disc of the scene.
+    /// Tests the pairs of a job, and appends the pairs that collide in this step to `list`.
+    ///
+    /// `discs` has an element for every disc of the scene. Returns the number of pairs that were
+    /// tested.
     fn search_job(
         discs: &[Disc],
         blocks: &Cut,
@@ -36,20 +39,21 @@ pub trait Dealing: Messages {
         list: &mut Vec<Candidate>,
     ) -> u64;
 
-    /// The discs of the blocks `held` that have collided. `discs` are all discs, as they are after the step.
+    /// Returns the discs of the blocks `held` that have collided; `discs` are all discs after the
+    /// step.
     fn collided(discs: &[Disc], blocks: &Cut, held: &[usize], taken: &[Candidate])
     -> Vec<DiscWire>;
 
-    /// One step of master and workers. All ranks call it together.
+    /// Takes one step. All ranks call it together.
     fn step(engine: &mut MasterWorkers<Self>);
 }
 
 /// One rank of the job, master or worker.
 pub struct MasterWorkers<T> {
     tasks: PhantomData<T>,
-    /// All ranks.
+    /// The communicator of all ranks.
     pub world: SimpleCommunicator,
-    /// Which rank is which worker.
+    /// The assignment of workers to ranks.
     pub team: Team,
     /// Whether workers keep their blocks from step to step.
     pub keep: bool,
@@ -57,22 +61,24 @@ pub struct MasterWorkers<T> {
     pub square: Square,
     /// The discs in blocks, one for each worker.
     pub blocks: Cut,
-    /// Who looks at which pairs; `None` before the first step.
+    /// The distribution of pairs; `None` before the first step.
     pub deal: Option<Deal>,
-    /// An entry for every disc of the scene. The master fills all, a worker its blocks.
+    /// An element for every disc of the scene. The master's elements are all valid, a worker's are
+    /// valid in its blocks.
     pub discs: Vec<Disc>,
-    /// What happened in the last step; empty on workers.
+    /// The collisions of the last step; empty on workers.
     pub taken: Vec<Candidate>,
-    /// What this rank has sent.
+    /// The messages that this rank has sent.
     pub traffic: Traffic,
-    /// What this rank has counted.
+    /// The counters of this rank.
     pub tally: Tally,
-    /// The time that calls of the library took.
+    /// The time that calls of the MPI library took.
     pub clock: Clock,
 }
 
 impl<T: Dealing> MasterWorkers<T> {
-    /// One rank of the `team`, whose workers `keep` their blocks or get them again in every step.
+    /// Makes one rank of the `team`. Its workers `keep` their blocks, or receive them again in
+    /// every step.
     pub fn new(world: SimpleCommunicator, team: Team, keep: bool, clock: Clock) -> Self {
         Self {
             tasks: PhantomData,
@@ -95,8 +101,10 @@ impl<T: Dealing> MasterWorkers<T> {
         self.world.rank() == MASTER
     }
 
-    /// What the master sends to each worker: all its blocks if it has none yet or does not keep
-    /// them, else the discs of its blocks that have collided.
+    /// Returns the lists that the master sends to the workers.
+    ///
+    /// A worker receives all its blocks if it has none yet or does not keep them. Otherwise it
+    /// receives the discs of its blocks that have collided.
     pub fn lists(&self, deal: &Deal, first: bool) -> Vec<Vec<DiscWire>> {
         let mut lists = Vec::with_capacity(self.team.workers);
         for worker in 0..self.team.workers {
@@ -111,8 +119,8 @@ impl<T: Dealing> MasterWorkers<T> {
         lists
     }
 
-    /// Everything that could happen in this step to the discs of `worker`'s own block (walls) and
-    /// in its jobs (pairs).
+    /// Returns the candidates of this step of `worker`: its own block with walls, and the pairs of
+    /// its jobs.
     pub fn find(&mut self, deal: &Deal, worker: usize) -> Vec<CandidateWire> {
         let mut list: Vec<Candidate> = self
             .blocks
@@ -129,7 +137,7 @@ impl<T: Dealing> MasterWorkers<T> {
         list.iter().map(CandidateWire::from).collect()
     }
 
-    /// [`Messages::hand_out`], timed and counted.
+    /// Calls [`Messages::hand_out`], and measures and counts it.
     pub fn send(&mut self, lists: &[Vec<DiscWire>]) -> Vec<DiscWire> {
         for (worker, list) in lists.iter().enumerate() {
             if self.team.rank(worker) != MASTER {
@@ -139,7 +147,7 @@ impl<T: Dealing> MasterWorkers<T> {
         self.clock.call(Partners::Through(MASTER), || T::hand_out(&self.world, self.team, lists))
     }
 
-    /// [`Messages::collect`], timed and counted.
+    /// Calls [`Messages::collect`], and measures and counts it.
     pub fn receive(&mut self, found: &[CandidateWire]) -> Vec<Candidate> {
         if !self.is_master() {
             self.traffic.sent(found);
@@ -155,7 +163,7 @@ impl<T: Dealing> Simulation for MasterWorkers<T> {
     fn load(&mut self, scene: &Scene) {
         self.square = Square::of(scene);
         self.blocks = Cut { rows: scene.len(), ranks: self.team.workers };
-        // What a worker sees of the scene comes in messages.
+        // A worker receives its discs in messages only.
         self.discs = match self.is_master() {
             true => scene.discs().to_vec(),
             false => vec![Disc::default(); scene.len()],
@@ -174,7 +182,7 @@ impl<T: Dealing> Simulation for MasterWorkers<T> {
         T::step(self);
         self.clock.end_step();
         if first && self.keep {
-            // The blocks that workers keep are sent once, in no other step.
+            // The blocks that workers keep are sent only once, so the first step is not counted.
             self.traffic = Traffic::default();
         }
     }

@@ -1,4 +1,4 @@
-//! The engines as programs: their parameters, and how they are built.
+//! Builds the engines as programs from their parameters.
 
 use common::hard::Simulation;
 use common::{BuildError, Config, Parameter};

@@ -1,26 +1,27 @@
-//! For each disc the candidates that it is in, in the order in which they are decided.
+//! A queue of candidates for each disc, in the order of decisions.
 
 use hard_discs::{Candidate, Collisions};
 
 /// The end of a queue.
 const END: u32 = u32::MAX;
 
-/// Candidates, in a queue for each disc: one of two discs stands in two queues.
+/// Candidates in a queue for each disc. The candidate of a pair is in two queues.
 ///
-/// Discs are named by their slots. A queue is a list linked through the candidates, so that a
-/// queue costs eight bytes, and eight for each candidate, however they are spread. A candidate that
-/// leaves its queues stays in memory until [`Self::start`].
+/// Discs are named by their slots. A queue is a list that is linked through the candidates. So a
+/// queue takes eight bytes and a candidate eight more, however the candidates are distributed. A
+/// candidate that leaves its queues stays in memory until [`Self::start`].
 #[derive(Clone, Debug, Default)]
 pub struct Queues {
     candidates: Vec<Candidate>,
-    /// For each candidate the next one in the queue of its first disc, and of its second.
+    /// For each candidate, the next one in the queue of its first disc and in the queue of its
+    /// second disc.
     behind: Vec<[u32; 2]>,
-    /// For each disc the first in its queue, and the last.
+    /// For each disc, the first and the last candidate in its queue.
     ends: Vec<[u32; 2]>,
 }
 
 impl Queues {
-    /// Starts over with empty queues of `discs` discs.
+    /// Starts with empty queues for `discs` discs.
     pub fn start(&mut self, discs: usize) {
         self.candidates.clear();
         self.behind.clear();
@@ -28,8 +29,9 @@ impl Queues {
         self.ends.resize(discs, [END; 2]);
     }
 
-    /// Puts candidates at the ends of the queues, in the order of [`Collisions::order`]. None of them may come
-    /// before one that has been put there already.
+    /// Appends candidates to the queues, in the order of [`Collisions::order`].
+    ///
+    /// They must not come before any candidate that has been entered earlier.
     pub fn enter<C: Collisions>(&mut self, mut candidates: Vec<Candidate>) {
         candidates.sort_unstable_by(C::order);
         for candidate in candidates {
@@ -50,14 +52,16 @@ impl Queues {
         }
     }
 
-    /// The first candidate in the queue of a disc, by its index. The lower index comes first in the
-    /// order of all.
+    /// Returns the index of the first candidate in the queue of a disc, or `None` if the queue is
+    /// empty.
+    ///
+    /// Indices are in the order of the candidates.
     #[inline]
     pub fn first(&self, slot: usize) -> Option<u32> {
         Some(self.ends[slot][0]).filter(|first| *first != END)
     }
 
-    /// Takes the first candidate out of the queue of a disc, and returns the one that is first now.
+    /// Removes the first candidate from the queue of a disc, and returns the new first one.
     ///
     /// # Panics
     /// The queue is empty.
@@ -69,25 +73,25 @@ impl Queues {
         self.first(slot)
     }
 
-    /// The candidate of an index.
+    /// Returns the candidate at an index.
     #[inline]
     pub fn candidate(&self, index: u32) -> Candidate {
         self.candidates[index as usize]
     }
 
-    /// All that have been entered, in their order.
+    /// Returns all candidates that have been entered, in their order.
     pub fn all(&self) -> &[Candidate] {
         &self.candidates
     }
 
-    /// Which disc of a candidate is the one at `slot`: 0 the first, 1 the second.
+    /// Returns 0 if the candidate's first disc is at `slot`, and 1 if the second is.
     #[inline]
     fn side(&self, index: u32, slot: usize) -> usize {
         usize::from(self.candidates[index as usize].hit.first() as usize != slot)
     }
 }
 
-/// The slots of a candidate's discs.
+/// Returns the slots of a candidate's discs.
 #[inline]
 pub fn slots_of(candidate: &Candidate) -> impl Iterator<Item = usize> + Clone + use<> {
     let discs = [Some(candidate.hit.first()), candidate.hit.second()];

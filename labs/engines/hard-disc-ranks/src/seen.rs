@@ -12,14 +12,15 @@ pub struct Seen {
     pub numbers: Vec<u32>,
     /// The discs.
     pub discs: Vec<Disc>,
-    /// Whether the disc is in the strip of this rank.
+    /// Whether each disc is in the strip of this rank.
     pub owns: Vec<bool>,
-    /// The ranks that have the disc.
+    /// The ranks that have each disc.
     pub reach: Vec<Reach>,
 }
 
 impl Seen {
-    /// Replaces all by the `own` discs merged with `ghosts`, which both are in the order of numbers.
+    /// Replaces all discs by the merged lists `own` and `ghosts`, which are both in the order of
+    /// numbers.
     pub fn fill(
         &mut self,
         own: &[DiscWire],

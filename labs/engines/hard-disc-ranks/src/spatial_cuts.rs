@@ -1,4 +1,4 @@
-//! Strips that decide together: what a rank keeps, and its messages.
+//! The engine with strips that decide together: the data of a rank, and its messages.
 
 use common::Event;
 use common::hard::{Disc, Scene, Simulation};
@@ -18,71 +18,71 @@ use crate::tally::Tally;
 use crate::team::{Messages, Team};
 use crate::wire::DiscWire;
 
-/// What ranks with strips do: each looks at the pairs and decides the collisions of its strip, and asks its neighbours
-/// about the others.
+/// The work of ranks with strips: each tests the pairs of its strip, and all decide together.
 pub trait Deciding: Messages {
     /// The rules of a collision, and the search for pairs.
     type Rules: Collisions + BroadPhase;
 
-    /// The ranks in whose strips the swept box of a disc lies; `reach` is how far the box goes beyond the path of the
-    /// centre.
+    /// Returns the ranks whose strips the swept box of a disc touches. The box extends `reach`
+    /// beyond the path of the centre.
     fn reached(strips: &Strips, disc: &DiscWire, reach: f64) -> Reach;
 
-    /// Whether `rank` looks at the pair of discs that reach a and b. Of all ranks that have both exactly one does.
+    /// Whether `rank` tests the pair of discs that reach a and b. It is true for exactly one rank
+    /// that has both discs.
     fn looks_at(rank: usize, a: Reach, b: Reach) -> bool;
 
     /// Takes every open candidate that is certain to happen, and drops those that cannot happen.
     fn take_certain(decisions: &mut Decisions);
 
-    /// One step. All ranks call it together.
+    /// Takes one step. All ranks call it together.
     fn step(engine: &mut SpatialCuts<Self>);
 }
 
 /// One rank of the job: the discs of its strip, and ghosts of other discs that fly into it.
 pub struct SpatialCuts<T: Deciding> {
-    /// All ranks.
+    /// The communicator of all ranks.
     pub world: SimpleCommunicator,
-    /// Steps between two cuts; 0 cuts only once.
+    /// Number of steps between two cuts; 0 cuts only once.
     pub recut: u64,
     /// The square, and the radius of all discs.
     pub square: Square,
-    /// Which part of the square each rank has.
+    /// The strips of the square.
     pub strips: Strips,
     /// The discs of this rank's strip, in ascending order of numbers.
     pub own: Vec<DiscWire>,
     /// The discs that this rank has in a step.
     pub seen: Seen,
-    /// What it knows of the decisions of a step.
+    /// This rank's knowledge of the decisions of a step.
     pub decisions: Decisions,
-    /// What finds pairs.
+    /// The search for pairs.
     pub finder: Planned<T::Rules>,
-    /// What was found in a window of time.
+    /// The result of the search in a window of time.
     pub found: Found,
-    /// What this rank has sent.
+    /// The messages that this rank has sent.
     pub traffic: Traffic,
-    /// What it has counted.
+    /// The counters of this rank.
     pub tally: Tally,
-    /// The time that calls of the library took.
+    /// The time that calls of the MPI library took.
     pub clock: Clock,
-    /// Steps since the scene was loaded.
+    /// Number of steps since the scene was loaded.
     pub steps: u64,
-    /// Rounds of deciding in them.
+    /// Number of rounds of decisions in these steps.
     pub rounds: u64,
-    /// Ghosts in them.
+    /// Sum of the numbers of ghosts in these steps.
     pub ghosts: u64,
 }
 
-/// What is the same for all ranks in a step.
+/// Lengths that are the same for all ranks in a step.
 #[derive(Clone, Copy)]
 pub struct Range {
-    /// How far a swept box goes beyond the path of its centre.
+    /// Distance of a swept box beyond the path of its centre.
     pub reach: f64,
-    /// How far a disc can be, at any time of the step, from the strip of a rank that has it.
+    /// Greatest distance of a disc, at any time of the step, from the strip of a rank that has it.
     pub furthest: f64,
 }
 
 impl<T: Deciding> SpatialCuts<T> {
-    /// One rank of all in `world`, that cuts the square again every `recut` steps.
+    /// Makes the engine of one rank of `world`, which cuts the square again every `recut` steps.
     pub fn new(world: SimpleCommunicator, recut: u64, clock: Clock) -> Self {
         let cuts = Cuts { starts: vec![0] };
         Self {
@@ -104,12 +104,12 @@ impl<T: Deciding> SpatialCuts<T> {
         }
     }
 
-    /// The number of this rank.
+    /// Returns the number of this rank.
     pub fn rank(&self) -> usize {
         self.world.rank() as usize
     }
 
-    /// How many ranks there are.
+    /// Returns the number of ranks.
     pub fn ranks(&self) -> usize {
         self.world.size() as usize
     }
@@ -132,13 +132,12 @@ impl<T: Deciding> SpatialCuts<T> {
         self.own.sort_by_key(|disc| disc.number);
     }
 
-    /// What all ranks must agree on before a step: it follows from the greatest velocity component
-    /// of the scene.
+    /// Returns the lengths of this step, from the greatest velocity component of the scene.
     ///
-    /// A disc is at most that and the reach away from a strip that its box reaches. A collision may
-    /// make it faster: it gains its partner's component along the line between them, so its speed
-    /// squared is at most the sum of both, and no component is more than twice the greatest of before.
-    /// All in all a disc gets at most three times the greatest component away.
+    /// A disc is at most this component and the reach away from a strip that its box touches. A
+    /// collision may make it faster: it gains its partner's component along the line between them.
+    /// So its squared speed is at most the sum of both, and no component is more than twice the
+    /// greatest one before. In total a disc gets at most three times the greatest component away.
     pub fn range(&mut self) -> Range {
         let components = self.own.iter().map(|disc| disc.vx.abs().max(disc.vy.abs()));
         let own = components.fold(0.0, f64::max);
@@ -151,7 +150,8 @@ impl<T: Deciding> SpatialCuts<T> {
         Range { reach, furthest: 3.0 * (fastest + reach) }
     }
 
-    /// Sends each of `partners` its list and returns the lists that they send; does `work` meanwhile.
+    /// Exchanges lists with `partners` and calls `work` meanwhile. Returns their lists and the
+    /// result.
     pub fn exchange<W, R>(
         &mut self,
         partners: &[usize],
@@ -172,7 +172,7 @@ impl<T: Deciding> SpatialCuts<T> {
         })
     }
 
-    /// The sum of a number over all ranks, on all ranks.
+    /// Returns the sum of a number over all ranks, on all ranks.
     pub fn add_up(&mut self, own: usize) -> u64 {
         self.rounds += 1;
         let own = own as u64;
@@ -184,7 +184,7 @@ impl<T: Deciding> SpatialCuts<T> {
         sum
     }
 
-    /// Sends discs to the ranks in whose strips they are. No disc flies further than to a partner.
+    /// Sends discs to the ranks of their strips. No disc flies further than to a partner.
     pub fn bring(&mut self, partners: &[usize], moved: Vec<DiscWire>) {
         let rank = self.rank();
         let mut lists = vec![Vec::new(); partners.len()];
@@ -209,7 +209,7 @@ impl<T: Deciding> SpatialCuts<T> {
 impl<T: Deciding> Simulation for SpatialCuts<T> {
     fn load(&mut self, scene: &Scene) {
         self.square = Square::of(scene);
-        // Any share will do to begin with: the cut sends each disc to its rank.
+        // The first share is arbitrary, because the cut sends each disc to its rank.
         let share = Cut { rows: scene.len(), ranks: self.ranks() }.block(self.rank());
         self.own = share.map(|number| DiscWire::new(number, &scene.discs()[number])).collect();
         self.finder = Planned::new(Workers::One, None).undecided();

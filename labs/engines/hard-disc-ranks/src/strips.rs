@@ -1,4 +1,4 @@
-//! The square in strips, one for each rank.
+//! The partition of the square into strips, one for each rank.
 
 use common_mpi::Traffic;
 use mpi::collective::SystemOperation;
@@ -8,29 +8,30 @@ use solution6::{Cuts, balanced};
 
 use crate::wire::DiscWire;
 
-/// Rows that cuts are made between, for each rank.
+/// Number of rows for each rank. Cuts are between rows.
 const ROWS_PER_RANK: usize = 512;
 
-/// The square cut into horizontal strips, one for each rank.
+/// The square, divided into horizontal strips, one for each rank.
 ///
-/// Strips are made of rows of equal height, which cover the positions of the discs when the cuts
-/// were made. What lies below or above counts to the first or last row. A rank's strip may be empty.
+/// A strip consists of rows of equal height, which cover the positions that the discs had when the
+/// strips were cut. Discs below or above the rows count to the first or last row. A rank's strip
+/// may be empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strips {
-    /// Where the first row begins.
+    /// The lower end of the first row.
     pub bottom: f64,
-    /// Height of a row; 0 if all discs were at the same height, and then there is one row.
+    /// Height of a row. It is 0 if all discs were at the same height, and then there is one row.
     pub height: f64,
     /// The rows of each rank.
     pub cuts: Cuts,
 }
 
-/// The ranks in whose strips a disc can be in this step: all from `first` to `last`.
+/// The ranks whose strips a disc can be in during this step: all from `first` to `last`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reach {
     /// The lowest rank.
     pub first: usize,
-    /// The highest.
+    /// The highest rank.
     pub last: usize,
 }
 
@@ -40,19 +41,20 @@ impl Reach {
         (self.first..=self.last).contains(&rank)
     }
 
-    /// Whether there are two or more.
+    /// Whether there are two or more ranks.
     pub fn is_shared(&self) -> bool {
         self.first < self.last
     }
 }
 
 impl Strips {
-    /// Strips with equal numbers of discs, as far as cuts between rows allow. `own` are the discs of this
-    /// rank. All ranks call it together and get the same strips.
+    /// Returns strips with equal numbers of discs, as far as cuts between rows allow.
+    ///
+    /// `own` are the discs of this rank. All ranks call it together and get the same strips.
     pub fn balanced(world: &SimpleCommunicator, own: &[DiscWire], traffic: &mut Traffic) -> Self {
         let low = own.iter().map(|disc| disc.y).fold(f64::INFINITY, f64::min);
         let high = own.iter().map(|disc| disc.y).fold(f64::NEG_INFINITY, f64::max);
-        // One reduction finds both ends: the least of −y is the greatest y.
+        // One reduction finds both ends, because the least −y is the negative of the greatest y.
         let own_ends = [low, -high];
         let mut ends = [0.0; 2];
         world.all_reduce_into(&own_ends[..], &mut ends[..], SystemOperation::min());
@@ -77,19 +79,20 @@ impl Strips {
     }
 
     fn row(&self, y: f64) -> usize {
-        // The conversion takes what is negative, or no number because the height is 0, to 0.
+        // The conversion turns negative numbers into 0, and also NaN, the result for height 0.
         (((y - self.bottom) / self.height) as usize).min(self.rows() - 1)
     }
 
-    /// The rank in whose strip height `y` lies. It never decreases as y grows.
+    /// Returns the rank whose strip contains height `y`. It never decreases as y grows.
     #[inline]
     pub fn rank_of(&self, y: f64) -> usize {
         self.cuts.owner(self.row(y))
     }
 
-    /// The ranks that `rank` may have to send a disc to, its *partners*: the ranks whose strips begin no
-    /// further than `range` from its own. If a is a partner of b then b is one of a. A rank with an empty
-    /// strip has none.
+    /// Returns the *partners* of `rank`: the ranks that it may have to send a disc to.
+    ///
+    /// Their strips begin within `range` of the strip of `rank`. If a is a partner of b, then b is
+    /// a partner of a. A rank with an empty strip has no partners.
     pub fn partners(&self, rank: usize, range: f64) -> Vec<usize> {
         if self.cuts.block(rank).is_empty() {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! What engines count.
+//! The counters of the engines.
 
 use common_mpi::Traffic;
 use hard_discs::{Candidate, Hit};
@@ -6,27 +6,29 @@ use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// What one rank has counted since a scene was loaded.
+/// The counters of a rank since a scene was loaded.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Tally {
-    /// Pairs looked at.
+    /// Number of pairs that were tested.
     pub pair_tests: u64,
-    /// Candidates found.
+    /// Number of candidates that were found.
     pub candidates: u64,
     pairs: u64,
     walls: u64,
 }
 
 impl Tally {
-    /// Collisions that happened.
+    /// Counts the collisions that happened.
     pub fn taken(&mut self, taken: &[Candidate]) {
         let pairs = taken.iter().filter(|c| matches!(c.hit, Hit::Pair(..))).count();
         self.pairs += pairs as u64;
         self.walls += (taken.len() - pairs) as u64;
     }
 
-    /// The counters of all ranks together, in the words of lab 7, and what they have sent. All
-    /// ranks call it together; only the root gets an answer that means anything.
+    /// Returns the counters of all ranks together, with the names of lab 7, and the messages that
+    /// were sent.
+    ///
+    /// All ranks call it together; only the root's result is valid.
     pub fn report(
         &self,
         world: &SimpleCommunicator,

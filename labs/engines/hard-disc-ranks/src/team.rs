@@ -1,4 +1,4 @@
-//! Which rank does what under a master, and messages between master and workers.
+//! The team of a master and its workers, and messages between them.
 
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
@@ -17,35 +17,37 @@ pub struct Team {
 }
 
 impl Team {
-    /// The team of a job of `ranks` ranks. A master that is alone has to work.
+    /// Returns the team of a job of `ranks` ranks. A master without other ranks is a worker too.
     pub fn new(ranks: usize, master_works: bool) -> Self {
         let master_works = master_works || ranks == 1;
         Self { workers: ranks - usize::from(!master_works), master_works }
     }
 
-    /// The rank of a worker.
+    /// Returns the rank of a worker.
     pub fn rank(&self, worker: usize) -> Rank {
         (worker + usize::from(!self.master_works)) as Rank
     }
 
-    /// The worker that a rank is; none for a master that does not work.
+    /// Returns the worker that a rank is; `None` for a master that does not work.
     pub fn worker(&self, rank: Rank) -> Option<usize> {
         (rank as usize).checked_sub(usize::from(!self.master_works))
     }
 }
 
-/// How lists travel from the master to the workers, and back. All ranks call each function together.
+/// Messages from the master to the workers, and back. All ranks call each function together.
 pub trait Messages: Sized + 'static {
-    /// Sends each worker its list, and returns it there: `lists[k]` is for worker k. `lists` matters on the master
-    /// only. A master that does not work gets an empty list.
+    /// Sends each worker its list, and returns the list of this worker: `lists[k]` is for worker k.
+    ///
+    /// Only the master's `lists` matter. A master that does not work gets an empty list.
     fn hand_out<W: Equivalence + Clone>(
         world: &SimpleCommunicator,
         team: Team,
         lists: &[Vec<W>],
     ) -> Vec<W>;
 
-    /// Returns the lists of all workers at the master, one behind the other in the order of workers; elsewhere
-    /// nothing.
+    /// Returns the lists of all workers on the master, one after another in the order of workers.
+    ///
+    /// The result is empty on other ranks.
     fn collect<W: Equivalence + Clone>(world: &SimpleCommunicator, team: Team, own: &[W])
     -> Vec<W>;
 }

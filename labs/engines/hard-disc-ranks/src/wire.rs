@@ -1,4 +1,4 @@
-//! What a disc and a candidate look like in a message.
+//! Discs and candidates in messages.
 
 use common::hard::Disc;
 use hard_discs::{Candidate, Hit};
@@ -12,7 +12,7 @@ pub struct DiscWire {
     pub x: f64,
     /// Centre along y.
     pub y: f64,
-    /// Velocity along x: its displacement in one step.
+    /// Velocity along x: the displacement in one step.
     pub vx: f64,
     /// Velocity along y.
     pub vy: f64,
@@ -20,18 +20,18 @@ pub struct DiscWire {
     pub pair_collisions: u32,
     /// Collisions with walls since the start.
     pub wall_collisions: u32,
-    /// Its number in the scene.
+    /// The disc's number in the scene.
     pub number: u64,
 }
 
 impl DiscWire {
-    /// Disc number `number`.
+    /// Converts disc number `number`.
     pub fn new(number: usize, disc: &Disc) -> Self {
         let Disc { x, y, vx, vy, pair_collisions, wall_collisions } = *disc;
         Self { x, y, vx, vy, pair_collisions, wall_collisions, number: number as u64 }
     }
 
-    /// Its number in the scene, as an index into the list of all discs.
+    /// Returns the disc's number in the scene, as an index into the list of all discs.
     pub fn index(&self) -> usize {
         self.number as usize
     }
@@ -48,25 +48,25 @@ impl From<&DiscWire> for Disc {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Equivalence)]
 #[repr(C)]
 pub struct CandidateWire {
-    /// When, as a part λ of the step.
+    /// The time of the collision as a part λ of the step.
     pub time: f64,
-    /// What: 0 a corner, 1 an x wall, 2 a y wall, 3 a pair.
+    /// The kind of the collision: 0 a corner, 1 an x wall, 2 a y wall, 3 a pair.
     kind: u32,
     /// The first disc.
     first: u32,
     /// The second disc of a pair.
     second: u32,
-    /// Not 0 if it has been taken.
+    /// 1 if the candidate has been taken, otherwise 0.
     taken: u32,
 }
 
 impl CandidateWire {
-    /// A candidate that has been taken.
+    /// Converts a candidate that has been taken.
     pub fn taken(candidate: &Candidate) -> Self {
         Self { taken: 1, ..candidate.into() }
     }
 
-    /// Whether it has been taken.
+    /// Whether the candidate has been taken.
     pub fn is_taken(&self) -> bool {
         self.taken != 0
     }

@@ -1,8 +1,9 @@
-//! The greedy rule of hard discs against the exact motion: how much is lost because a disc collides once in a step.
+//! Compares the greedy rule of hard discs with the exact motion: a disc collides at most once in a
+//! step.
 //!
-//! The rule takes the earliest collision of each disc and lets the disc fly on for the rest of the step, through every
-//! disc that it would have met next. The shorter the step, the rarer that is. The exact motion, collision by collision,
-//! tells how much is lost.
+//! The rule takes the earliest collision of each disc. For the rest of the step the disc flies
+//! through every disc that it would have met next. The shorter the step, the rarer are such discs.
+//! The exact motion, collision by collision, shows how much the rule loses.
 
 use std::env;
 use std::f64::consts::PI;
@@ -14,11 +15,11 @@ use oracle::Random;
 use oracle::hard::{Exact, step};
 use serde_json::json;
 
-/// Part of the square that the discs cover, and scenes to average over.
+/// Share of the square that the discs cover, and number of scenes in an average.
 const FRACTION: f64 = 0.1;
 const SCENES: u64 = 20;
 
-/// Discs along a side of the start's lattice, its side, and the time that passes.
+/// Discs along a side of the lattice at the start, side of the square, and total time.
 const ALONG: u32 = 10;
 const SIDE: f64 = 100.0;
 const TIME: f64 = 16.0;
@@ -28,13 +29,13 @@ const SPEED: f64 = 2.0;
 
 const COMMAND: &str = "cargo run --release -p hard-discs --example greedy --";
 
-/// Losses with steps of one length, averaged over the scenes.
+/// The loss with steps of one length, averaged over the scenes.
 struct Loss {
     /// Mean distance that a disc flies in a step, in radii.
     way: f64,
-    /// Collisions by the rule.
+    /// Number of collisions by the rule.
     collisions: f64,
-    /// Collisions of the exact motion.
+    /// Number of collisions of the exact motion.
     exact: f64,
     /// Mean distance between the end of a disc and its exact end, in radii.
     error: f64,
@@ -83,7 +84,8 @@ impl Loss {
         }
         let scenes = SCENES as f64;
         Self {
-            // The mean magnitude of a velocity whose components are uniform in −SPEED … SPEED.
+            // This is the mean magnitude of a velocity whose components are uniform in −SPEED …
+            // SPEED.
             way: 0.765 * SPEED * TIME / f64::from(steps) / radius,
             collisions: taken as f64 / scenes,
             exact: exact as f64 / scenes,
@@ -106,8 +108,9 @@ fn start(radius: f64, seed: u64) -> Vec<Disc> {
     discs
 }
 
-/// Moves the discs by the rule, adds its collisions to `taken`, and returns where the discs end. A step of the rule has
-/// length 1, so velocities are scaled.
+/// Moves the discs by the rule, adds its collisions to `taken`, and returns the discs at the end.
+///
+/// A step of the rule has length 1, so velocities are scaled.
 fn greedy(start: &[Disc], radius: f64, steps: u32, taken: &mut u64) -> Vec<Disc> {
     let length = TIME / f64::from(steps);
     let mut discs: Vec<_> =

@@ -1,18 +1,20 @@
-//! How the candidates of a window are put in order.
+//! Ways to put the candidates of a window in order.
 
 use crate::collisions::{Candidate, Collisions};
 use crate::find::Found;
 use workers::Workers;
 
-/// How the candidates of a window are put in order. All take the same ones.
+/// A way to put the candidates of a window in order. The way does not change which candidates are
+/// taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
-    /// Put all in one list and sort it, as the report does (with quicksort).
+    /// All candidates go into one list, which is sorted, as in the report (with quicksort).
     Sort,
-    /// The same, but all workers sort the list together. The sort in [`Collisions::take_in_order`] finds nothing to do.
+    /// All workers sort the list together. The sort in [`Collisions::take_in_order`] then finds it
+    /// sorted.
     SortTogether,
-    /// Every worker sorts its own list. Then the library's merge sort finds sorted runs, and merges them (the
-    /// report's future work).
+    /// Every worker sorts its own list. The library's merge sort then finds sorted runs, and merges
+    /// them (the report's future work).
     Merge,
 }
 

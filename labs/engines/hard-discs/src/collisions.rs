@@ -1,4 +1,4 @@
-//! Collisions: which could happen in a step, which do, and what they do.
+//! Collisions: candidates in a step, the choice among them, and their effect.
 
 use std::cmp::Ordering;
 
@@ -6,24 +6,23 @@ use common::hard::Disc;
 
 use crate::geometry::Square;
 
-/// What a disc would collide with.
+/// The walls or the discs of a collision.
 ///
-/// The order of the kinds, and within a kind of the numbers, is the order in which candidates of
-/// the same time are taken: the derived order is just that one.
+/// Candidates of the same time are taken in the derived order: by kind, then by number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Hit {
-    /// Disc a with two walls at once.
+    /// Disc a hits two walls at once.
     Corner(u32),
-    /// Disc a with the left or the right wall.
+    /// Disc a hits the left or the right wall.
     WallX(u32),
-    /// Disc a with the lower or the upper wall.
+    /// Disc a hits the lower or the upper wall.
     WallY(u32),
-    /// Discs a < b with each other.
+    /// Discs a < b hit each other.
     Pair(u32, u32),
 }
 
 impl Hit {
-    /// The disc, or the first of the two.
+    /// Returns the number of the disc, or of the first of two discs.
     #[inline]
     pub fn first(self) -> u32 {
         match self {
@@ -31,7 +30,7 @@ impl Hit {
         }
     }
 
-    /// The second disc of a pair.
+    /// Returns the number of the second disc of a pair, or `None` for a wall.
     #[inline]
     pub fn second(self) -> Option<u32> {
         match self {
@@ -44,28 +43,32 @@ impl Hit {
 /// A collision that happens unless one of its discs collides earlier in the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
-    /// When, as a part λ of the step: 0 ≤ λ ≤ 1 for walls, 0 ≤ λ < 1 for pairs.
+    /// The time of the collision as a part λ of the step: 0 ≤ λ ≤ 1 for walls, 0 ≤ λ < 1 for pairs.
     pub time: f64,
-    /// Which disc, and what it hits.
+    /// The disc, and the walls or the disc that it hits.
     pub hit: Hit,
 }
 
-/// The rules of a collision, as every engine asks for them.
+/// The rules of a collision, which every engine uses.
 ///
-/// A type that implements it has no values: it is a name for a set of functions, and the compiler
-/// writes an engine for each.
+/// A type that implements the trait has no values: it is the name of a set of functions, and the
+/// compiler makes an engine for each such type.
 pub trait Collisions: Sized + Send + Sync + 'static {
-    /// The collision of disc number `a` with the walls in this step, if nothing stops it before.
+    /// Returns the collision of disc number `a` with the walls in this step, if nothing stops it
+    /// before.
     fn wall_hit(a: u32, disc: &Disc, square: Square) -> Option<Candidate>;
 
-    /// The collision of discs number `a` < `b` of this radius in this step, if nothing stops them before.
+    /// Returns the collision of discs `a` < `b` of this radius in this step, if nothing stops them
+    /// before.
     fn pair_hit(discs: &[Disc], a: u32, b: u32, radius: f64) -> Option<Candidate>;
 
-    /// Which of two candidates is taken first: a total order.
+    /// Returns which of two candidates is taken first. It is a total order.
     fn order(a: &Candidate, b: &Candidate) -> Ordering;
 
-    /// Appends to `taken`, in this order, the candidates that happen: those whose discs are all still `free`.
-    /// They are not free any more afterwards. The candidates are left in any order.
+    /// Appends the candidates that happen to `taken`, in this order, and marks their discs as not
+    /// free.
+    ///
+    /// A candidate happens if its discs are all still `free`. The candidates are left in any order.
     fn take_in_order(candidates: &mut [Candidate], free: &mut [bool], taken: &mut Vec<Candidate>);
 
     /// Moves a disc that hits walls at `time` from the start of the step to its end.
@@ -75,10 +78,10 @@ pub trait Collisions: Sized + Send + Sync + 'static {
     fn collide(a: &mut Disc, b: &mut Disc, time: f64, square: Square);
 }
 
-/// A disc that has collided at the end of the step, and the other one of a pair.
+/// The disc of a collision at the end of the step, and the other disc of a pair.
 pub(crate) type Outcome = (Disc, Option<Disc>);
 
-/// What a collision that was taken makes of its disc or its two, as they were at the start of the step.
+/// Returns the discs of a collision at the end of the step; `discs` are at its start.
 pub(crate) fn outcome<C: Collisions>(
     candidate: &Candidate,
     discs: &[Disc],
@@ -101,7 +104,7 @@ pub(crate) fn write_back(hit: Hit, (first, second): Outcome, discs: &mut [Disc])
     }
 }
 
-/// Carries out the collisions that were taken, on discs as they were at the start of the step.
+/// Carries out the collisions in `taken`, on discs at the start of the step.
 pub fn resolve<C: Collisions>(taken: &[Candidate], discs: &mut [Disc], square: Square) {
     for candidate in taken {
         write_back(candidate.hit, outcome::<C>(candidate, discs, square), discs);

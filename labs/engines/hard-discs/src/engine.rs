@@ -1,4 +1,4 @@
-//! The engine: what every variant keeps from step to step.
+//! The engine: the data that every variant keeps from step to step.
 
 use std::marker::PhantomData;
 
@@ -11,13 +11,15 @@ use crate::geometry::Square;
 use crate::threads::pieces::{collect, for_each, map_pieces};
 use workers::Workers;
 
-/// How a step goes.
+/// The order of search, decision and move in a step.
 pub trait Step: Collisions {
-    /// Finds all collisions of a step, chooses among them, and moves the discs of `engine` to its end.
+    /// Finds all collisions of a step, chooses among them, and moves the discs to the end of the
+    /// step.
     fn step<F: Find>(engine: &mut Engine<Self, F>);
 }
 
-/// Collisions that are carried out before their discs are written back: it bounds the memory for them.
+/// Number of collisions that are computed before their discs are written back. It bounds the memory
+/// for them.
 const BATCH: usize = 1 << 16;
 
 // ANCHOR: engine
@@ -28,17 +30,17 @@ pub struct Engine<C, F> {
     pub square: Square,
     /// The discs, by number. They move at the end of a step.
     pub discs: Vec<Disc>,
-    /// Whether disc i has not collided yet in this step.
+    /// Whether each disc has not collided yet in this step.
     pub free: Vec<bool>,
-    /// The wall collisions of this step that could happen, the earliest first if there are several windows.
+    /// The candidates with walls in this step, the earliest first if there are several windows.
     pub walls: Vec<Candidate>,
     /// The collisions of this step that happen, in the order in which they were taken.
     pub taken: Vec<Candidate>,
-    /// What was found in a window.
+    /// The result of the search in a window.
     pub found: Found,
-    /// What finds pairs.
+    /// The search for pairs.
     pub finder: F,
-    /// How candidates are put in order.
+    /// The way to put candidates in order.
     pub choice: Choice,
     /// The threads.
     pub workers: Workers,
@@ -46,7 +48,7 @@ pub struct Engine<C, F> {
 }
 // ANCHOR_END: engine
 
-/// What an engine counts.
+/// The engine's counters.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tally {
     pairs: u64,
@@ -55,7 +57,7 @@ struct Tally {
 }
 
 impl<C: Collisions, F: Find> Engine<C, F> {
-    /// An engine that does its simple loops with `workers`.
+    /// Makes an engine that runs its simple loops on `workers`.
     pub fn new(finder: F, choice: Choice, workers: Workers) -> Self {
         Self {
             rules: PhantomData,
@@ -72,7 +74,7 @@ impl<C: Collisions, F: Find> Engine<C, F> {
         }
     }
 
-    /// Fills `walls`, sorted by time if there are several windows to spread them over.
+    /// Finds the candidates with walls; sorts them by time if there are several windows.
     pub fn find_walls(&mut self, windows: usize) {
         let square = self.square;
         self.tally.windows += windows as u64;
@@ -85,8 +87,8 @@ impl<C: Collisions, F: Find> Engine<C, F> {
         }
     }
 
-    /// Moves all discs to the end of the step: those that are free by a whole step, and those of the collisions that
-    /// were taken as these say.
+    /// Moves all discs to the end of the step: free discs straight, the others by the collisions in
+    /// `taken`.
     pub fn move_discs(&mut self) {
         let free = &self.free;
         for_each(&self.workers, &mut self.discs, |number, disc| {
@@ -95,7 +97,8 @@ impl<C: Collisions, F: Find> Engine<C, F> {
                 disc.y += disc.vy;
             }
         });
-        // No disc is in two collisions, so workers may do any of them at the same time.
+        // Every disc is in at most one collision, so workers may compute any collisions at the same
+        // time.
         for taken in self.taken.chunks(BATCH) {
             let discs = &self.discs;
             let square = self.square;

@@ -1,36 +1,36 @@
-//! A disc in a row of cells.
+//! Entries: a disc in a row of cells.
 
 /// A disc in a row of cells that its box reaches into.
 ///
-/// A disc is entered in every row that its box touches, but only once in each: in the column
-/// where the box begins. Only cells where a box begins exist at all, so that memory grows with the
+/// A disc has an entry in every row that its box touches, but only one in each row: in the column
+/// where the box begins. Only cells in which a box begins are stored, so memory grows with the
 /// number of discs and not with the square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// The cell where the box begins in this row: row × columns + column.
+    /// The cell in which the box begins in this row: row × columns + column.
     pub cell: u64,
-    /// In how many further columns the box goes on.
+    /// Number of further columns that the box reaches into.
     pub further: u32,
-    /// The disc's number; the highest bit says that this is not the first row that it is in.
+    /// The disc's number. The highest bit is set if this is not the first row of the disc.
     disc: u32,
 }
 
 const NOT_FIRST: u32 = 1 << 31;
 
 impl Entry {
-    /// An entry of disc number `disc`; `first` if it is in no row below.
+    /// Makes an entry of disc number `disc`; `first` if no row below contains the disc.
     #[inline]
     pub fn new(cell: u64, further: u32, disc: u32, first: bool) -> Self {
         Self { cell, further, disc: disc | if first { 0 } else { NOT_FIRST } }
     }
 
-    /// The disc's number.
+    /// Returns the disc's number.
     #[inline]
     pub fn disc(&self) -> u32 {
         self.disc & !NOT_FIRST
     }
 
-    /// Whether this is the lowest row that the disc is in.
+    /// Whether this is the lowest row of the disc.
     #[inline]
     pub fn is_first(&self) -> bool {
         self.disc & NOT_FIRST == 0

@@ -1,4 +1,4 @@
-//! The search: what all ways to find pairs have in common.
+//! The interface of all searches, and their result.
 
 use std::sync::{Mutex, MutexGuard};
 
@@ -9,19 +9,19 @@ use workers::Workers;
 use crate::collisions::Candidate;
 use crate::geometry::{Square, Window};
 
-/// What was found, and what it took.
+/// The result of a search, and its costs.
 #[derive(Debug, Default)]
 pub struct Found {
     /// The candidates, in lists of any lengths and orders: one for each worker that found some.
     pub lists: Vec<Vec<Candidate>>,
-    /// How many pairs were tested.
+    /// Number of pairs that were tested.
     pub pair_tests: u64,
-    /// How many candidates there were to choose among.
+    /// Number of candidates to choose among.
     pub candidates: u64,
 }
 
 impl Found {
-    /// Forgets the candidates, keeps the memory, and makes sure that there are `lists` lists.
+    /// Removes the candidates, keeps the memory, and makes sure that there are `lists` lists.
     pub fn clear(&mut self, lists: usize) {
         self.lists.iter_mut().for_each(Vec::clear);
         if self.lists.len() < lists {
@@ -30,25 +30,30 @@ impl Found {
     }
 }
 
-/// A way to find the pairs that collide: what engines differ in.
+/// A search for the pairs that collide. Engines differ in their searches.
 pub trait Find: Send {
-    /// The workers on one of which the whole step is to run. What a thread hands over to others of its own
-    /// pool costs less than what comes from outside; it shows where a step has many short loops.
+    /// Returns the workers that the whole step is to run on.
+    ///
+    /// A thread hands work to its own pool at a lower cost than a thread from outside. The
+    /// difference shows in steps with many short loops.
     fn home(&self) -> Workers {
         Workers::One
     }
 
-    /// Called at the start of every step: into how many windows of equal length the finder wants
-    /// it cut. All but [`Planned`](crate::Planned) want one.
+    /// Returns the number of windows of equal length into which to divide the next step.
+    ///
+    /// The engine calls it at the start of every step. All finders but [`Planned`](crate::Planned)
+    /// return 1.
     fn windows(&mut self, discs: &[Disc], square: Square) -> usize {
         let _ = (discs, square);
         1
     }
 
-    /// Adds to `found` every pair of discs that are both `free` and that collide
-    /// ([`Collisions::pair_hit`](crate::Collisions::pair_hit)) at a time in `window`. It must not miss one, nor find one twice.
+    /// Adds to `found` every pair of `free` discs that collides at a time in `window`.
     ///
-    /// Discs stand where they are at the start of the *step*, whatever the window.
+    /// The collisions are those of [`Collisions::pair_hit`](crate::Collisions::pair_hit). A search
+    /// must not miss a pair, nor find it twice. The positions of the discs are those at the start
+    /// of the *step*, whatever the window.
     fn find(
         &mut self,
         discs: &[Disc],
@@ -59,16 +64,17 @@ pub trait Find: Send {
     );
 }
 
-/// Candidates, and how many pairs were tested to find them.
+/// Candidates, and the number of pairs that were tested to find them.
 pub(crate) type Tested = (Vec<Candidate>, u64);
 
-/// What each of several workers finds.
+/// The candidates that each of several workers finds.
 ///
-/// On cache lines of their own: the queue of single pairs takes a list for each of them.
+/// Each list has its own cache lines, because the queue of single pairs locks a list for each of
+/// them.
 pub(crate) struct Lists(Vec<CachePadded<Mutex<Tested>>>);
 
 impl Lists {
-    /// `count` empty lists, with the memory of those in `found`.
+    /// Takes the memory of the lists in `found`, as `count` empty lists.
     pub(crate) fn take(found: &mut Found, count: usize) -> Self {
         found.clear(count);
         Self(found.lists.drain(..).map(|list| CachePadded::new(Mutex::new((list, 0)))).collect())

@@ -1,4 +1,4 @@
-//! A search in the report's grid of three levels.
+//! The search in the report's grid of three levels.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -14,21 +14,24 @@ use crate::parallel_loops::ParallelLoops;
 use crate::survey::Survey;
 use crate::threads::{Schedule, Team};
 
-/// Blocks of all levels: 4 × 4 small ones, numbers 0 to 15; 2 × 2 medium ones, 16 to 19; the
-/// whole square, 20.
+/// Number of blocks of all levels.
+///
+/// There are 4 × 4 small blocks with numbers 0 to 15, 2 × 2 medium blocks with numbers 16 to 19,
+/// and the whole square, 20.
 pub const BLOCKS: usize = 21;
 
-/// What workers take from the queue.
+/// The unit of work that a worker takes from the queue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Deal {
-    /// A number of discs at a time.
+    /// This number of discs.
     Discs(usize),
-    /// A whole block at a time.
+    /// A whole block.
     Blocks,
 }
 
-/// Every disc is in the smallest block that its box of this step fits into. It can only meet the
-/// discs of the same block and of the blocks around.
+/// A search in which every disc is in the smallest block that contains its box of this step.
+///
+/// A disc can meet only the discs of its block and of blocks that overlap with it.
 pub struct Grid<C> {
     rules: PhantomData<C>,
     workers: Workers,
@@ -37,7 +40,7 @@ pub struct Grid<C> {
 }
 
 impl<C: BroadPhase> Grid<C> {
-    /// A grid that is dealt out to `workers` from a queue.
+    /// Makes a grid whose work `workers` take from a queue.
     pub fn new(workers: Workers, deal: Deal) -> Self {
         Self { rules: PhantomData, workers, deal, blocks: vec![Vec::new(); BLOCKS] }
     }
@@ -64,7 +67,7 @@ impl<C: Collisions + BroadPhase + ParallelLoops> Find for Grid<C> {
     ) {
         self.fill(discs, square, window);
         let blocks = &self.blocks;
-        // The iterations of the loop: a block, and the indices of discs in it.
+        // The iterations of the loop: each is a block and a range of indices of discs in it.
         let whole = blocks.iter().enumerate().map(|(block, discs)| (block, 0..discs.len()));
         let (iterations, chunk): (Vec<(usize, Range<usize>)>, _) = match self.deal {
             Deal::Blocks => (whole.collect(), 1),

@@ -1,31 +1,33 @@
 //! Hard discs: an engine for discs that fly straight until they hit a wall or each other.
 //!
-//! A step is a search and a decision. The search finds the *candidates*, all collisions that could happen in the
-//! step; the decision takes them in order of time, each whose discs have not collided yet in this step. This library
-//! has searches ([`Find`]) and the engine around them ([`Engine`]). What a collision *is* it asks of a type
-//! that its user gives:
+//! A step is a search and a decision. The search finds the *candidates*: all collisions that could
+//! happen in the step. The decision takes candidates in order of time, each if its discs have not
+//! collided yet in this step. This library contains searches ([`Find`]) and the engine around them
+//! ([`Engine`]). The user's type makes the decisions; it implements these traits:
 //!
-//! | trait | what it says | who asks |
-//! |-------|--------------|----------|
-//! | [`Collisions`] | when two discs touch, which candidate is first, what a collision does | all |
-//! | [`Step`] | in what order an engine searches, decides and moves | [`Engine`] |
+//! | trait | decisions | used by |
+//! |-------|-----------|---------|
+//! | [`Collisions`] | times of collisions, order of candidates, effect of a collision | all |
+//! | [`Step`] | the order of search, decision and move | [`Engine`] |
 //! | [`ParallelLoops`] | how threads share loops | [`Loops`], [`Grid`] |
 //! | [`BroadPhase`] | swept boxes, blocks, cells, windows of time | [`Grid`], [`Planned`] |
 //!
-//! Calls are resolved by the compiler: an engine is compiled for each such type, and its functions are inlined.
+//! The compiler resolves the calls: it compiles an engine for each such type, and inlines the
+//! functions.
 //!
-//! | search | pairs that it looks at | threads |
-//! |--------|------------------------|---------|
-//! | [`AllPairs`] | all | one |
-//! | [`Loops`] | all | share one of the two loops, or both |
-//! | [`Grid`] | those in blocks that overlap, of 4 × 4, 2 × 2 and 1 | share the discs |
-//! | [`Planned`] | those whose swept boxes share cells, in windows of time | share discs, then strips |
+//! | search | pairs that it tests | work of the threads |
+//! |--------|---------------------|---------------------|
+//! | [`AllPairs`] | all | there is one thread |
+//! | [`Loops`] | all | they share one of the two loops, or both |
+//! | [`Grid`] | pairs in overlapping blocks, of 4 × 4, 2 × 2 and 1 | they share the discs |
+//! | [`Planned`] | pairs whose swept boxes share cells | they share discs, then strips |
 //!
-//! All find the same candidates, so an engine gives the same bits with each, and with any number of threads.
+//! All searches find the same candidates, so an engine gives the same bits with each of them, on
+//! any number of threads.
 //!
 //! # Example
 //!
-//! Marbles in a row that meet head-on, and what a search finds of them in a step:
+//! Two marbles in a row meet head-on, and a search finds their collision:
 //!
 //! ```
 //! use std::cmp::Ordering;
@@ -70,11 +72,11 @@
 //!
 //! # Shapes, units, errors
 //!
-//! Discs are a slice, and a disc's number is its index. All have the same radius and mass. Lengths are in the
-//! scene's unit, times in steps (λ, from 0 to 1), velocities in lengths a step. A
-//! [`Scene`](common::hard::Scene) is checked when it is made, so nothing here fails on bad input; only threads
-//! that the system refuses are an error ([`Workers::new`]). Each step costs memory in proportion to discs and
-//! candidates.
+//! Discs are a slice, and a disc's number is its index. All discs have the same radius and mass.
+//! Lengths are in the scene's unit, times in steps (λ, from 0 to 1), velocities in lengths per
+//! step. A [`Scene`](common::hard::Scene) is checked when it is made, so nothing here fails on bad
+//! input. The only error is that the system refuses threads ([`Workers::new`]). The memory of a
+//! step is proportional to the number of discs and candidates.
 
 mod broad_phase;
 mod cells;

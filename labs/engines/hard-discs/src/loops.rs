@@ -1,4 +1,4 @@
-//! All pairs: by one thread, and by several.
+//! Searches that test all pairs: with one thread, and with several.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -13,7 +13,7 @@ use crate::pairs::{look_along, look_for};
 use crate::parallel_loops::{ParallelLoops, Which};
 use crate::threads::{LockedCount, Schedule, SharedCount, Slots, Team};
 
-/// All pairs a < b, by one thread.
+/// A search that tests all pairs a < b with one thread.
 pub struct AllPairs<C>(PhantomData<C>);
 
 impl<C> Default for AllPairs<C> {
@@ -33,18 +33,18 @@ impl<C: Collisions> Find for AllPairs<C> {
     }
 }
 
-/// Where workers put the candidates that they find.
+/// The place where workers store the candidates that they find.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Collect {
-    /// Each into a list of its own.
+    /// Each worker has its own list.
     Own,
-    /// All into one array, whose counter is behind a lock.
+    /// All workers append to one array, whose counter is behind a lock.
     Locked,
-    /// All into one array, whose counter is atomic.
+    /// All workers append to one array, whose counter is atomic.
     Atomic,
 }
 
-/// All pairs a < b, by several threads.
+/// A search that tests all pairs a < b with several threads.
 pub struct Loops<C> {
     rules: PhantomData<C>,
     which: Which,
@@ -55,7 +55,8 @@ pub struct Loops<C> {
 }
 
 impl<C> Loops<C> {
-    /// Shares `which` loop out to `workers`; of two loops the outer one by `schedule`.
+    /// Divides `which` loop among `workers`; if both loops are divided, `schedule` is for the outer
+    /// one.
     pub fn new(which: Which, schedule: Schedule, collect: Collect, workers: Workers) -> Self {
         Self { rules: PhantomData, which, schedule, collect, workers, shared: Slots::default() }
     }
@@ -65,7 +66,8 @@ impl<C: Collisions + ParallelLoops> Find for Loops<C> {
     fn find(&mut self, discs: &[Disc], _: &[bool], square: Square, _: Window, found: &mut Found) {
         let radius = square.radius;
         let team = Team::Standing(&self.workers);
-        // A list for each worker; in nested loops for each of each worker's team.
+        // There is a list for each worker; in nested loops there is one for each member of each
+        // worker's team.
         let lists = Lists::take(found, team.count() * team.count());
         let shared = &self.shared;
         let locked = LockedCount::default();

@@ -1,4 +1,4 @@
-//! A look at pairs: one disc and those of higher numbers.
+//! Tests pairs of one disc with discs of higher numbers.
 
 use std::ops::Range;
 
@@ -6,13 +6,12 @@ use common::hard::Disc;
 
 use crate::collisions::{Candidate, Collisions};
 
-/// Whether two discs come near enough to touch at any time, past or future: `false` only where
-/// [`Collisions::pair_hit`] gives none.
+/// Whether two discs come near enough to touch at any time, past or future.
 ///
-/// It asks first whether they approach each other. That is true of every second pair, so the
-/// processor guesses wrong half of the time, and a wrong guess costs more than the rest of the
-/// function. The answer here is nearly always no. The slack is for rounding: discs that overlap
-/// pass it in exact numbers.
+/// It is `false` only if [`Collisions::pair_hit`] returns `None`. The collision test first asks
+/// whether the discs approach each other. Half of all pairs do, so the processor mispredicts every
+/// second test, which costs more than the rest of the function. The result here is nearly always
+/// `false`. The slack is for rounding: discs that overlap pass the test in exact numbers.
 #[inline]
 pub fn may_touch(a: &Disc, b: &Disc, radius: f64) -> bool {
     let velocity = b.velocity() - a.velocity();
@@ -20,15 +19,14 @@ pub fn may_touch(a: &Disc, b: &Disc, radius: f64) -> bool {
     cross * cross <= 4.000_001 * radius * radius * velocity.norm_squared()
 }
 
-/// The pairs that a search looks at together where that pays, without a branch between them: they fill vector
+/// Number of pairs that a search tests together without a branch, so that they fill vector
 /// registers.
 pub const LANES: usize = 8;
 
-/// Looks at the pairs of disc `a` with every disc in `partners`, all of higher numbers than `a`, and calls `found` with
-/// the candidate of each pair that collides in this step.
+/// Tests the pairs of disc `a` with `partners`, and calls `found` with each candidate of this step.
 ///
-/// `found` is called for these only. [`Vec::extend`] by an `Option` writes the list's length even if there is nothing
-/// to add, and lists of two threads may share a line of the cache.
+/// All `partners` have higher numbers than `a`. [`Vec::extend`] with an `Option` would write the
+/// list's length for every pair, and the lists of two threads may share a line of the cache.
 #[inline]
 pub fn look_for<C: Collisions>(
     discs: &[Disc],
@@ -44,7 +42,7 @@ pub fn look_for<C: Collisions>(
     }
 }
 
-/// The same, with the candidates appended to `list`.
+/// Tests the pairs of disc `a` with `partners`, and appends the candidates of this step to `list`.
 pub fn look_along<C: Collisions>(
     discs: &[Disc],
     a: usize,

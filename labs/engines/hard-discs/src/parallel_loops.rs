@@ -1,25 +1,26 @@
-//! How several threads share a search.
+//! The interface for searches that several threads share.
 
 use std::ops::Range;
 
 use crate::collisions::Candidate;
 use crate::threads::{LockedCount, Schedule, SharedCount, Slots, Team};
 
-/// Which of the two loops over pairs is shared out.
+/// The loop over pairs that threads share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which {
-    /// The loop over a: a list for each thread.
+    /// The loop over a, with a list for each thread.
     Outer,
-    /// The loop over b: a list for each thread.
+    /// The loop over b, with a list for each thread.
     Inner,
-    /// Both, the inner one by a fresh team of as many threads: a list for each thread of each thread's team.
+    /// Both loops. New teams of as many threads run the inner loops, with a list for each thread of
+    /// each team.
     Nested,
 }
 
-/// Loops that threads share out, and an array that they fill together.
+/// Parallel loops, and an array that threads fill together.
 pub trait ParallelLoops {
-    /// Runs a loop over `0..n`: calls `body(worker, part)`, on all threads of a team, for parts that together are
-    /// `0..n`.
+    /// Runs a loop over `0..n`: the threads of a team call `body(worker, part)` for parts of the
+    /// range.
     fn parallel_for(
         n: usize,
         team: Team,
@@ -27,10 +28,11 @@ pub trait ParallelLoops {
         body: impl Fn(usize, Range<usize>) + Sync,
     );
 
-    /// All pairs a < b of `n` discs, with `which` loop shared out; of two loops the outer one by `schedule`.
+    /// Visits all pairs a < b of `n` discs, and divides `which` loop among threads.
     ///
-    /// `look(list, a, partners)` looks at disc a and every disc in `partners`, and puts what it finds into list number
-    /// `list`. No two threads use the same list at the same time.
+    /// If both loops are divided, `schedule` is for the outer one. `look(list, a, partners)` tests
+    /// disc a with every disc in `partners`, and stores the candidates in list number `list`. No
+    /// two threads use the same list at the same time.
     fn all_pairs(
         which: Which,
         n: usize,
@@ -39,9 +41,9 @@ pub trait ParallelLoops {
         look: impl Fn(usize, usize, Range<usize>) + Sync,
     );
 
-    /// Appends a candidate to an array that all threads write into, whose counter is behind a lock.
+    /// Appends a candidate to an array that all threads write to. Its counter is behind a lock.
     fn append_locked(list: &Slots, count: &LockedCount, candidate: Candidate);
 
-    /// The same with an atomic counter.
+    /// Appends a candidate to an array that all threads write to. Its counter is atomic.
     fn append_atomic(list: &Slots, count: &SharedCount, candidate: Candidate);
 }

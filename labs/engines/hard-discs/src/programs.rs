@@ -1,4 +1,4 @@
-//! The engines as programs: their parameters, and how they are built.
+//! Builds the engines as programs from their parameters.
 
 use common::hard::Simulation;
 use common::{BuildError, Config, Parameter};
@@ -18,7 +18,7 @@ use crate::threads::Schedule;
 pub const CHUNK: Parameter =
     Parameter { name: "chunk", about: "iterations in a chunk", default: 1.0, range: (1.0, 1e9) };
 
-/// The same of a grid, where an iteration is a disc.
+/// The number of discs that a worker takes from the queue of a grid together.
 pub const DISC_CHUNK: Parameter =
     Parameter { name: "chunk", about: "discs in a chunk", default: 16.0, range: (1.0, 1e9) };
 
@@ -43,17 +43,19 @@ fn engine<C: Step>(finder: impl Find + 'static, choice: Choice, workers: Workers
     Ok(Box::new(Engine::<C, _>::new(finder, choice, workers)))
 }
 
-/// Builds an engine that looks at all pairs, by one thread.
+/// Builds an engine that tests all pairs with one thread.
 pub fn all_pairs<C: Step>(_: &Config) -> Built {
     engine::<C>(AllPairs::<C>::default(), Choice::Sort, Workers::One)
 }
 
-/// A queue of iterations, in chunks of the parameter [`CHUNK`].
+/// Returns the schedule with a queue of iterations, in chunks of the parameter [`CHUNK`].
 pub fn dynamic(config: &Config) -> Schedule {
     Schedule::Dynamic { chunk: config.parameter(CHUNK.name) as usize }
 }
 
-/// Builds an engine that looks at all pairs, with `which` loop shared out; of two loops the outer one by `schedule`.
+/// Builds an engine that tests all pairs and divides `which` loop among threads.
+///
+/// If both loops are divided, `schedule` is for the outer one.
 ///
 /// # Errors
 /// The system refuses the threads.
@@ -61,8 +63,9 @@ pub fn loops<C: Step + ParallelLoops>(config: &Config, which: Which, schedule: S
     built::<C>(config, which, schedule, Collect::Own, Choice::Sort)
 }
 
-/// Builds an engine that looks at all pairs, with discs from a queue ([`dynamic`]); candidates are collected and put in
-/// order in these ways.
+/// Builds an engine that tests all pairs with discs from a queue ([`dynamic`]).
+///
+/// `collect` and `choice` are the ways to collect candidates and to put them in order.
 ///
 /// # Errors
 /// The system refuses the threads.
@@ -86,14 +89,15 @@ fn built<C: Step + ParallelLoops>(
     engine::<C>(loops, choice, workers)
 }
 
-/// Builds an engine with a grid of three levels, by one thread.
+/// Builds an engine with a grid of three levels and one thread.
 pub fn grid<C: Step + BroadPhase + ParallelLoops>(_: &Config) -> Built {
     let grid = Grid::<C>::new(Workers::One, Deal::Blocks);
     engine::<C>(grid, Choice::Sort, Workers::One)
 }
 
-/// Builds the same for several threads, which take from a queue: discs in chunks ([`DISC_CHUNK`]), or whole blocks
-/// ([`WHOLE_BLOCKS`]).
+/// Builds an engine with a grid of three levels and several threads, which take work from a queue.
+///
+/// The queue contains discs in chunks ([`DISC_CHUNK`]) or whole blocks ([`WHOLE_BLOCKS`]).
 ///
 /// # Errors
 /// The system refuses the threads.
@@ -115,7 +119,7 @@ pub fn cells<C: Step + BroadPhase>(config: &Config) -> Built {
     in_windows::<C>(config, Some(1))
 }
 
-/// Builds an engine with sorted occupied cells, and the step in as many windows as the parameter [`WINDOWS`] says.
+/// Builds an engine with sorted occupied cells. The parameter [`WINDOWS`] is the number of windows.
 ///
 /// # Errors
 /// The system refuses the threads.

@@ -1,4 +1,4 @@
-//! What the discs of a scene are like on the whole.
+//! A survey of a scene: the averages and bounds that a plan needs.
 
 use std::f64::consts::SQRT_2;
 
@@ -8,33 +8,38 @@ use workers::Workers;
 use crate::geometry::Square;
 use crate::threads::pieces::map_pieces;
 
-/// What the discs of a scene are like on the whole: enough to plan a step. Lengths are in the scene's unit, and
-/// velocities in lengths a step.
+/// Averages and bounds of a scene's discs, from which a step can be planned.
+///
+/// Lengths are in the scene's unit, and velocities in lengths per step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Survey {
     /// Number of discs.
     pub n: usize,
-    /// Mean of |vx| and of |vy|.
+    /// Means of |vx| and of |vy|.
     pub speed: (f64, f64),
     /// The greatest |vx| or |vy|.
     pub fastest: f64,
-    /// The least and the greatest x of a centre at the start or the end of the step, inside the square.
+    /// The least and the greatest x of a centre inside the square, at the start or the end of the
+    /// step.
     pub x: (f64, f64),
-    /// The same along y.
+    /// The least and the greatest y, likewise.
     pub y: (f64, f64),
-    /// Discs that a disc would meet in the step, if all were free to the end. A disc that has met one is not free
-    /// any more, and the later windows of a step have fewer to look at.
+    /// Number of discs that a disc would meet in the step if all discs were free to the end.
+    ///
+    /// A disc that has met another one is no longer free, so the later windows of a step have fewer
+    /// discs.
     pub meetings: f64,
 }
 
 impl Survey {
-    /// Looks at all discs once.
+    /// Surveys the discs with one thread.
     pub fn of(discs: &[Disc], square: Square) -> Self {
         Self::by(&Workers::One, discs, square)
     }
 
-    /// The same with the help of `workers`. The means are sums over pieces, and the pieces are the same
-    /// for any number of workers.
+    /// Surveys the discs with `workers`.
+    ///
+    /// The means are sums over pieces, which are the same for any number of workers.
     pub fn by(workers: &Workers, discs: &[Disc], square: Square) -> Self {
         let pieces = map_pieces(workers, discs, |_, piece| Self::sums(piece, square));
         let mut all = pieces.into_iter().reduce(Self::and).unwrap_or_default();
@@ -42,13 +47,13 @@ impl Survey {
         all.speed.1 /= discs.len() as f64;
         let reach = 2.0 * square.radius;
         let area = (all.x.1 - all.x.0).max(reach) * (all.y.1 - all.y.0).max(reach);
-        // Two velocities of any directions differ by √2 of their size, in the mean.
+        // On average, two velocities of random directions differ by √2 of their magnitude.
         let relative = SQRT_2 * all.speed.0.hypot(all.speed.1);
         all.meetings = discs.len() as f64 / area * 2.0 * reach * relative;
         all
     }
 
-    /// A survey with the sums of |vx| and |vy| instead of their means.
+    /// Returns a survey with the sums of |vx| and |vy| instead of their means.
     fn sums(discs: &[Disc], square: Square) -> Self {
         let nowhere = (f64::INFINITY, f64::NEG_INFINITY);
         let mut survey = Self { n: discs.len(), x: nowhere, y: nowhere, ..Self::default() };
@@ -62,7 +67,7 @@ impl Survey {
         survey
     }
 
-    /// The sums of two pieces.
+    /// Returns the sums and bounds of two pieces together.
     fn and(self, other: Self) -> Self {
         Self {
             n: self.n + other.n,
@@ -75,7 +80,7 @@ impl Survey {
     }
 }
 
-/// The least and the greatest coordinate of a range, and of `a` and `b`.
+/// Returns a range that is extended to `a` and `b`.
 fn widened((low, high): (f64, f64), a: f64, b: f64) -> (f64, f64) {
     (low.min(a).min(b), high.max(a).max(b))
 }

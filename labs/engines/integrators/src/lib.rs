@@ -1,9 +1,9 @@
-//! Soft discs moved by any integrator: engines for which a step is what their user makes of it.
+//! Soft discs moved by any integrator, which the user supplies.
 //!
-//! - [`Integrated`]: all particles take the same step at the same time, by any [`Method`]: drifts and kicks of a
-//!   [`System`], or [`RungeKutta`].
-//! - [`Located`]: a Runge-Kutta method that ends its steps at contacts and walls. Particles that could touch within a
-//!   step form a group, and only the group is stopped.
+//! - [`Integrated`]: all particles take the same step at the same time, by any [`Method`]: drifts
+//!   and kicks of a [`System`], or [`RungeKutta`].
+//! - [`Located`]: a Runge-Kutta method that ends its steps at contacts and walls. Particles that
+//!   could touch within a step form a group, and an event ends only the step of its group.
 //! - [`Mixed`]: the official step with positions in single precision, relative to their cell.
 //!
 //! ```
@@ -37,13 +37,13 @@
 //!
 //! # Rules
 //!
-//! [`RungeKutta`] and [`Located`] ask a type that implements [`Rules`] for the slopes of a step, and for the moment of
-//! an event. `solution12::Tasks` is one.
+//! A type that implements [`Rules`] gives [`RungeKutta`] and [`Located`] the slope of a step, and
+//! [`Located`] the time of an event. `solution12::Tasks` is such a type.
 //!
 //! # Units and errors
 //!
-//! Lengths, times and speeds are those of the model in [`common::soft`]. A scene is checked when it is
-//! built, so nothing here can fail. The results are the same on any number of threads.
+//! Lengths, times and speeds have the units of the model in [`common::soft`]. A scene is checked
+//! when it is built, so nothing here can fail. The results are the same on any number of threads.
 
 mod located;
 mod mixed;
@@ -58,7 +58,7 @@ pub use rules::{Rules, Watched};
 pub use state::State;
 pub use together::{Integrated, Method, RungeKutta, System};
 
-/// How many official steps one stands for.
+/// The length of a step in official steps.
 pub const STRETCH: common::Parameter = common::Parameter {
     name: "stretch",
     about: "official steps that a step stands for: 2 is a time step of 0.001",

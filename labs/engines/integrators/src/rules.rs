@@ -1,19 +1,21 @@
-//! What the engines ask of their user.
+//! The decisions that the engines leave to their user.
 
 use common::Vec2;
 
 use crate::state::State;
 
-/// What a Runge-Kutta method asks for, and one that stops at events.
+/// The slope of a Runge-Kutta step, and the time of an event.
 pub trait Rules: Send + Sync + 'static {
-    /// Six times the slope that a step of length `h` from `start` follows as a whole.
+    /// Returns six times the slope that a step of length `h` from `start` follows.
     ///
-    /// `accelerations(at, a)` writes the accelerations of all particles at positions `at` into `a`, which
-    /// is as long, and overwrites what stands there.
+    /// `accelerations(at, a)` overwrites `a` with the accelerations of all particles at positions
+    /// `at`. Both slices have the same length.
     fn slopes(start: &State, h: f64, accelerations: &mut dyn FnMut(&[Vec2], &mut [Vec2])) -> State;
 
-    /// The first moment from 0 to `h` at which a number falls through zero, if it does. `start` is its value and
-    /// slope at 0, `end` at `h`, and `at` computes them anywhere between.
+    /// Returns the first time from 0 to `h` at which a number falls through zero, or `None`.
+    ///
+    /// `start` is the value and slope of the number at time 0, `end` at time `h`. `at` computes
+    /// them at any time between.
     fn first_fall(
         start: Watched,
         end: Watched,
@@ -22,11 +24,11 @@ pub trait Rules: Send + Sync + 'static {
     ) -> Option<f64>;
 }
 
-/// An event function at some moment: a number that is at least 0 until the event, and its slope.
+/// An event function at some time: a number that is at least 0 until the event, and its slope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Watched {
-    /// The number.
+    /// The value of the function.
     pub value: f64,
-    /// Its change per unit of time.
+    /// The change of the value per unit of time.
     pub slope: f64,
 }

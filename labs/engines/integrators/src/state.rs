@@ -3,10 +3,10 @@
 use common::Vec2;
 use common::soft::{Particle, Scene};
 
-/// Where particles are and how fast: one entry for each particle in both arrays, by ascending id.
+/// Positions and velocities of particles, by ascending id.
 ///
-/// A slope, which says how fast a state changes, has the same shape: `at` is then the velocities, and `v` the
-/// accelerations.
+/// A slope, the change of a state per unit of time, has the same shape: `at` is then the
+/// velocities, and `v` the accelerations.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
     /// Positions, in units of length.
@@ -16,7 +16,7 @@ pub struct State {
 }
 
 impl State {
-    /// The particles of a scene.
+    /// Returns the state of a scene's particles.
     pub fn of(scene: &Scene) -> Self {
         let particles = scene.particles();
         Self {
@@ -25,13 +25,16 @@ impl State {
         }
     }
 
-    /// The state that a straight line along `slope`, which is as long, leads to within a time `h`:
-    /// `at + h * slope.at`, and `v + h * slope.v`.
+    /// Returns the state after a straight line along `slope` for a time `h`.
+    ///
+    /// It is `at + h * slope.at` and `v + h * slope.v`.
+    ///
+    /// `slope` has as many particles as the state.
     pub fn along(&self, slope: &Self, h: f64) -> Self {
         Self { at: along(&self.at, &slope.at, h), v: along(&self.v, &slope.v, h) }
     }
 
-    /// Writes the particles with ids `first .. first + out.len()` into `out`.
+    /// Writes the particles with ids `first .. first + out.len()` to `out`.
     pub(crate) fn read(&self, first: usize, out: &mut [Particle]) {
         let moving = self.at.iter().zip(&self.v).enumerate().skip(first);
         for (slot, (id, (at, v))) in out.iter_mut().zip(moving) {
@@ -40,7 +43,7 @@ impl State {
     }
 }
 
-/// `from + h * slope`.
+/// Returns `from + h * slope`, element by element.
 fn along(from: &[Vec2], slope: &[Vec2], h: f64) -> Vec<Vec2> {
     from.iter().zip(slope).map(|(&from, &slope)| from + h * slope).collect()
 }

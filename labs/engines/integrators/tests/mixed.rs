@@ -4,7 +4,10 @@ use common::soft::{CUTOFF, Particle, Scene, Simulation};
 use integrators::Mixed;
 use oracle::{Model, Random};
 
-/// How far a particle is off after three steps of 64, `offset` from the walls of a box of side `size`.
+/// Returns the greatest error of 64 particles after three steps.
+///
+/// The particles begin near a corner, at a distance `offset` from the walls of a box of side
+/// `size`.
 fn error(size: f64, offset: f64) -> f64 {
     let mut random = Random::new(4);
     let particles = (0..64_u32).map(|id| {

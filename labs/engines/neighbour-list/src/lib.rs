@@ -1,8 +1,10 @@
-//! A fast engine for soft discs: particles that only feel each other within a cutoff radius.
+//! A fast engine for soft discs: particles that exert forces on each other only within a cutoff
+//! radius.
 //!
-//! Particles are sorted by cell, so that neighbours in the box are neighbours in memory. A list holds all
-//! pairs that could touch until the next rebuild. One pass over it computes the forces and moves the
-//! particles, block by block, in vector registers, on as many threads as you like.
+//! Particles are sorted by cell, so that neighbours in the box are neighbours in memory. A list
+//! contains all pairs that could touch before the next rebuild. One pass over the list computes the
+//! forces and moves the particles, block by block, in vector registers, on as many threads as you
+//! like.
 //!
 //! ```
 //! use common::soft::{CUTOFF, NoStatistics, Particle, Scene, Simulation};
@@ -43,34 +45,35 @@
 //! # }
 //! ```
 //!
-//! **Shapes.** Particles are a structure of arrays, [`Bodies`], in the engine's own order: cell by cell.
-//! `id` says which particle of the scene each is. A pair is two indices of that order, the smaller one
-//! first. A rebuild sorts anew, and indices from before it mean other particles.
+//! **Shapes.** Particles are a structure of arrays, [`Bodies`], in the engine's order: cell by
+//! cell. Its `id` contains the number of each particle in the scene. A pair is two indices of that
+//! order, the smaller one first. A rebuild sorts the particles again, so earlier indices become
+//! invalid.
 //!
-//! **Units.** Lengths are those of the box, times are steps of [`DT`](common::soft::DT), a skin given to
-//! [`NeighbourList::new`] is in cutoffs. Costs ([`LISTED`]) are nanoseconds.
+//! **Units.** Lengths are in units of the box, and times in steps of [`DT`](common::soft::DT). The
+//! skin that you give to [`NeighbourList::new`] is in cutoffs. Costs ([`LISTED`]) are nanoseconds.
 //!
-//! **Errors.** A [`Scene`](common::soft::Scene) was checked when it was made. Only threads that the system refuses are an
-//! error ([`Workers::new`]).
+//! **Errors.** A [`Scene`](common::soft::Scene) is checked when it is made. The only error here is
+//! that the system refuses threads ([`Workers::new`]).
 //!
 //! **Bits.** The same scene gives the same bits on any number of threads and on any processor.
 //!
-//! Its primitives are those of lab 10. The engine itself is `neighbour-list-core`, for somebody who has primitives of
-//! their own.
+//! The primitives are those of lab 10. If you have your own primitives, use the package
+//! `neighbour-list-core`, which contains the engine itself.
 
 pub use neighbour_list_core::*;
 pub use solution10::{collect, filter};
 
-/// The engine, seen by an observer `O`.
+/// The engine with the primitives of lab 10 and an observer `O`.
 pub type NeighbourList<O> = neighbour_list_core::NeighbourList<O, solution10::Tasks>;
 
-/// Pairs within the cutoff, and their accelerations.
+/// Memory for pairs within the cutoff, and their accelerations.
 pub type Contacts = neighbour_list_core::Contacts<solution10::Tasks>;
 
-/// The neighbour list: which particles might touch until the next rebuild.
+/// The neighbour list: the pairs that may touch before the next rebuild.
 pub mod list {
     pub use neighbour_list_core::list::*;
 
-    /// The pairs that may come near each other until the list has expired.
+    /// The pairs that may come within the cutoff before the list expires.
     pub type Neighbours = neighbour_list_core::list::Neighbours<solution10::Tasks>;
 }

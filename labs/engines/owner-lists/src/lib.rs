@@ -1,10 +1,12 @@
-//! Linked lists by their owners: the CSC367 report's program (sections 2.1 and 2.2).
+//! Linked lists with owners: the CSC367 report's program (sections 2.1 and 2.2).
 //!
-//! Each thread has consecutive rows of bins. It reads all particles and puts those of its rows into linked lists, whose
-//! nodes are made once. It looks at every pair of its rows once, and at the pairs of its last row with the row above.
-//! Then the particles are dealt out by their numbers, and moved.
+//! Each thread has consecutive rows of bins. It reads all particles and puts those of its rows into
+//! linked lists, whose nodes are allocated once. It tests every pair of its rows once, and the
+//! pairs of its last row with the row above. Then threads share the particles by their numbers, and
+//! move them.
 //!
-//! The report does not say how two threads add to one particle at a border. Here each thread has sums of its own.
+//! The report does not say how two threads add to one particle at a border. Here each thread has
+//! its own sums.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -17,19 +19,19 @@ use solution1::{advance, pair_acceleration};
 use solution2::{BinLists, Grid, forward};
 use solution3::{pool, rows_of_each};
 
-/// A thread's rows.
+/// A thread's rows and lists.
 struct Owner {
     rows: Range<usize>,
-    /// Of the bins in its rows, with a node for each particle of all.
+    /// Lists of the bins in its rows, with a node for each particle of the scene.
     lists: BinLists,
-    /// What a node takes that is made anew in each step: a particle and a link.
+    /// The memory of nodes that are allocated again in each step: a particle and a link.
     #[expect(clippy::vec_box, reason = "memory of its own for each node is what this measures")]
     fresh: Vec<Box<[usize; 2]>>,
 }
 
-/// What a thread has found in this step.
+/// The results of a thread in this step.
 struct Sums<O> {
-    /// By the particles' numbers. Valid in its own rows and in the row above.
+    /// Accelerations by the particles' numbers, valid in the thread's rows and in the row above.
     accelerations: Vec<Vec2>,
     observer: O,
 }
@@ -40,17 +42,18 @@ pub struct OwnerLists<O> {
     bin_size: f64,
     fresh: bool,
     grid: Grid,
-    /// In the order of their numbers.
+    /// The particles, in the order of their numbers.
     particles: Vec<Particle>,
     owners: Vec<Owner>,
     sums: Vec<Sums<O>>,
-    /// The thread that owns a row.
+    /// The thread that owns each row.
     owner_of: Vec<usize>,
 }
 
 impl<O: Observer> OwnerLists<O> {
-    /// An engine for `threads` threads and bins of `bin_size` cutoffs or more. With `fresh` it asks for the memory of a
-    /// node for each particle in each step, and gives it back.
+    /// Makes an engine for `threads` threads and bins of `bin_size` cutoffs or more.
+    ///
+    /// With `fresh` it allocates a node for each particle in each step, and frees it.
     pub fn new(threads: usize, bin_size: f64, fresh: bool) -> Self {
         Self {
             pool: Arc::new(pool(threads)),
@@ -64,7 +67,7 @@ impl<O: Observer> OwnerLists<O> {
         }
     }
 
-    /// All threads read all particles. Each fills its lists, and sets to zero what it will add to.
+    /// Fills the lists and clears the sums of all threads. Each thread reads all particles.
     fn fill_lists(&mut self) {
         let Self { grid, particles, fresh, .. } = self;
         self.owners.par_iter_mut().zip(&mut self.sums).for_each(|(owner, sums)| {
@@ -99,7 +102,8 @@ impl<O: Observer> OwnerLists<O> {
         });
     }
 
-    /// A particle's acceleration: its owner's sum, and what the owner of the row below has added across the border.
+    /// Moves the particles. The owner of the row below may have added to a particle's acceleration
+    /// across the border.
     fn move_particles(&mut self) {
         let Self { grid, sums, owner_of, .. } = self;
         let share = self.particles.len().div_ceil(sums.len()).max(1);
@@ -118,8 +122,11 @@ impl<O: Observer> OwnerLists<O> {
     }
 }
 
-/// Adds the forces of all pairs of a bin, and of those with the bins after it, to both particles. Of the two owners the
-/// first has the bin, the second has the row above the first one's rows.
+/// Adds the forces of all pairs of a bin, and of its pairs with the bins after it, to both
+/// particles.
+///
+/// The first of the two owners has the bin, and the second has the row above the first owner's
+/// rows.
 fn sum_bin<O: Observer>(
     sums: &mut Sums<O>,
     grid: &Grid,

@@ -1,5 +1,4 @@
-//! The border of a rank: own particles that are ghosts elsewhere, ghosts that are here, and the
-//! pairs of both.
+//! The border of a rank: its particles that are ghosts elsewhere, its own ghosts, and their pairs.
 
 use common::soft::Observer;
 use mpi::Rank;
@@ -9,22 +8,23 @@ use neighbour_list::{Bodies, Contacts, External};
 use crate::partition::Strips;
 use crate::sent_halo::Halo;
 
-/// What was chosen when the list was rebuilt, and the positions of the step.
+/// The ghosts that were chosen when the list was rebuilt, and the positions of the current step.
 #[derive(Default)]
 pub(crate) struct Border {
-    /// The ranks on the other side.
+    /// The ranks that exchange ghosts with this rank.
     pub(crate) partners: Vec<Rank>,
-    /// For each partner the indices of the own particles that it needs.
+    /// For each partner, the indices of this rank's particles that it needs.
     chosen: Vec<Vec<u32>>,
-    /// Their positions: all x, then all y.
+    /// The positions of these particles: all x, then all y.
     pub(crate) sent: Vec<Vec<f64>>,
-    /// The ghosts that each partner sends, in the same form.
+    /// The positions of the ghosts that each partner sends, in the same form.
     pub(crate) received: Vec<Vec<f64>>,
-    /// Pairs of an affected particle, its index in `affected`, and a ghost, counted behind them.
+    /// Pairs of an affected particle and a ghost: the index in `affected`, and an index in `x` and
+    /// `y`.
     pairs: Vec<Pair>,
-    /// The own particles on which ghosts may exert forces, ascending.
+    /// The particles of this rank that ghosts may exert forces on, ascending.
     pub(crate) affected: Vec<u32>,
-    /// Where the affected particles are, and behind them the ghosts.
+    /// The positions of the affected particles and, behind them, of the ghosts.
     x: Vec<f64>,
     y: Vec<f64>,
     ax: Vec<f64>,
@@ -33,7 +33,7 @@ pub(crate) struct Border {
 }
 
 impl Border {
-    /// Chooses the ghosts of all `partners`.
+    /// Chooses the particles that each partner needs.
     pub(crate) fn choose<T: Halo>(
         &mut self,
         bodies: &Bodies,
@@ -49,13 +49,13 @@ impl Border {
         self.pack(bodies);
     }
 
-    /// How many ghosts are here.
+    /// Returns the number of ghosts that this rank has.
     #[inline]
     pub(crate) fn ghosts(&self) -> usize {
         self.received.iter().map(|positions| positions.len() / 2).sum()
     }
 
-    /// Lists the pairs within `reach` of own particles and the ghosts that came with `received`.
+    /// Lists the pairs within `reach` of this rank's particles and the ghosts in `received`.
     pub(crate) fn list<T: Halo>(&mut self, received: Vec<Vec<f64>>, reach: f64) {
         self.received = received;
         self.pairs.clear();
@@ -76,7 +76,7 @@ impl Border {
         }
     }
 
-    /// Looks where the own particles of the border are now.
+    /// Copies the positions of this rank's particles at the border.
     #[inline]
     pub(crate) fn pack(&mut self, bodies: &Bodies) {
         for (to, chosen) in self.sent.iter_mut().zip(&self.chosen) {
@@ -90,7 +90,7 @@ impl Border {
         fetch(&mut self.y, &bodies.y, &self.affected);
     }
 
-    /// The accelerations of own particles by the ghosts, whose positions have just arrived.
+    /// Returns the accelerations of this rank's particles by ghosts, whose positions just arrived.
     pub(crate) fn accelerations(&mut self, observer: &mut impl Observer) -> External<'_> {
         let Self { pairs, received, affected, x, y, ax, ay, contacts, .. } = self;
         for sums in [&mut *ax, &mut *ay] {
@@ -112,13 +112,13 @@ impl Border {
     }
 }
 
-/// Appends the numbers with these indices in `from`.
+/// Appends the elements of `from` with these indices.
 #[inline]
 fn fetch(to: &mut Vec<f64>, from: &[f64], indices: &[u32]) {
     to.extend(indices.iter().map(|index| from[*index as usize]));
 }
 
-/// Positions as they are sent.
+/// Returns positions that arrived in a message as x and y.
 #[inline]
 fn halves(positions: &[f64]) -> Positions<'_> {
     let (x, y) = positions.split_at(positions.len() / 2);

@@ -1,5 +1,7 @@
-//! Ghosts several cutoffs deep: a rank moves them itself, and is silent for an epoch of several
+//! The engine with deep ghosts: a rank moves its ghosts itself, and sends nothing for several
 //! steps.
+//!
+//! A drawing of epochs is in [`epoch`](crate::epoch).
 
 use std::marker::PhantomData;
 
@@ -11,38 +13,41 @@ use neighbour_list::Bodies;
 use crate::deep_halo::{DeepHalo, Outlook};
 use crate::domain::Domain;
 
-/// One rank of the job: the engine of a neighbour list on the particles of a strip and on its ghosts, which are
-/// particles like any other until the epoch is over.
+/// One rank of the job: the engine of a neighbour list on the particles of a strip and on its
+/// ghosts.
 ///
-/// Statistics would count a pair on each rank that knows it, so there are none.
+/// Until the epoch is over, ghosts are particles like all others. There are no statistics, because
+/// a pair would be counted on every rank that has both particles.
 // ANCHOR: deep
 pub struct Deep<T> {
     pub(crate) domain: Domain<NoStatistics>,
     pub(crate) epoch: Epoch,
     /// Ids of the ghosts, ascending.
     pub(crate) ghosts: Vec<u32>,
-    /// The checkpoint: own particles and ghosts as they were when the epoch began.
+    /// The checkpoint: own particles and ghosts at the beginning of the epoch.
     pub(crate) kept: Bodies,
-    /// How far any particle may have gone since then, in steps that all ranks confirmed.
+    /// The greatest distance that a particle may have gone since then, in steps that all ranks have
+    /// confirmed.
     pub(crate) gone: f64,
-    /// The facts by which all ranks plan the next epoch.
+    /// The facts that all ranks use to plan the next epoch.
     pub(crate) outlook: Outlook,
-    /// Epochs in which all ranks rolled back, since the scene was loaded.
+    /// Number of epochs that ended with a rollback, since the scene was loaded.
     pub(crate) taken_again: u64,
     asks: PhantomData<T>,
 }
 // ANCHOR_END: deep
 
-/// The steps that ghosts were chosen for.
+/// An epoch: the steps that ghosts were chosen for.
 #[derive(Default)]
 pub(crate) struct Epoch {
-    /// Number of steps of the epoch; 0 when it is over.
+    /// Number of steps of the epoch; 0 when the epoch is over.
     pub(crate) planned: usize,
-    /// Depth of the ghosts.
+    /// Depth of the ghosts; a length.
     pub(crate) width: f64,
     /// The greatest distance that a particle of this rank went, for each step that was taken.
     pub(crate) moves: Vec<f64>,
-    /// The share of its list's life that a step takes on this rank, and its own particles.
+    /// This rank's [`wear`](Domain::wear) of its list by a step, and the number of its own
+    /// particles.
     pub(crate) own: [f64; 2],
 }
 
@@ -51,14 +56,14 @@ impl Epoch {
         self.planned == 0
     }
 
-    /// Steps that are not yet taken.
+    /// Returns the number of steps that have not been taken yet.
     fn left(&self) -> u64 {
         (self.planned - self.moves.len()) as u64
     }
 }
 
 impl<T: DeepHalo> Deep<T> {
-    /// An engine without particles.
+    /// Makes an engine without particles.
     pub fn new(world: SimpleCommunicator, config: &Config) -> Self {
         Self {
             domain: Domain::new(world, config),
@@ -72,12 +77,12 @@ impl<T: DeepHalo> Deep<T> {
         }
     }
 
-    /// Begins with the particles that the domain was loaded with.
+    /// Begins with the particles that the domain has loaded.
     fn begin(&mut self) {
         self.epoch = Epoch::default();
         self.ghosts.clear();
         self.gone = 0.0;
-        // No rank has a list yet that tells how long it lasts. For one step no speed matters.
+        // No rank has a list yet that shows how long it lasts. One step is right at any speed.
         let height = self.domain.height();
         self.outlook = Outlook { fastest: 0.0, height, particles: 1.0, most: 1 };
         self.taken_again = 0;
@@ -118,7 +123,7 @@ impl<T: DeepHalo> Simulation for Deep<T> {
             let some = left.min(self.epoch.left());
             self.advance(some);
             left -= some;
-            // A reader of a run sees confirmed steps only, though the epoch may go on.
+            // After a run only confirmed steps can be read, even if the epoch continues.
             left += self.confirm();
         }
     }

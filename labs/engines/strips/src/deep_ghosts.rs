@@ -1,4 +1,4 @@
-//! Particles that other ranks need: sent once for all steps of an epoch, by the rank that had them.
+//! The exchange before an epoch: particles go to all ranks that need them, once for all steps.
 
 use std::ops::{Range, RangeInclusive};
 
@@ -13,7 +13,9 @@ use crate::deep::Deep;
 use crate::deep_halo::DeepHalo;
 
 impl<T: DeepHalo> Deep<T> {
-    /// Tells at which indices of the engine ghosts are. Deep inside the strip there is none.
+    /// Returns a function that tests whether the particle at an index of the engine is a ghost.
+    ///
+    /// Deep inside the strip there are no ghosts, so most particles need no search.
     pub(crate) fn is_ghost(&self) -> impl Fn(&usize) -> bool {
         let bodies = self.domain.engine.bodies();
         let inside = widened(self.domain.strips.strip(self.domain.rank()), -self.gone);
@@ -23,23 +25,25 @@ impl<T: DeepHalo> Deep<T> {
         }
     }
 
-    /// Forgets the ghosts of the last epoch.
+    /// Removes the ghosts of the last epoch.
     pub(crate) fn drop_ghosts(&mut self) {
         let n = self.domain.engine.bodies().len();
         let ghosts: Vec<usize> = (0..n).filter(self.is_ghost()).collect();
-        // From the last to the first, so that what fills a gap is no ghost.
+        // The order is from the last to the first, so that the particle that fills a gap is not a
+        // ghost.
         for index in ghosts.into_iter().rev() {
             self.domain.engine.bodies_mut().swap_remove(index);
         }
     }
 
-    /// Sends each partner the particles that it needs: those that are now in its strip, which become
-    /// its own, and those no further than `width` from it, which become its ghosts. What this
-    /// rank itself does not need any more it forgets.
+    /// Sends each partner the particles that it needs, and removes those that this rank no longer
+    /// needs.
     ///
-    /// One message to each partner does both, for a particle is sent by the rank that had it, to
-    /// every rank that needs it. It may have left its strip, as far as `gone`: partners are the ranks
-    /// that are so much nearer.
+    /// A partner needs the particles that are now in its strip, which become its own, and the
+    /// particles within `width` of it, which become its ghosts. One message to each partner is
+    /// enough, because the rank that had a particle sends it to every rank that needs it. The
+    /// particle may have left its strip by as much as `gone`, so ranks within `width` + `gone` are
+    /// partners.
     pub(crate) fn exchange(&mut self, width: f64) {
         let rank = self.domain.rank();
         let reach = self.domain.reach(width);
@@ -53,7 +57,8 @@ impl<T: DeepHalo> Deep<T> {
         let mut outgoing = vec![Vec::new(); partners.len()];
         self.ghosts.clear();
         let bodies = self.domain.engine.bodies_mut();
-        // From the last to the first, so that a particle that fills a gap has been handled.
+        // The order is from the last to the first, so that the particle that fills a gap has been
+        // handled.
         for index in (0..bodies.len()).rev() {
             let y = bodies.y[index];
             if alone.contains(&y) {
@@ -83,15 +88,16 @@ impl<T: DeepHalo> Deep<T> {
     }
 }
 
-/// A strip, wider by `width` at both ends; narrower with a negative `width`.
+/// Returns a strip that is wider by `width` at both ends, or narrower if `width` is negative.
 fn widened(strip: Range<f64>, width: f64) -> RangeInclusive<f64> {
     strip.start - width..=strip.end + width
 }
 
-/// Sends `outgoing[k]` to rank `partners[k]` and returns all that these sent, in their order.
+/// Sends `outgoing[k]` to rank `partners[k]`, and returns all that the partners sent, in their
+/// order.
 ///
-/// No side knows how long a message will be. The receiver looks at it before it makes room, so that no
-/// length has to be sent first.
+/// No rank knows the length of a message that arrives. The receiver probes the message before it
+/// makes room, so no length has to be sent first.
 fn exchange_whole(
     world: &SimpleCommunicator,
     partners: &[Rank],

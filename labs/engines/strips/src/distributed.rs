@@ -1,4 +1,4 @@
-//! Ghosts whose positions are sent in each step.
+//! The engine that sends the positions of ghosts in each step.
 
 use std::marker::PhantomData;
 
@@ -11,35 +11,36 @@ use crate::border::Border;
 use crate::domain::Domain;
 use crate::sent_halo::Halo;
 
-/// One rank of the job: the engine of a neighbour list on the particles of a strip, and nothing else of the scene
-/// but the positions of ghosts.
+/// One rank of the job: the engine of a neighbour list on the particles of a strip.
+///
+/// Of the other particles of the scene, it has only the positions of ghosts.
 // ANCHOR: engine
 pub struct Distributed<O, T> {
     pub(crate) domain: Domain<O>,
     pub(crate) border: Border,
-    /// How far from a strip its ghosts come.
+    /// The greatest distance of a ghost from the strip.
     pub(crate) width: f64,
-    /// How far an own particle may have gone since ghosts were chosen.
+    /// The greatest distance that a particle here may have gone since ghosts were chosen.
     pub(crate) moved: f64,
-    /// How far the fastest own particle goes in a step.
+    /// The distance that the fastest particle here goes in a step.
     pub(crate) fastest: f64,
     asks: PhantomData<T>,
 }
 // ANCHOR_END: engine
 
 impl<O: Observer, T: Halo> Distributed<O, T> {
-    /// An engine without particles.
+    /// Makes an engine without particles.
     pub fn new(world: SimpleCommunicator, config: &Config) -> Self {
         let domain = Domain::new(world, config);
         let border = Border::default();
         Self { domain, border, width: 0.0, moved: 0.0, fastest: 0.0, asks: PhantomData }
     }
 
-    /// Begins with the particles that the domain was loaded with.
+    /// Begins with the particles that the domain has loaded.
     fn begin(&mut self) {
         self.fastest = self.domain.fastest();
         self.border = Border::default();
-        // There are no ghosts yet.
+        // There are no ghosts yet, so the first step must choose some.
         self.width = 0.0;
         self.moved = f64::INFINITY;
     }

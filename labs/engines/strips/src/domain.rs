@@ -1,4 +1,5 @@
-//! What a rank has, whatever its ghosts are: its strip, and the engine of a neighbour list on the particles in it.
+//! The parts of a rank that both engines share: its strip, and the neighbour-list engine on its
+//! particles.
 
 use common::Config;
 use common::soft::{
@@ -17,7 +18,7 @@ use solution6::{Lab6, keep_share};
 
 use crate::partition::Strips;
 
-/// No list is expected to last longer.
+/// Greatest number of steps that a list is expected to last.
 const LONGEST: f64 = 200.0;
 
 /// A rank's part of the job.
@@ -26,7 +27,7 @@ pub(crate) struct Domain<O> {
     pub(crate) world: SimpleCommunicator,
     pub(crate) engine: NeighbourList<O>,
     pub(crate) rebalance: u64,
-    /// Rows that strips are made of.
+    /// The rows that strips are made of.
     pub(crate) grid: Grid,
     pub(crate) strips: Strips,
     pub(crate) traffic: Traffic,
@@ -34,27 +35,29 @@ pub(crate) struct Domain<O> {
 }
 // ANCHOR_END: domain
 
-/// What a rank counts since it was loaded.
+/// A rank's counters since the scene was loaded.
 #[derive(Default)]
 pub(crate) struct Counts {
     pub(crate) steps: u64,
-    /// Times that ghosts were chosen.
+    /// Number of times that ghosts were chosen.
     pub(crate) choices: u64,
-    /// Times that strips were cut again.
+    /// Number of times that strips were cut again.
     pub(crate) cuts: u64,
     /// Sum of the widths of ghosts over all choices.
     pub(crate) widths: f64,
-    /// Sum of their numbers.
+    /// Sum of the numbers of ghosts over all choices.
     pub(crate) ghosts: u64,
 }
 
-/// Steps that all lists should last, by the greatest [`wear`](Domain::wear) of all ranks.
+/// Returns the number of steps that all lists should last.
+///
+/// `wear` is the greatest [`wear`](Domain::wear) of all ranks.
 pub(crate) fn lists_last(wear: f64) -> u32 {
     (1.0 / wear).clamp(1.0, LONGEST).round() as u32
 }
 
 impl<O: Observer> Domain<O> {
-    /// A rank without particles.
+    /// Makes a rank without particles.
     pub(crate) fn new(world: SimpleCommunicator, config: &Config) -> Self {
         Self {
             world,
@@ -79,14 +82,14 @@ impl<O: Observer> Domain<O> {
         self.world.size() as usize
     }
 
-    /// Starts over from a scene that all ranks hold.
+    /// Starts from a scene that every rank has.
     pub(crate) fn load(&mut self, scene: &Scene) {
         self.start(scene.len(), scene.size(), &|keep| {
             scene.particles().iter().for_each(|particle| keep(*particle));
         });
     }
 
-    /// Starts over from the official scene, of which no rank holds more than its share.
+    /// Starts from the official scene. No rank stores more than its share of the particles.
     pub(crate) fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         let generator = OfficialParticles::new(n, seed)?;
         let n = n as usize;
@@ -94,7 +97,7 @@ impl<O: Observer> Domain<O> {
         Ok(())
     }
 
-    /// Starts over from the counter scene, of which no rank makes more than its share.
+    /// Starts from the counter scene. No rank makes more than its share of the particles.
     pub(crate) fn load_counter(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         let scene = CounterParticles::new(n, seed)?;
         let grid = Grid::new(scene.size(), CUTOFF, scene.count());
@@ -103,14 +106,14 @@ impl<O: Observer> Domain<O> {
         Ok(())
     }
 
-    /// Starts over from a scene of `n` particles in a box of side `size`.
+    /// Starts from a scene of `n` particles in a box of side `size`.
     fn start(&mut self, n: usize, size: f64, replay: Replay<'_>) {
         let grid = Grid::new(size, CUTOFF, n);
         let (cuts, share) = keep_share(&grid, self.ranks(), self.rank(), replay);
         self.begin(grid, &cuts, &share);
     }
 
-    /// Starts over with this rank's share of a scene.
+    /// Starts from this rank's share of a scene.
     fn begin(&mut self, grid: Grid, cuts: &Cuts, share: &[Particle]) {
         let mut bodies = Bodies::default();
         share.iter().for_each(|particle| bodies.push(*particle));
@@ -121,13 +124,15 @@ impl<O: Observer> Domain<O> {
         self.counts = Counts::default();
     }
 
-    /// How far the fastest particle goes in a step by its speed of now.
+    /// Returns the distance that the fastest particle goes in a step at its current speed.
     pub(crate) fn fastest(&self) -> f64 {
         self.engine.bodies().fastest() * DT
     }
 
-    /// What share of its list a step wears out, by the speeds that the list was made for; nothing on a rank
-    /// without particles.
+    /// Returns the share of its list's life that a step uses up, by the speeds that the list was
+    /// made for.
+    ///
+    /// It is 0 on a rank without particles.
     pub(crate) fn wear(&self) -> f64 {
         if self.engine.bodies().is_empty() {
             return 0.0;
@@ -136,22 +141,22 @@ impl<O: Observer> Domain<O> {
         1.0 / ((0.5 * skin / self.engine.limits().displacement()).floor() + 1.0)
     }
 
-    /// The rounding of a position in a step.
+    /// Returns the greatest rounding of a position in a step.
     pub(crate) fn rounding(&self) -> f64 {
         f64::EPSILON * self.grid.size()
     }
 
-    /// `width` and a little more: positions are rounded, and a pair must not be missed for that.
+    /// Returns slightly more than `width`, because rounded positions must not hide a pair.
     pub(crate) fn reach(&self, width: f64) -> f64 {
         width * (1.0 + 1e-9) + 1e-15 * self.grid.size()
     }
 
-    /// The height of a strip, on average.
+    /// Returns the mean height of a strip.
     pub(crate) fn height(&self) -> f64 {
         self.grid.size() / self.ranks() as f64
     }
 
-    /// Counts that `ghosts` were chosen, `width` wide.
+    /// Counts a choice of `ghosts` ghosts that are `width` wide.
     pub(crate) fn count_choice(&mut self, width: f64, ghosts: usize) {
         self.counts.choices += 1;
         self.counts.widths += width;
@@ -164,7 +169,7 @@ impl<O: Observer> Domain<O> {
         }
     }
 
-    /// The greatest of each number over all ranks.
+    /// Returns the greatest of each number over all ranks.
     pub(crate) fn greatest<const N: usize>(&mut self, own: [f64; N]) -> [f64; N] {
         let mut all = own;
         self.count_reduction(&own);
@@ -172,7 +177,7 @@ impl<O: Observer> Domain<O> {
         all
     }
 
-    /// The sum of each number over all ranks.
+    /// Returns the sum of each number over all ranks.
     pub(crate) fn sum(&mut self, own: &[u64]) -> Vec<u64> {
         let mut all = vec![0; own.len()];
         self.count_reduction(own);
@@ -180,15 +185,17 @@ impl<O: Observer> Domain<O> {
         all
     }
 
-    /// Collects the particles with ids `first .. first + out.len()` in the root's `out`: of each rank those
-    /// whose index in the engine is an own particle's by `is_own`.
+    /// Collects the particles with ids `first .. first + out.len()` in the root's `out`.
+    ///
+    /// `is_own` returns whether the particle at an index of the engine is this rank's own.
     pub(crate) fn read(&self, first: usize, out: &mut [Particle], is_own: impl Fn(usize) -> bool) {
         let bodies = self.engine.bodies();
         let own = (0..bodies.len()).filter(|&i| is_own(i)).map(|i| Wire::from(&bodies.get(i)));
         read_at_root(&self.world, own, first, out);
     }
 
-    /// What was counted; `choice` names the steps that ghosts last.
+    /// Returns the counters with their names. `choice` is the name for the number of steps that
+    /// ghosts last.
     pub(crate) fn counters(&self, choice: &'static str) -> Vec<(&'static str, f64)> {
         let mut counters = self.traffic.report(&self.world);
         counters.extend(report_memory(&self.world));

@@ -1,4 +1,22 @@
-//! Steps without a message, and the rollback if some of them were wrong.
+//! Epochs: steps without a message, and the rollback if some of them were wrong.
+//!
+//! The ghosts of an epoch of four steps reach four cutoffs beyond the strip, and further for the
+//! motion of particles. With each step the outermost of them stop being right (`x`), because they
+//! lack neighbours:
+//!
+//! ```text
+//!              own particles of the strip │ ghosts
+//! exchange     ● ● ● ● ● ● ● ● ● ● ● ● ●  │ ○ ○ ○ ○    messages to all partners; checkpoint
+//! step 1       ● ● ● ● ● ● ● ● ● ● ● ● ●  │ ○ ○ ○ x    no messages
+//! step 2       ● ● ● ● ● ● ● ● ● ● ● ● ●  │ ○ ○ x x
+//! step 3       ● ● ● ● ● ● ● ● ● ● ● ● ●  │ ○ x x x
+//! step 4       ● ● ● ● ● ● ● ● ● ● ● ● ●  │ x x x x
+//! confirm      how many steps were right on all ranks?  one reduction
+//!                 all 4:     the next epoch begins
+//!                 only 3:    back to the checkpoint, 3 steps again, then the next epoch
+//! ```
+//!
+//! A step may be wrong because a particle was faster than the ghosts were chosen for.
 
 use common::soft::NoStatistics;
 
@@ -6,8 +24,9 @@ use crate::deep::{Deep, Epoch};
 use crate::deep_halo::{DeepHalo, Outlook};
 use crate::domain::{Domain, lists_last};
 
-/// Ghosts are chosen for particles that become faster by this factor: a rollback costs an epoch, and
-/// ghosts a little deeper cost next to nothing.
+/// Ghosts are chosen for particles that become faster than all were, by this factor.
+///
+/// A rollback costs an epoch, and slightly deeper ghosts cost almost nothing.
 const FASTER: f64 = 1.5;
 
 impl<T: DeepHalo> Deep<T> {
@@ -21,14 +40,15 @@ impl<T: DeepHalo> Deep<T> {
         let engine = &mut self.domain.engine;
         let bodies = std::mem::take(engine.bodies_mut());
         let n = bodies.len();
-        // Forgets the measures of the last list, so that steps taken again have the same lists and bits.
+        // The engine forgets what it learnt from the last list. Steps that are taken again thus
+        // have the same lists and bits.
         engine.start(bodies, self.domain.grid.size());
         engine.rebuild_keeping(&mut self.kept);
         let own = [self.domain.wear(), (n - self.ghosts.len()) as f64];
         self.epoch = Epoch { planned: steps as usize, width, moves: Vec::new(), own };
     }
 
-    /// Takes `steps` steps, and tells no rank.
+    /// Takes `steps` steps without a message.
     // ANCHOR: advance
     pub(crate) fn advance(&mut self, steps: u64) {
         for _ in 0..steps {
@@ -38,8 +58,9 @@ impl<T: DeepHalo> Deep<T> {
     }
     // ANCHOR_END: advance
 
-    /// All ranks agree how many of the steps that they have taken are right, and go back to the last
-    /// of these if some are not. Returns how many of the steps are to be taken again.
+    /// Agrees with all ranks how many of the steps are right, and goes back if some are not.
+    ///
+    /// Returns the number of steps that must be taken again. All ranks call it together.
     // ANCHOR: confirm
     pub(crate) fn confirm(&mut self) -> u64 {
         let Epoch { planned, width, moves, own } = &self.epoch;
@@ -72,7 +93,8 @@ impl<T: DeepHalo> Deep<T> {
 }
 
 impl Domain<NoStatistics> {
-    /// The plan of all ranks after a step in which no particle went further than `far`.
+    /// Returns the facts for the next plan, after a step in which no particle went further than
+    /// `far`.
     fn outlook(&self, far: f64, others: &[f64]) -> Outlook {
         Outlook {
             fastest: FASTER * far,

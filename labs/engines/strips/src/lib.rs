@@ -1,16 +1,18 @@
-//! Soft discs on ranks: the engine of [`neighbour_list`] on each strip of a box that no rank has all of.
+//! Soft discs on ranks: the engine of [`neighbour_list`] on each strip of a box that no rank has as
+//! a whole.
 //!
-//! A neighbour list is used until it could be wrong. So are *ghosts* here, the particles of other ranks near a strip.
-//! Two engines differ in what a rank hears of its ghosts until they are chosen again:
+//! A neighbour list is used until it could be wrong. *Ghosts*, the particles of other ranks near a
+//! strip, are used in the same way. The two engines differ in the messages about ghosts until they
+//! are chosen again:
 //!
-//! | engine | what is sent in a step | trait |
-//! |--------|------------------------|-------|
+//! | engine | messages in a step | trait |
+//! |--------|--------------------|-------|
 //! | [`Distributed`] | the positions of ghosts | [`Halo`] |
-//! | [`Deep`] | nothing: a rank moves ghosts itself, and all ranks roll back if that was wrong | [`DeepHalo`] |
+//! | [`Deep`] | no message: ranks move ghosts and roll back if a step was wrong | [`DeepHalo`] |
 //!
-//! Each asks a type that its user gives for the decisions of its algorithm; both ask it for [`Partition`]. Calls are
-//! resolved by the compiler. All ranks run the same program, and call the functions of
-//! [`Simulation`](common::soft::Simulation) together.
+//! The user's type makes the decisions of the algorithm: it implements one of these traits, and
+//! [`Partition`] for both. The compiler resolves the calls. All ranks run the same program, and
+//! call the functions of [`Simulation`](common::soft::Simulation) together.
 //!
 //! # Example
 //!
@@ -25,28 +27,31 @@
 //! let strips = Strips::of(&grid, &balanced(&[5, 5, 5, 5, 5, 5], 3));
 //! assert_eq!(strips.strip(1), 2.0..4.0);
 //! assert_eq!(strips.owner(4.5), 2);
-//! // What lies on an edge belongs to the strip above it, and beyond a wall there is no other strip.
+//! // A position on an edge belongs to the strip above it. Beyond a wall there is no other strip.
 //! assert_eq!((strips.owner(2.0), strips.owner(6.0)), (1, 2));
 //! ```
 //!
 //! # Shapes
 //!
-//! The box is cut across y into [`Strips`]. Particles of a rank are [`Bodies`](neighbour_list::Bodies), structures of
-//! arrays in the engine's own order; an index means the same particle until the next rebuild. Positions in messages
-//! are all x, then all y. A pair across a border is the index of an own particle and the index of a ghost.
+//! The box is cut across y into [`Strips`]. The particles of a rank are
+//! [`Bodies`](neighbour_list::Bodies), structures of arrays in the engine's order. An index denotes
+//! the same particle until the next rebuild. Positions in messages are all x, then all y. A pair
+//! across a border is the index of an own particle and the index of a ghost.
 //!
 //! # Units
 //!
-//! Lengths are those of the box, also how far a particle goes in a step of [`DT`](common::soft::DT); the parameter
-//! `skin` is in cutoffs. Costs are nanoseconds.
+//! Lengths are in units of the box, including the distance that a particle goes in a step of
+//! [`DT`](common::soft::DT). The parameter `skin` is in cutoffs. Costs are nanoseconds.
 //!
 //! # Errors
 //!
-//! A scene that cannot be is a [`SceneError`](common::soft::SceneError). A rank that ends early ends the job.
+//! A scene that is not valid gives a [`SceneError`](common::soft::SceneError). A rank that ends
+//! early ends the job.
 //!
 //! # Bits
 //!
-//! A run repeats bit by bit on as many ranks. On another number of them sums are taken in another order.
+//! A run on the same number of ranks repeats bit by bit. On a different number of ranks, sums are
+//! taken in a different order.
 
 mod border;
 mod deep;

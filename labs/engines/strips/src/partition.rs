@@ -1,4 +1,4 @@
-//! The box in strips, one for each rank.
+//! The partition of the box into strips, one for each rank.
 
 use std::ops::Range;
 
@@ -6,17 +6,19 @@ use mpi::Rank;
 use solution2::Grid;
 use solution6::Cuts;
 
-/// How the box is shared out: which ranks need ghosts of each other, and what the work of a rank is.
+/// The partition of the box: which ranks need ghosts of each other, and how much work a rank has.
 pub trait Partition {
-    /// The ranks that need ghosts of `rank` and send it theirs, in ascending order: all others whose strip is not
-    /// empty and no further than `width` from that of `rank`. If a finds b then b finds a. A rank with an empty strip
-    /// has none.
+    /// Returns the ranks that exchange ghosts with `rank`, in ascending order.
+    ///
+    /// They are all other ranks whose strip is not empty and within `width` of the strip of `rank`.
+    /// If a finds b, then b finds a. A rank with an empty strip has no partners.
     fn partners(strips: &Strips, rank: usize, width: f64) -> Vec<Rank>;
 
-    /// The cost of a step for a rank with `particles` particles and `pairs` listed pairs.
+    /// Returns the cost of a step for a rank with `particles` particles and `pairs` listed pairs.
     fn load(particles: usize, pairs: usize) -> u64;
 
-    /// The load of a rank, shared out to the rows of the box, in which it has `counts` particles.
+    /// Divides the load of a rank among the rows of the box; the rank has `counts[row]` particles
+    /// in a row.
     fn weigh_rows(counts: &[u64], load: u64) -> Vec<u64>;
 }
 
@@ -24,15 +26,16 @@ pub trait Partition {
 // ANCHOR: strips
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strips {
-    /// Strip k is `edges[k] ≤ y < edges[k + 1]`. Ascending, from −∞ to ∞: beyond the walls there
-    /// is nothing, and a particle on a wall belongs to the strip beside it. Where two edges are
-    /// equal, the strip between them is empty.
+    /// The edges of the strips, ascending from −∞ to ∞: strip k is `edges[k] ≤ y < edges[k + 1]`.
+    ///
+    /// There is no particle beyond the walls, so a particle on a wall belongs to the strip beside
+    /// it. A strip between equal edges is empty.
     pub edges: Vec<f64>,
 }
 // ANCHOR_END: strips
 
 impl Strips {
-    /// The strips of blocks of rows.
+    /// Returns the strips of blocks of rows.
     pub fn of(grid: &Grid, cuts: &Cuts) -> Self {
         let edges = cuts.starts.iter().map(|&row| match row {
             0 => f64::NEG_INFINITY,
@@ -42,18 +45,18 @@ impl Strips {
         Self { edges: edges.collect() }
     }
 
-    /// How many strips there are.
+    /// Returns the number of strips.
     pub fn ranks(&self) -> usize {
         self.edges.len() - 1
     }
 
-    /// The strip of `rank`.
+    /// Returns the strip of `rank`.
     #[inline]
     pub fn strip(&self, rank: usize) -> Range<f64> {
         self.edges[rank]..self.edges[rank + 1]
     }
 
-    /// The rank whose strip `y` lies in.
+    /// Returns the rank whose strip contains `y`.
     #[inline]
     pub fn owner(&self, y: f64) -> usize {
         self.edges[1..self.ranks()].partition_point(|edge| *edge <= y)

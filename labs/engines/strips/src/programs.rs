@@ -1,4 +1,4 @@
-//! The engines as programs: their parameters, and how they are built.
+//! Builds the engines as programs from their parameters.
 
 use common::soft::Simulation;
 use common::{BuildError, Config, Parameter, observed};
@@ -39,8 +39,8 @@ pub fn distributed<L: Halo + 'static>(config: &Config, threads: usize) -> Built 
 
 /// Builds the engine [`Deep`] of this rank, with one thread.
 ///
-/// Two ranks know a pair of ghosts, and each would count it. So with statistics, which are read after each step anyway,
-/// it is the engine [`Distributed`] instead.
+/// Two ranks know a pair of ghosts, and each would count it. So with statistics this function
+/// builds the engine [`Distributed`] instead; statistics are read after each step anyway.
 ///
 /// # Errors
 /// There is no MPI library.

@@ -1,4 +1,4 @@
-//! Strips cut again where one rank has too much work.
+//! Cuts the strips again if one rank has too much work.
 
 use common::soft::{Observer, Particle};
 use common_mpi::{Wire, by_rank};
@@ -7,12 +7,14 @@ use solution6::{balanced, exchange_all};
 use crate::domain::Domain;
 use crate::partition::{Partition, Strips};
 
-/// The most that a rank's load may be above the mean before the strips are cut again.
+/// Load of a rank, as a multiple of the mean, above which strips are cut again.
 const TOLERANCE: f64 = 1.05;
 
 impl<O: Observer> Domain<O> {
-    /// Cuts the strips again if it is time to look and one rank has too much work. All ranks call it
-    /// together, when ghosts are about to be chosen and each has its own particles and no others.
+    /// Cuts the strips again if a test is due and one rank has too much work.
+    ///
+    /// All ranks call it together when ghosts are about to be chosen and each rank has its own
+    /// particles only.
     pub(crate) fn keep_balance<T: Partition>(&mut self) {
         if self.rebalance == 0 || !self.counts.choices.is_multiple_of(self.rebalance) {
             return;
@@ -39,7 +41,7 @@ impl<O: Observer> Domain<O> {
         self.counts.cuts += 1;
     }
 
-    /// Sends particles to the ranks they are listed with, near or far.
+    /// Sends particles to the ranks that they are listed with, near or far.
     pub(crate) fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) {
         let lists = by_rank(particles, self.ranks());
         self.traffic.exchanged(self.rank(), &lists);

@@ -1,4 +1,4 @@
-//! New lists: particles change their ranks, strips are cut, ghosts are chosen.
+//! Renews lists and ghosts: particles change ranks, strips are cut again, ghosts are chosen.
 
 use common::soft::Observer;
 use common_mpi::Wire;
@@ -10,7 +10,7 @@ use crate::distributed::Distributed;
 use crate::domain::lists_last;
 use crate::sent_halo::{Halo, Scenery};
 
-/// Ghosts are chosen for particles that become faster by this factor.
+/// Ghosts are chosen for particles that become faster than all were, by this factor.
 const FASTER: f64 = 1.1;
 
 impl<O: Observer, T: Halo> Distributed<O, T> {
@@ -24,18 +24,19 @@ impl<O: Observer, T: Halo> Distributed<O, T> {
         self.moved = 0.0;
     }
 
-    /// Sends particles that left the strip to their new owners.
+    /// Sends particles that have left the strip to their new owners.
     ///
-    /// No particle has gone further than ghosts are wide, unless it became faster in the last
-    /// step than any was before. So particles go to partners, and only if there are any that go further do
-    /// all ranks exchange.
+    /// A particle has gone no further than ghosts are wide, unless it became faster in the last
+    /// step than any particle was before. So particles go to partners. All ranks exchange particles
+    /// only if some particle goes further.
     fn migrate(&mut self) {
         let own = self.domain.strips.strip(self.domain.rank());
         let bodies = self.domain.engine.bodies_mut();
         let left: Vec<usize> = (0..bodies.len()).filter(|&i| !own.contains(&bodies.y[i])).collect();
         let mut near = vec![Vec::new(); self.border.partners.len()];
         let mut far = Vec::new();
-        // From the last to the first, so that a particle that fills a gap has been handled.
+        // The order is from the last to the first, so that the particle that fills a gap has been
+        // handled.
         for i in left.into_iter().rev() {
             let wire = Wire::from(&bodies.swap_remove(i));
             let owner = self.domain.strips.owner(wire.y);
@@ -53,8 +54,10 @@ impl<O: Observer, T: Halo> Distributed<O, T> {
         }
     }
 
-    /// All ranks choose the same width of ghosts, by the greatest speed, the greatest
-    /// density and the shortest list of them.
+    /// Chooses the width of ghosts, the same on all ranks.
+    ///
+    /// It follows from the greatest speed, the greatest density and the shortest life of a list
+    /// among all ranks.
     fn choose_width(&mut self) {
         let n = self.domain.engine.bodies().len();
         let density = if n > 0 { self.domain.engine.list().density(n) } else { 0.0 };
@@ -79,7 +82,8 @@ impl<O: Observer, T: Halo> Distributed<O, T> {
         self.domain.count_choice(self.width, self.border.ghosts());
     }
 
-    /// Lists to partners and lists from them, lengths and all.
+    /// Sends a list to each partner and returns the lists of the partners. The lengths are sent
+    /// first.
     fn exchange<W>(&mut self, outgoing: &[(Rank, Vec<W>)]) -> Vec<Vec<W>>
     where
         W: Equivalence + Default + Clone,

@@ -1,4 +1,4 @@
-//! Ghosts that last several steps. Their positions are sent in each step.
+//! The decisions of lab 13 about ghosts whose positions are sent in each step.
 
 use std::ops::Range;
 
@@ -10,22 +10,26 @@ use crate::partition::Partition;
 
 /// The choice of ghosts for several steps, and the messages with their positions in each step.
 pub trait Halo: Partition {
-    /// The greatest distance of a ghost from the strip, if ghosts are to last `steps` steps and no particle goes further
-    /// than `fastest` in a step.
+    /// Returns the greatest distance of a ghost from the strip, for ghosts that last `steps` steps.
+    ///
+    /// No particle goes further than `fastest` in a step.
     fn ghost_width(fastest: f64, steps: u32) -> f64;
 
-    /// The number of steps that ghosts should last: from 1 to `scenery.most`.
+    /// Returns the number of steps that ghosts should last: from 1 to `scenery.most`.
     fn best_steps(scenery: Scenery) -> u32;
 
-    /// The particles that a partner needs: the indices in `y`, ascending, of all no further than `width` from its
+    /// Returns the particles that a partner needs: the indices in `y` within `width` of its
     /// `strip`.
+    ///
+    /// The indices ascend.
     fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32>;
 
-    /// The pairs of a particle of this rank and a ghost within `reach`, ascending in the first particle.
+    /// Returns the pairs of a particle of this rank and a ghost within `reach`, by the first
+    /// particle.
     fn pairs_across(own: Positions<'_>, ghosts: Positions<'_>, reach: f64) -> Vec<Pair>;
 
-    /// Sends `sent[k]` to rank `partners[k]`, fills `received[k]` with the positions from that rank, and calls `meanwhile`
-    /// once.
+    /// Sends `sent[k]` to rank `partners[k]` and receives its positions in `received[k]`. Calls
+    /// `meanwhile` once.
     fn exchange_positions(
         world: &SimpleCommunicator,
         partners: &[Rank],
@@ -34,9 +38,12 @@ pub trait Halo: Partition {
         meanwhile: impl FnOnce(),
     );
 
-    /// Whether all ranks rebuild their lists before the next forces. The answer is the same on all ranks: yes, if on any of
-    /// them `list_has_expired`, or if ghosts have expired there. They were chosen `width` wide, and since then a particle of
-    /// that rank may have `moved` so far.
+    /// Whether all ranks rebuild their lists before the next forces. The answer is the same on all
+    /// ranks.
+    ///
+    /// The lists are rebuilt if `list_has_expired` on any rank, or if ghosts have expired on any
+    /// rank. Ghosts were chosen `width` wide, and since then a particle of the rank may have gone
+    /// as far as `moved`.
     fn must_renew(
         world: &SimpleCommunicator,
         list_has_expired: bool,
@@ -48,12 +55,13 @@ pub trait Halo: Partition {
 /// The facts that decide the cheapest number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scenery {
-    /// Distance that the fastest particle of all goes in a step.
+    /// Distance that the fastest particle of all ranks goes in a step.
     pub fastest: f64,
-    /// Particles per area, where they stand closest.
+    /// Number of particles per area where they are densest.
     pub density: f64,
-    /// Height of a strip; its length along x does not matter.
+    /// Height of a strip. The length of the strip along x does not matter.
     pub height: f64,
-    /// Steps that the lists of all ranks last, at least 1. Then ghosts are chosen again anyway.
+    /// Number of steps that the lists of all ranks last, at least 1. Then ghosts are chosen again
+    /// anyway.
     pub most: u32,
 }

@@ -1,21 +1,23 @@
-//! Soft discs in windows: an engine that leaves out what a scene does not need.
+//! Soft discs in windows: an engine that skips the work that a scene does not need.
 //!
-//! Where most particles touch no other, a window of several steps is opened. The particles that could
-//! meet within it form small groups, and each group is computed on its own from the beginning of the
-//! window to its end, while it is in the processor's registers. All other particles fly freely and are
-//! visited once. At the end of a window each particle's deviation from its free flight is looked at, and where
-//! a pair may have been missed, its groups are joined and computed again. Where most particles have neighbours
-//! windows do not pay: then [`Planned`] goes on with the neighbour list of lab 10.
+//! If most particles touch no other particle, the engine opens a *window* of several steps.
+//! Particles that could meet in the window form small *groups*. Each group is computed alone from
+//! the start of the window to its end, in the processor's registers. All other particles fly freely
+//! and are moved once per window. At the end the engine tests how far each particle in a group
+//! deviated from its free flight. If a pair may have been missed, the groups of its particles are
+//! united and computed again. If most particles have neighbours, windows do not pay, and
+//! [`Planned`] uses the neighbour list of lab 10 instead.
 //!
-//! Nothing of it shows in the results. Groups sum their pairs by ascending id and free flight makes the additions of
-//! step by step, so windows have the bits of the naive program, on any number of threads; a list has them
-//! to the last digits.
+//! The results do not show any of this. Groups sum over pairs by ascending id, and free flight
+//! makes the same additions as single steps. So windows give the bits of the naive program, on any
+//! number of threads; a list gives the same positions up to rounding.
 //!
 //! # Rules
 //!
-//! Which particles could meet, how far a path may bend, how long a window should be: a type that implements [`Rules`]
-//! decides. `solution11::Tasks` is the one to take for speed. This one is careful: particles near each other
-//! may meet, so hardly anything is skipped, and the bits are the same.
+//! A type that implements [`Rules`] decides which particles could meet, how far a path may bend,
+//! and how long a window should be. Use `solution11::Tasks` for speed. The type below is cautious:
+//! particles near each other count as particles that may meet, so hardly any work is skipped, and
+//! the bits are the same.
 //!
 //! ```
 //! use common::soft::{NoStatistics, Particle, Scene, Simulation};
@@ -68,18 +70,18 @@
 //!
 //! # Units and errors
 //!
-//! Lengths, times and speeds are those of the model in [`common::soft`]. A scene is checked when it is
-//! built, so nothing here can fail.
+//! Lengths, times and speeds have the units of the model in [`common::soft`]. A scene is checked
+//! when it is built, so nothing here can fail.
 //!
 //! # Modules
 //!
-//! | module | what |
-//! |--------|------|
-//! | `rules`, `span` | what is asked of the user, and what the rules are told |
-//! | `path` | where a particle goes if no force bends its path |
-//! | `search` | which particles could meet in a window |
+//! | module | contents |
+//! |--------|----------|
+//! | `rules`, `span` | the decisions of the user, and their arguments |
+//! | `path` | the path of a particle that no force bends |
+//! | `search` | the particles that could meet in a window |
 //! | `groups` | groups of particles, and running them through a window |
-//! | `window` | a window from its opening to its end, and what it missed |
+//! | `window` | a window from its opening to its end, and the pairs that it missed |
 //! | `planned` | the planner and the engine |
 
 mod groups;

@@ -1,31 +1,32 @@
-//! Where a particle goes in a window if no force bends its path.
+//! The reference path of a particle in a window: its path if no force bends it.
 
 use common::soft::{CUTOFF, Particle};
 
 use crate::rules::Rules;
 use crate::span::Span;
 
-/// The reference path of a particle during a window.
+/// The reference path of a particle in a window.
 ///
-/// Far from walls it is the free flight: a straight line. A particle that could reach a wall has
-/// no straight line; for it we only say that it stays within `spread` of where it starts.
+/// Far from walls it is the free flight, a straight line. For a particle that could reach a wall,
+/// the reference is the point where it starts, and the particle stays within `spread` of this
+/// point.
 pub(crate) struct Path {
     /// Position at the start of the window.
     pub(crate) x: f64,
     pub(crate) y: f64,
-    /// Velocity of the reference.
+    /// Velocity along the reference.
     pub(crate) wx: f64,
     pub(crate) wy: f64,
-    /// How far free flight may be from the reference.
+    /// Greatest distance between free flight and the reference.
     pub(crate) spread: f64,
 }
 
 impl Span {
-    /// The reference path of a particle.
+    /// Returns the reference path of a particle.
     pub(crate) fn path<R: Rules>(&self, p: &Particle) -> Path {
         if R::meets_wall(self, p.x, p.y, p.vx, p.vy) {
-            // A reflection brings two points closer or leaves them as far apart as they were, so
-            // no particle ends further from its start than it flies.
+            // A reflection never increases the distance between two points. So no particle ends
+            // further from its start than it flies.
             let spread = p.vx.hypot(p.vy) * self.whole() * (1.0 + 1e-9) + self.rounding();
             Path { x: p.x, y: p.y, wx: 0.0, wy: 0.0, spread }
         } else {
@@ -35,8 +36,10 @@ impl Span {
 }
 
 impl Path {
-    /// Whether two particles could touch within time `span`, if each of them leaves its reference
-    /// by no more than its spread and both together by `slack` beyond.
+    /// Whether two particles could touch within time `span`.
+    ///
+    /// Each of them leaves its reference by at most its spread, and both together by at most
+    /// `slack` more.
     pub(crate) fn may_touch<R: Rules>(&self, other: &Self, span: f64, slack: f64) -> bool {
         let dx = other.x - self.x;
         let dy = other.y - self.y;

@@ -1,4 +1,4 @@
-//! The engine as a program: its parameters, and how it is built.
+//! Builds the engine as a program from its parameters.
 
 use common::soft::Simulation;
 use common::{BuildError, Config, Parameter, observed};
@@ -18,7 +18,9 @@ pub const WINDOW: Parameter = Parameter {
     range: (0.0, 64.0),
 };
 
-/// Builds the engine for the parameters [`WINDOW`] and [`SHARE`], with each official step divided into `divide`.
+/// Builds the engine for the parameters [`WINDOW`] and [`SHARE`].
+///
+/// Each official step is divided into `divide`.
 pub fn planned<R: Rules>(config: &Config, divide: u32) -> Result<Box<dyn Simulation>, BuildError> {
     let steps = config.parameter(WINDOW.name) as u32;
     Ok(observed!(config, Tally, |O| Planned::<R, O>::new(crew(config), steps, divide)))

@@ -1,40 +1,53 @@
-//! What the engine asks of its user.
+//! The decisions that the engine leaves to its user.
 
 use crate::span::Span;
 
-/// The decisions on which a window rests.
+/// The decisions that windows depend on.
 ///
-/// Each errs on one side only: to say that two particles may meet, that a wall may be near, that a margin may have
-/// broken, or that a window should be short, costs time and changes no bit of the result.
+/// Each may be wrong on one side only. If a rule claims that two particles may meet, that a wall
+/// may be near, that a margin may have broken, or that a window should be short, the cost is time,
+/// and no bit of the result changes.
 ///
-/// They are asked in the innermost loops: mark them `#[inline(always)]` where they are a few lines.
+/// The engine calls the rules in its innermost loops: mark short ones with `#[inline(always)]`.
 pub trait Rules: Send + 'static {
-    /// Advances one coordinate `x` of particles in free flight by `steps` steps of length `dt`; `v` are as
-    /// many velocities. The bits are those of `steps` times `x += v * dt`. No wall is near.
+    /// Advances one coordinate `x` of particles in free flight by `steps` steps of length `dt`.
+    ///
+    /// `v` contains as many velocities. The bits are those of `x += v * dt`, `steps` times. No wall
+    /// is near.
     fn fly(x: &mut [f64], v: &[f64], steps: u32, dt: f64);
 
-    /// The square of the least distance between two points within time `span`, or less: they are
-    /// (`dx`, `dy`) apart at its beginning, and the second moves with velocity (`wx`, `wy`) as seen by the
-    /// first.
+    /// Returns the square of the least distance between two points within time `span`, or a smaller
+    /// number.
+    ///
+    /// At its beginning the points are (`dx`, `dy`) apart. The second moves with velocity (`wx`,
+    /// `wy`) relative to the first.
     fn closest_squared(dx: f64, dy: f64, wx: f64, wy: f64, span: f64) -> f64;
 
-    /// The least number in the group of number `k`. In `parent` each number has one of its group that is
-    /// not greater; the least has itself.
+    /// Returns the least number in the group of number `k`.
+    ///
+    /// In `parent` each number has a number of its group that is not greater; the least number of a
+    /// group has itself.
     fn root(parent: &mut [u32], k: u32) -> u32;
 
-    /// Makes one group of the groups of `a` and `b`; they may be in one already.
+    /// Unites the groups of `a` and `b`, which may be the same group.
     fn join(parent: &mut [u32], a: u32, b: u32);
 
-    /// Whether a particle with this `deviation` from its free flight may have come within the cutoff of another
-    /// one that is off by no more, if their free flights stay further apart than cutoff + `margin`. Both are
-    /// lengths.
+    /// Whether a particle may have come within the cutoff of another one, although their free
+    /// flights did not.
+    ///
+    /// The particle is off its free flight by `deviation`, the other one by no more. Their free
+    /// flights stay further apart than cutoff + `margin`. Both arguments are lengths.
     fn too_far_off(deviation: f64, margin: f64) -> bool;
 
-    /// Whether the free flight from (`x`, `y`) with velocity (`vx`, `vy`) may touch a wall within the window;
-    /// so does one that ends within [`Span::rounding`] of a wall, and one that is no number.
+    /// Whether the free flight from (`x`, `y`) with velocity (`vx`, `vy`) may touch a wall within
+    /// the window.
+    ///
+    /// It is also true if the flight ends within [`Span::rounding`] of a wall, and for numbers that
+    /// are NaN.
     fn meets_wall(span: &Span, x: f64, y: f64, vx: f64, vy: f64) -> bool;
 
-    /// How many official steps a window should have, at least 1, where there are `density` particles per
-    /// area with this mean `speed`.
+    /// Returns the number of official steps that a window should have, at least 1.
+    ///
+    /// There are `density` particles per area, and their mean speed is `speed`.
     fn window_length(density: f64, speed: f64) -> u32;
 }

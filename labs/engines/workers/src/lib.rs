@@ -1,7 +1,7 @@
 //! Threads that wait for work, for all engines with threads.
 //!
-//! Results come back in the order of the pieces of work. If the pieces do not depend on the number of threads, the results
-//! do not either.
+//! Results are in the order of the pieces of work. If the pieces do not depend on the number of
+//! threads, the results do not depend on it either.
 //!
 //! ```
 //! use workers::Workers;
@@ -15,7 +15,7 @@
 //!
 //! # Errors
 //!
-//! The system may refuse to start threads. A panic of one piece of work is a panic of the caller.
+//! The system may refuse to start threads. If a piece of work panics, the caller panics.
 
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -30,15 +30,15 @@ pub enum Workers {
     /// The calling thread.
     #[default]
     One,
-    /// A pool.
+    /// A pool of threads.
     Many(Arc<ThreadPool>),
 }
 
 impl Workers {
-    /// Starts `threads` threads. One thread is the caller itself.
+    /// Starts `threads` threads. A single thread is the calling thread.
     ///
     /// # Errors
-    /// The system refuses to start them.
+    /// The system refuses to start the threads.
     pub fn new(threads: usize) -> Result<Self, BuildError> {
         if threads <= 1 {
             return Ok(Self::One);
@@ -48,12 +48,13 @@ impl Workers {
             .map_err(|e| BuildError(format!("cannot start {threads} threads: {e}")))
     }
 
-    /// Starts `threads` threads, or none if the system refuses: then the caller works alone, with the same results.
+    /// Starts `threads` threads. If the system refuses, the caller works alone, with the same
+    /// results.
     pub fn if_possible(threads: usize) -> Self {
         Self::new(threads).unwrap_or_default()
     }
 
-    /// The number of threads.
+    /// Returns the number of threads.
     pub fn count(&self) -> usize {
         match self {
             Self::One => 1,
@@ -61,8 +62,10 @@ impl Workers {
         }
     }
 
-    /// Does `work` on one of the threads. The work that it shares out from there costs less than work that comes from
-    /// outside: no thread has to be woken that is not needed.
+    /// Calls `work` on one of the threads.
+    ///
+    /// Work that this thread shares out costs less than work from outside the pool, because no
+    /// thread is woken without need.
     pub fn within<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         match self {
             Self::One => work(),
@@ -70,7 +73,7 @@ impl Workers {
         }
     }
 
-    /// Does every piece of work and returns the results in the order of the pieces.
+    /// Calls `work` with every piece, and returns the results in the order of the pieces.
     pub fn map<T: Send, R: Send>(
         &self,
         pieces: Vec<T>,
@@ -84,7 +87,8 @@ impl Workers {
         }
     }
 
-    /// Calls `act` once on every thread, with the thread's number, and waits for all: a fork and a join.
+    /// Calls `act` once on every thread, with the thread's number, and waits for all calls: a fork
+    /// and a join.
     pub fn on_each(&self, act: impl Fn(usize) + Sync) {
         match self {
             Self::One => act(0),

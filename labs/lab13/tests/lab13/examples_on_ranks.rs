@@ -4,7 +4,7 @@ use common::soft::CUTOFF;
 use common_mpi::calls_made;
 use lab13::{confirm, exchange_positions, must_renew};
 use mpi::topology::SimpleCommunicator;
-use oracle::{Ask, Random, spaced};
+use oracle::{Ask, Random, begins_send, spaced};
 use oracle_mpi::on_each;
 
 /// Ranks 0 and 2 are partners of rank 1, which names rank 2 first.
@@ -42,16 +42,16 @@ fn exchange(
     vec![
         ("to rank: x y", by_rank(partners, sent)),
         ("inner particles move", format!("{} time", calls.len())),
-        ("  then receives under way", count(&calls, "MPI_Irecv")),
-        ("  and sends under way", count(&calls, "MPI_Isend")),
+        ("  then receives under way", count(&calls, |call| call == "MPI_Irecv")),
+        ("  and sends under way", count(&calls, begins_send)),
         ("from rank: x y", by_rank(partners, &received)),
     ]
 }
 
-/// How many of the calls before the first move are `call`.
-fn count(calls: &[Vec<&str>], call: &str) -> String {
+/// How many of the calls before the first move are such ones.
+fn count(calls: &[Vec<&str>], is_one: fn(&str) -> bool) -> String {
     let before = calls.first().map_or(&[][..], |calls| calls);
-    before.iter().filter(|made| **made == call).count().to_string()
+    before.iter().filter(|call| is_one(call)).count().to_string()
 }
 
 fn by_rank(partners: &[i32], lists: &[Vec<f64>]) -> String {

@@ -4,7 +4,7 @@ use common::soft::CUTOFF;
 use common_mpi::calls_made;
 use lab13::{exchange_positions, must_renew};
 use mpi::traits::*;
-use oracle::{Ask, Random, digest, memory, no_other_calls, others_within, truth};
+use oracle::{Ask, Random, begins_send, digest, no_other_calls, others_within, truth};
 use oracle_mpi::{Rank, on_each};
 
 /// The positions that travel between ranks.
@@ -71,7 +71,7 @@ fn exchange(rank: &Rank<'_>, letters: &Letters, most: usize, ask: &mut impl Ask)
 /// How many calls begin a receive, how many begin a send, and how many do neither.
 fn made(calls: &[&str]) -> Vec<f64> {
     let receives = calls.iter().filter(|call| **call == "MPI_Irecv").count();
-    let sends = calls.iter().filter(|call| **call == "MPI_Isend").count();
+    let sends = calls.iter().filter(|call| begins_send(call)).count();
     [receives, sends, calls.len() - receives - sends].map(|count| count as f64).to_vec()
 }
 
@@ -87,16 +87,8 @@ fn keeps_its_memory(rank: &Rank<'_>, ask: &mut impl Ask) {
         .collect();
     let sent = vec![vec![0.5; 4000]; partners.len()];
     let mut received = sent.clone();
-    let turns = |turns| {
-        for _ in 0..turns {
-            rank.call("exchange_positions", |world| {
-                exchange_positions(world, &partners, &sent, &mut received, || ());
-            });
-            rank.world().barrier();
-        }
-    };
-    let name = format!("exchange_positions on {}", rank.name());
-    memory(&name, (50, 4000 * size_of::<f64>()), turns, ask);
+    let turn = |world: &_| exchange_positions(world, &partners, &sent, &mut received, || ());
+    rank.keeps_its_memory("exchange_positions", 4000 * size_of::<f64>(), turn, ask);
 }
 
 /// What each rank says before a step.

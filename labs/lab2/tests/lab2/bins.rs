@@ -23,7 +23,13 @@ fn refill(bins: &mut VecBins, n: usize, random: &mut Random, ask: &mut impl Ask)
     let along = bins.grid().rows();
     let all = binned(random, along, &(0..along), n + 1);
     let particles = particles_of(&all);
+    let before: Vec<usize> = bins.bins().iter().map(Vec::capacity).collect();
     bins.refill(&particles[..n]);
+    let question = format!(
+        "{along} bins along a wall, filled again with {n} particles: how many bins have given memory back"
+    );
+    let poorer = bins.bins().iter().zip(&before).filter(|(bin, before)| bin.capacity() < **before);
+    ask.exact(&question, || whole([poorer.count()]), || vec![0.0]);
     bins.put(particles[n]);
     let question = format!(
         "{along} bins along a wall, filled again with {n} particles, and then particle {n} is put in: the bin and \

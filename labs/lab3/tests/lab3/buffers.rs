@@ -29,7 +29,15 @@ impl Leavers {
         let size = random.between(0.1, 9.0);
         let start = random.below(along);
         let rows = start..start + 1 + random.below(along - start);
-        let leavers = on_edges(random, n, size, along);
+        let mut leavers = on_edges(random, n, size, along);
+        // On the edges of the rows, where rounding decides which row has a particle.
+        for edge in [rows.start as f64, rows.end as f64] {
+            for y in [edge * (size / along as f64), edge * size / along as f64] {
+                let id = leavers.len() as u32;
+                leavers.push(Particle { y: y.min(size), id, ..Particle::default() });
+            }
+        }
+        let n = leavers.len();
         let middle = |bin: usize| (bin as f64 + 0.5) * (size / along as f64);
         let x = middle(0);
         let y = middle(rows.start);

@@ -1,11 +1,12 @@
-//! Questions about a sum by several threads: under a lock, with atomics, in a fixed order.
+//! Questions about a sum by several threads: under a lock, with atomics, also while another thread comes in between,
+//! and in a fixed order.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use common::soft::{CUTOFF, Observer, Statistics};
-use lab3::{AtomicStatistics, BLOCK, in_order, pool, under_a_lock, with_atomics};
+use lab3::{AtomicStatistics, BLOCK, Word, in_order, pool, under_a_lock, with_atomics};
 use oracle::{Ask, Near, Random, whole};
 use solution1::Tally;
 
@@ -86,15 +87,11 @@ fn on_any_threads<A: Ask>(
 
 /// The sum block by block, in order.
 fn by_blocks(parts: &[Tally]) -> Statistics {
-    let sum = |parts: &[Tally]| {
-        let mut sum = Tally::default();
-        for part in parts {
-            sum.merge(part);
-        }
-        sum
-    };
-    let blocks: Vec<Tally> = parts.chunks(BLOCK).map(sum).collect();
-    statistics(&sum(&blocks))
+    let mut blocks = vec![Tally::default(); parts.len().div_ceil(BLOCK)];
+    parts.iter().enumerate().for_each(|(i, part)| blocks[i / BLOCK].merge(part));
+    let mut sum = Tally::default();
+    blocks.iter().for_each(|block| sum.merge(block));
+    statistics(&sum)
 }
 
 /// Any order of the additions is right.
@@ -167,4 +164,68 @@ pub(crate) fn slow(_: &mut Random, ask: &mut impl Ask) {
     let question = "100 parts of 1 are added under a lock by four threads, slowly: the total. A total below 100 means \
                     that one thread overwrote what another had added";
     ask.exact(question, || whole([found()]), || whole([100]));
+}
+
+/// Another thread comes in few and many times.
+pub(crate) fn interrupted(_: &mut Random, ask: &mut impl Ask) {
+    for times in [1, 2, 3, 40, 1000] {
+        let question = format!(
+            "dmin 0.5, davg 0.5, navg 1 and 4 pair tests are added twice, and another thread comes in {times} times \
+             between two operations on each number. It lowers dmin to 0.125, and adds 0.25 to davg and 2 to each \
+             count: dmin, davg, navg, pair tests of the sum"
+        );
+        ask.judge(&question, || numbers(&sum_of_two(times)), |found| nothing_lost(times, found));
+    }
+}
+
+/// Whether the other thread's additions and the own ones are all in a sum.
+fn nothing_lost(times: u32, found: &[f64]) -> Result<(), String> {
+    let others = f64::from(2 * times);
+    let right = [0.125, 1.0 + 0.125 * others, 2.0 + others, 8.0 + others];
+    // Nobody can come into an addition that is one operation; then only a reading is interrupted.
+    let fewest = [right[0], right[1], 4.0, 10.0];
+    let is_right = |k: usize| found[k] == right[k] || found[k] == fewest[k];
+    if found.len() == 4 && (0..4).all(is_right) {
+        return Ok(());
+    }
+    Err(format!("     found: {found:?}\n  expected: {right:?}"))
+}
+
+/// The sum of two additions while another thread comes in `times` times.
+fn sum_of_two(times: u32) -> Statistics {
+    let total = AtomicStatistics {
+        dmin: Word::new(1.0_f64.to_bits()).interrupted(at_first(times, lower)),
+        davg: Word::new(0.0_f64.to_bits()).interrupted(at_first(times, add_quarter)),
+        navg: Word::new(0).interrupted(at_first(times, add_two)),
+        pair_tests: Word::new(0).interrupted(at_first(times, add_two)),
+    };
+    let part = Statistics { dmin: 0.5, davg: 0.5, navg: 1, pair_tests: 4 };
+    // The first reading of each word may be that of `sum`.
+    total.add(&part);
+    total.sum();
+    total.add(&part);
+    total.sum()
+}
+
+/// What another thread does to a word, the first `times` times that it can.
+pub(crate) fn at_first(times: u32, by: fn(&AtomicU64)) -> impl Fn(&AtomicU64) {
+    let done = AtomicU32::new(0);
+    move |bits| {
+        if done.fetch_add(1, Ordering::Relaxed) < times {
+            by(bits);
+        }
+    }
+}
+
+fn lower(bits: &AtomicU64) {
+    bits.store(0.125_f64.to_bits(), Ordering::Relaxed);
+}
+
+pub(crate) fn add_quarter(bits: &AtomicU64) {
+    let sum = f64::from_bits(bits.load(Ordering::Relaxed)) + 0.25;
+    bits.store(sum.to_bits(), Ordering::Relaxed);
+}
+
+fn add_two(bits: &AtomicU64) {
+    bits.fetch_add(2, Ordering::Relaxed);
 }

@@ -27,7 +27,13 @@ fn shared(ask: &mut impl Ask, doing: &str, threads: usize, units: usize, work: i
          pool, and the units that it did"
     );
     let found = || MEETING.record(threads, units as u64, work);
-    ask.judge(&question, found, |found| Share::judge(threads, found));
+    ask.judge(&question, found, |found| {
+        let done: f64 = found.iter().skip(1).step_by(2).sum();
+        if 2.0 * done > 3.0 * units as f64 {
+            return Err(format!("{done} units of work were done, and there are {units}"));
+        }
+        Share::judge(threads, found)
+    });
 }
 
 /// Counts whose work the forces and the additions are.

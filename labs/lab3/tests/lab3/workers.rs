@@ -6,7 +6,7 @@ use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Observer, Particle};
 use lab3::{Worker, pool, sum_and_move};
 use oracle::scenes::anywhere;
-use oracle::{Ask, Model, Random, whole};
+use oracle::{Ask, Model, Random, truth, whole};
 use solution1::{Tally, advance};
 use solution2::{Gather, Grid, VecBins};
 
@@ -52,28 +52,44 @@ impl Case {
         bins
     }
 
+    /// The worker's particles in one of its rows, in the order of bins.
+    fn row(bins: &VecBins, row: usize) -> impl Iterator<Item = &Particle> {
+        let columns = bins.grid().columns();
+        bins.bins()[row * columns..][..columns].iter().flatten()
+    }
+
+    /// What the worker's particles feel, each from all others.
+    fn felt(&self, bins: &VecBins) -> Vec<f64> {
+        let mut model = Model::from_state(self.grid.size(), self.particles.clone());
+        model.step();
+        let own = self.rows.clone().flat_map(|row| Self::row(bins, row));
+        own.map(|p| model.accelerations[p.id as usize]).flat_map(|a| [a.x, a.y]).collect()
+    }
+
+    /// For each row: pairs within the cutoff, and pairs of particles whose bins touch.
+    fn seen(&self, bins: &VecBins) -> Vec<f64> {
+        let grid = &self.grid;
+        let mut counts = Vec::new();
+        for row in self.rows.clone() {
+            let mut count = [0; 2];
+            for (p, q) in
+                Self::row(bins, row).flat_map(|p| self.particles.iter().map(move |q| (p, q)))
+            {
+                let apart = p.to(q).norm_squared();
+                count[0] += usize::from(apart > 0.0 && apart <= CUTOFF * CUTOFF);
+                let columns = grid.column(p.x).abs_diff(grid.column(q.x));
+                count[1] += usize::from(columns.max(row.abs_diff(grid.row(q.y))) <= 1);
+            }
+            counts.extend(count);
+        }
+        whole(counts)
+    }
+
     fn name(&self) -> String {
         let n = self.particles.len();
         let along = self.grid.rows();
         format!("{n} particles in {along} rows of bins, a worker with rows {:?}", self.rows)
     }
-}
-
-/// What a worker's particles feel, and what each of its rows saw.
-fn gathered(bins: &VecBins, rows: Range<usize>) -> (Vec<f64>, Vec<Tally>) {
-    let columns = bins.grid().columns();
-    let mut accelerations = Vec::new();
-    let mut seen = Vec::new();
-    let mut gather = Gather::default();
-    for row in rows {
-        let mut tally = Tally::default();
-        for p in bins.bins()[row * columns..(row + 1) * columns].iter().flatten() {
-            let a = gather.acceleration(p, bins.around(p), &mut tally);
-            accelerations.extend([a.x, a.y]);
-        }
-        seen.push(tally);
-    }
-    (accelerations, seen)
 }
 
 /// Pairs within the cutoff and pair tests of each tally.
@@ -93,18 +109,23 @@ pub(crate) fn forces(random: &mut Random, ask: &mut impl Ask) {
             worker.sum_forces(&bins);
             let found = || worker.accelerations.iter().flat_map(|a| [a.x, a.y]).collect();
             let question = format!("{}: ax, ay of each of its particles", case.name());
-            ask.exact(&question, found, || gathered(&bins, case.rows.clone()).0);
+            ask.exact(&question, found, || case.felt(&bins));
             let question = format!(
                 "{}: pairs within the cutoff and pair tests of each of its rows",
                 case.name()
             );
-            ask.exact(
-                &question,
-                || counts(&worker.seen),
-                || counts(&gathered(&bins, case.rows.clone()).1),
-            );
+            ask.exact(&question, || counts(&worker.seen), || case.seen(&bins));
         }
     }
+    let mut worker = Worker::<Tally>::new(0..1);
+    let mut bins = VecBins::new(Grid::with_bins_along(2.0 * CUTOFF, 1));
+    bins.refill(&[0.0, 0.5].map(|x| Particle { x: x * CUTOFF, ..Particle::default() }));
+    bins.bins_mut()[0][1].id = 1;
+    worker.sum_forces(&bins);
+    // It remembers the neighbours of the particle before.
+    let is_used = format!("{:?}", worker.gather) != format!("{:?}", Gather::default());
+    let question = "two particles within the cutoff: whether the worker's own `gather` has summed their forces (1)";
+    ask.exact(question, || vec![truth(is_used)], || vec![1.0]);
 }
 
 /// The bins of a worker's rows, and an acceleration for each particle in them.

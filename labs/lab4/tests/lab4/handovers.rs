@@ -126,11 +126,9 @@ impl Changes {
     fn letters(&self) -> Vec<Letter> {
         let mut letters = Vec::new();
         for change in &self.changes {
-            let [from, to] = [change.from, change.to].map(|bin| bin / self.cut.bins_each);
-            letters.push(letter(from, change));
-            if from != to {
-                letters.push(letter(to, change));
-            }
+            let mut owners = [change.from, change.to].map(|bin| bin / self.cut.bins_each).to_vec();
+            owners.dedup();
+            letters.extend(owners.into_iter().map(|owner| letter(owner, change)));
         }
         letters
     }

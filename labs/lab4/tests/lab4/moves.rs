@@ -1,5 +1,7 @@
 //! Questions about particles that move and tell of their bins.
 
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+
 use common::Vec2;
 use common::soft::{CUTOFF, DT, Particle};
 use lab4::{Change, move_own};
@@ -42,16 +44,27 @@ impl Case {
     /// The particles after the move, and the changes of bins.
     fn moved(&self) -> (Vec<Particle>, Vec<usize>) {
         let mut particles = self.particles.clone();
-        let mut changes = Vec::new();
         for (p, a) in particles.iter_mut().zip(&self.accelerations) {
-            let from = self.grid.bin(p);
             advance(p, *a, self.grid.size());
-            let to = self.grid.bin(p);
-            if from != to {
-                changes.extend([p.id as usize, from, to]);
-            }
         }
+        let bins =
+            |p: &Particle, now: &Particle| [p.id as usize, self.grid.bin(p), self.grid.bin(now)];
+        let all = self.particles.iter().zip(&particles).map(|(p, now)| bins(p, now));
+        let changes = all.filter(|[_, from, to]| from != to).flatten().collect();
         (particles, changes)
+    }
+
+    /// How many particles have changed their bin when the first change is told.
+    fn changed_at_first(&self) -> usize {
+        let mut particles = self.particles.clone();
+        // Whoever is told goes no further.
+        let first = AssertUnwindSafe(|| {
+            let give_up = |_| resume_unwind(Box::new(()));
+            move_own(&self.grid, &mut particles, &self.accelerations, give_up);
+        });
+        _ = catch_unwind(first);
+        let bins = self.particles.iter().zip(&particles);
+        bins.filter(|(p, now)| self.grid.bin(p) != self.grid.bin(now)).count()
     }
 }
 
@@ -75,6 +88,10 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
         let question =
             format!("{name}: particle, old and new bin of each particle that changed its bin");
         ask.exact(&question, || whole(told), || whole(case.moved().1));
+        let question =
+            format!("{name}: how many have changed their bin when the first change is told");
+        let right = || whole([case.moved().1.len().min(1)]);
+        ask.exact(&question, || whole([case.changed_at_first()]), right);
     }
 }
 

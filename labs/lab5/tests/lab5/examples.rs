@@ -15,7 +15,7 @@ use oracle::{Ask, Random, Table, ascending, scenes, spaced};
 use oracle_mpi::on_each;
 use solution2::{Grid, VecBins, take_leavers};
 
-use super::blocks::block_of;
+use super::blocks::blocks_of;
 
 /// Six rows on three ranks.
 const CUT: Cut = Cut { rows: 6, ranks: 3 };
@@ -74,7 +74,7 @@ pub(crate) fn local_and_remote(_: &mut Random, ask: &mut impl Ask) {
         let [_, after] = scenes::dozen();
         let mut table = Table::new(["rank", "rows", "left their bins", "local", "remote"]);
         for (rank, changed) in [vec![1, 3], vec![5], vec![8, 11]].into_iter().enumerate() {
-            let block = block_of(CUT, rank);
+            let block = blocks_of(CUT)[rank].clone();
             let mut local: Vec<Particle> = changed.iter().map(|&id: &usize| after[id]).collect();
             let left = ids_of(&local);
             let mut remote = Vec::new();
@@ -90,7 +90,7 @@ pub(crate) fn copies_of_border_rows(_: &mut Random, ask: &mut impl Ask) {
         let [before, _] = scenes::dozen();
         let mut table = Table::new(["rank", "particles in its rows, ghosts in ()", "copies"]);
         for rank in 0..3 {
-            let block = block_of(CUT, rank);
+            let block = blocks_of(CUT)[rank].clone();
             let bins = bins_of(&before, &block);
             table.row([&rank, &content(&bins, &block), &ids(&border_copies(&bins, &CUT, &block))]);
         }
@@ -155,7 +155,7 @@ pub(crate) fn new_ghosts(_: &mut Random, ask: &mut impl Ask) {
             Table::new(["rank", "before, ghosts in ()", "arrive", "after, ghosts in ()"]);
         let arrivals = [&[3, 4, 5, 11][..], &[1, 2, 3, 8, 9], &[6, 7, 8]];
         for (rank, arrive) in arrivals.into_iter().enumerate() {
-            let block = block_of(CUT, rank);
+            let block = blocks_of(CUT)[rank].clone();
             // Its own particles have moved, and those that left the block are gone; ghosts are as they were.
             let is_ghost = |p: &&Particle| !block.contains(&grid().row(p.y));
             let own = |p: &Particle| !is_ghost(&p) && !is_ghost(&&after[p.id as usize]);
@@ -189,7 +189,7 @@ fn exchange(world: &SimpleCommunicator, rank: usize) -> Vec<(&'static str, Strin
     let (_, particles) = broadcast(world, (rank == 0).then_some(&scene));
     let mut rows = vec![("scene after Bcast", format!("{} particles", particles.len()))];
 
-    let block = block_of(CUT, rank);
+    let block = blocks_of(CUT)[rank].clone();
     let mut bins = bins_of(&particles, &block);
     rows.push(("its rows; ghosts in ()", content(&bins, &block)));
     let mut changed = Vec::new();

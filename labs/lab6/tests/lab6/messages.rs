@@ -2,8 +2,7 @@
 
 use common_mpi::{Ghost, calls_made};
 use lab6::{exchange_all, exchange_beside};
-use mpi::traits::*;
-use oracle::{Ask, Random, digest, memory, others_within};
+use oracle::{Ask, Random, begins_send, digest, no_other_calls, others_within, whole};
 use oracle_mpi::{Rank, on_each};
 
 /// The items of a list in a long run.
@@ -37,10 +36,8 @@ pub(crate) fn exchanges(random: &mut Random, ask: &mut impl Ask) {
         let others = others_within(1, rank.number, rank.ranks);
         let list = vec![Ghost { x: 0.5, y: 0.5, id: 7 }; LONG];
         let outgoing: Vec<_> = others.iter().map(|&to| (to as i32, list.clone())).collect();
-        let turn = || {
-            rank.call("exchange_beside", |world| _ = exchange_beside(world, &outgoing, || ()));
-        };
-        keeps_its_memory("exchange_beside", rank, turn, ask);
+        let turn = |world: &_| _ = exchange_beside(world, &outgoing, || ());
+        rank.keeps_its_memory("exchange_beside", LONG * size_of::<Ghost>(), turn, ask);
     });
 }
 
@@ -54,31 +51,33 @@ fn exchange(
 ) {
     let list_to = |to: &usize| (*to as i32, letters[rank.number][*to].clone());
     let outgoing: Vec<_> = others.iter().map(list_to).collect();
-    let mut calls = Vec::new();
+    let mut calls = Calls::default();
     let (incoming, result) = rank.call("exchange_beside", |world| {
-        exchange_beside(world, &outgoing, || {
-            calls.push(calls_made());
+        let work = || {
+            calls.works += 1;
+            calls.before = calls_made();
             6 * 7
-        })
+        };
+        let got = exchange_beside(world, &outgoing, work);
+        calls.all = calls_made();
+        got
     });
     let name = format!(
         "exchange_beside on {}, lists of up to {most} items for ranks {others:?}",
         rank.name()
     );
-    ask.exact(
-        &format!("{name}: how often the work is done, and what it returns"),
-        || vec![calls.len() as f64, f64::from(result)],
-        || vec![1.0, 42.0],
+    let question = format!(
+        "{name}: how often the work is done, and what it returns; sends and receives under way when it begins; other \
+         calls before it; calls after it that are no waits"
     );
-    let before = calls.first().map_or(&[][..], |calls| calls);
-    ask.exact(
-        &format!(
-            "{name}: receives and sends that are begun just before the work, after the last wait; and calls that block \
-             before the work"
-        ),
-        || vec![begun(before) as f64, blocking(before) as f64],
-        || vec![2.0 * others.len() as f64, 0.0],
-    );
+    // A list without items needs no message, since both sides know its length by then.
+    let travels = |other: &usize| {
+        let lists = [&letters[rank.number][*other], &letters[*other][rank.number]];
+        lists.iter().filter(|list| !list.is_empty()).count()
+    };
+    let least = others.iter().map(travels).sum();
+    let verdict = |found: &[f64]| overlap(found, least, 2 * others.len());
+    ask.judge(&question, || [calls.numbers(), vec![f64::from(result)]].concat(), verdict);
     ask.exact(
         &format!("{name}: the number of lists that arrive, and the length and two sums of each"),
         || of_all(&incoming, rank.ranks),
@@ -86,14 +85,64 @@ fn exchange(
     );
 }
 
-/// How many of the calls before the work begin a send or a receive, behind all others.
-fn begun(calls: &[&str]) -> usize {
-    let begins = |call: &&&str| ["MPI_Isend", "MPI_Irecv"].contains(*call);
-    calls.iter().rev().take_while(begins).count()
+/// The calls of an exchange.
+#[derive(Default)]
+struct Calls {
+    works: usize,
+    /// When the work begins.
+    before: Vec<&'static str>,
+    all: Vec<&'static str>,
 }
 
-fn blocking(calls: &[&str]) -> usize {
-    calls.iter().filter(|call| ["MPI_Send", "MPI_Ssend", "MPI_Recv"].contains(*call)).count()
+impl Calls {
+    /// How often the work was done, how many messages were under way then, other calls before, and calls after
+    /// it that are no waits.
+    fn numbers(&self) -> Vec<f64> {
+        let under_way = self.before.iter().rev().take_while(|call| begins(call)).count();
+        let others = self.before.iter().filter(|call| !begins(call) && !waits(call)).count();
+        let later = self.all[self.before.len()..].iter().filter(|call| !waits(call)).count();
+        whole([self.works, under_way, others, later])
+    }
+}
+
+fn begins(call: &str) -> bool {
+    begins_send(call) || call == "MPI_Irecv"
+}
+
+fn waits(call: &str) -> bool {
+    call.starts_with("MPI_Wait")
+}
+
+/// Whether the lists travel while the work is done: at `least` so many messages, at `most` so many.
+fn overlap(found: &[f64], least: usize, most: usize) -> Result<(), String> {
+    let &[works, under_way, others, later, result] = found else {
+        return Err("there is no answer".into());
+    };
+    let words = if works != 1.0 || result != 42.0 {
+        format!("work is called {works} times, and {result} comes back instead of its result, 42")
+    } else if others > 0.0 {
+        format!(
+            "{others} calls before the work neither begin a message nor wait for one: lists go by immediate sends and \
+                 receives"
+        )
+    } else if later > 0.0 {
+        format!(
+            "{later} calls after the work do not wait: the work must overlap the items, and not the lengths, and no call \
+                 may follow but waits"
+        )
+    } else if under_way < least as f64 {
+        format!(
+            "{under_way} sends and receives are under way when the work begins, and {least} lists with items travel"
+        )
+    } else if under_way > most as f64 {
+        format!(
+            "{under_way} sends and receives are under way when the work begins, and there are {most} lists: those of \
+                 lengths must have been waited for"
+        )
+    } else {
+        return Ok(());
+    };
+    Err(words)
 }
 
 /// How many lists there are, and the sums of each.
@@ -112,6 +161,7 @@ pub(crate) fn lists_of_all(random: &mut Random, ask: &mut impl Ask) {
             let letters = letters(random, rank.ranks, most);
             let own = &letters[rank.number];
             let found = rank.call("exchange_all", |world| exchange_all(world, own));
+            let made = calls_made();
             let question = format!(
                 "exchange_all on {}, lists of up to {most} items: the number of items that arrive, and two sums",
                 rank.name()
@@ -124,20 +174,11 @@ pub(crate) fn lists_of_all(random: &mut Random, ask: &mut impl Ask) {
                     sums_of(&all.collect::<Vec<_>>().concat())
                 },
             );
+            let name = format!("exchange_all on {}", rank.name());
+            no_other_calls(&made, &["MPI_Alltoall", "MPI_Alltoallv"], &name, ask);
         }
         let lists = vec![vec![Ghost { x: 0.5, y: 0.5, id: 7 }; LONG]; rank.ranks];
-        let turn = || rank.call("exchange_all", |world| _ = exchange_all(world, &lists));
-        keeps_its_memory("exchange_all", rank, turn, ask);
+        let turn = |world: &_| _ = exchange_all(world, &lists);
+        rank.keeps_its_memory("exchange_all", LONG * size_of::<Ghost>(), turn, ask);
     });
-}
-
-/// Asks whether the memory grows with the number of exchanges.
-fn keeps_its_memory(what: &str, rank: &Rank<'_>, turn: impl Fn(), ask: &mut impl Ask) {
-    let turns = |turns| {
-        for _ in 0..turns {
-            turn();
-            rank.world().barrier();
-        }
-    };
-    memory(&format!("{what} on {}", rank.name()), (50, LONG * size_of::<Ghost>()), turns, ask);
 }

@@ -6,7 +6,7 @@ use common::soft::Particle;
 use common_mpi::Wire;
 use lab6::{Cuts, Leavers, keep_share, sort_leavers};
 use oracle::scenes::on_edges;
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, resident, whole};
 use solution2::Grid;
 
 use super::blocks::{owner, starts};
@@ -35,7 +35,9 @@ impl Left {
         // Now and then numbers beyond 32 bits.
         let shift = random.below(40);
         let left = |p: &&Particle| !cuts.block(rank).contains(&grid.row(p.y));
-        let particles = on_edges(random, 60, grid.size(), cuts.rows());
+        let mut particles = on_edges(random, 60, grid.size(), cuts.rows());
+        // They come in any order, not in that of their ids.
+        random.shuffle(&mut particles);
         let wires = particles.iter().filter(left);
         let wires = wires.map(|p| Wire { id: u64::from(p.id) << shift, ..Wire::from(p) }).collect();
         Self { grid, cuts, rank, beside, wires }
@@ -125,6 +127,33 @@ pub(crate) fn shares(random: &mut Random, ask: &mut impl Ask) {
             share(&grid, &particles, ranks, rank, ask);
         }
     }
+}
+
+/// What a rank holds of a million particles, of which it keeps few.
+pub(crate) fn large_scene(_: &mut Random, ask: &mut impl Ask) {
+    const ROWS: usize = 64;
+    const ALL: usize = 1 << 20;
+    let question = "1,048,576 particles in 64 rows on 64 ranks, rank 5: how many it keeps; and bytes that it holds at most \
+                    while the scene is replayed, or reserves for its share, 0 for less than 8 a particle of the scene";
+    ask.apart(|ask| ask.exact(question, || kept_of(ALL, ROWS), || whole([ALL / ROWS, 0])));
+}
+
+/// How many of `all` particles in as many rows as ranks the sixth rank keeps; and the bytes that this takes, 0 for
+/// few.
+fn kept_of(all: usize, rows: usize) -> Vec<f64> {
+    let before = resident();
+    let most = Cell::new(before);
+    let replay = |visit: &mut dyn FnMut(Particle)| {
+        for id in 0..all {
+            visit(Particle { id: id as u32, y: (id % rows) as f64 + 0.5, ..Particle::default() });
+        }
+        most.set(most.get().max(resident()));
+    };
+    let (_, share) = keep_share(&Grid::with_bins_along(rows as f64, rows), rows, 5, &replay);
+    let held = most.get() - before;
+    let reserved = (share.capacity() * size_of::<Particle>()) as u64;
+    let bytes = held.max(reserved);
+    vec![share.len() as f64, if bytes < 8 * all as u64 { 0.0 } else { bytes as f64 }]
 }
 
 /// Asks what one rank keeps.

@@ -9,7 +9,7 @@ use hard_disc_ranks::{DiscWire, Team};
 use lab8::{VARIANTS, collect, hand_out};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::{Ask, Random, digest, memory, truth, whole};
+use oracle::{Ask, Random, begins_send, digest, truth, whole};
 use oracle_mpi::{DiscsOnRanks, Rank, on_each};
 
 /// The discs of a list in a long run.
@@ -66,7 +66,8 @@ pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
         let team = Team::new(rank.ranks, true);
         let count = if rank.is_root() { rank.ranks } else { 0 };
         let lists = vec![vec![DiscWire::default(); LONG]; count];
-        keeps_its_memory(team, rank, ask, |world| drop(hand_out(world, team, &lists)));
+        let turn = |world: &_| drop(hand_out(world, team, &lists));
+        rank.keeps_its_memory("hand_out", LONG * size_of::<DiscWire>(), turn, ask);
     });
 }
 
@@ -74,28 +75,12 @@ pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
 fn sends_begun() -> usize {
     let made = calls_made();
     let begun = made.iter().take_while(|call| !call.starts_with("MPI_Wait"));
-    begun.filter(|call| **call == "MPI_Isend").count()
+    begun.filter(|call| begins_send(call)).count()
 }
 
 /// The lists that a rank sends to others.
 fn sends(team: Team, rank: &Rank<'_>) -> usize {
     if rank.is_root() { team.workers - usize::from(team.master_works) } else { 0 }
-}
-
-/// Asks whether the memory grows with the number of turns, in which all ranks do this.
-fn keeps_its_memory(
-    team: Team,
-    rank: &Rank<'_>,
-    ask: &mut impl Ask,
-    turn: impl Fn(&SimpleCommunicator),
-) {
-    let turns = |turns| {
-        for _ in 0..turns {
-            rank.call("a turn", &turn);
-            rank.world().barrier();
-        }
-    };
-    memory(&name_of(team, rank, LONG), (50, LONG * size_of::<DiscWire>()), turns, ask);
 }
 
 /// What the master has of the workers' lists, in the order of workers.
@@ -126,7 +111,8 @@ pub(crate) fn collects(random: &mut Random, ask: &mut impl Ask) {
         }
         let team = Team::new(rank.ranks, true);
         let own = vec![DiscWire::default(); LONG];
-        keeps_its_memory(team, rank, ask, |world| drop(collect(world, team, &own)));
+        let turn = |world: &_| drop(collect(world, team, &own));
+        rank.keeps_its_memory("collect", LONG * size_of::<DiscWire>(), turn, ask);
     });
 }
 
@@ -209,8 +195,42 @@ pub(crate) fn neighbours(random: &mut Random, ask: &mut impl Ask) {
 fn to_many_or_all() -> Vec<f64> {
     let made = calls_made();
     let count = |name: &str| made.iter().filter(|call| **call == name).count();
-    let many = count("MPI_Isend") > 4 * count("MPI_Allreduce");
+    let sends = made.iter().filter(|call| begins_send(call)).count();
+    let many = sends > 4 * count("MPI_Allreduce");
     let to_all = ["gather", "Gather", "Bcast", "catter", "lltoall"];
     let others = made.iter().filter(|call| to_all.iter().any(|part| call.contains(part))).count();
     vec![truth(many), others as f64]
+}
+
+/// When the wall collisions are found: after the ghosts are on their way, and before they are waited for.
+pub(crate) fn walls_meanwhile(random: &mut Random, ask: &mut impl Ask) {
+    let runs = DiscsOnRanks::new("8.13", VARIANTS, "spatial-cuts", &[]);
+    on_each(ask, "8.13", &[3], random, |rank, _, ask| {
+        let scene = RandomScene::new(300, 100.0, 1.0, 9).with_speeds(0.1, 0.2).draw();
+        rank.call("a step", |world| {
+            let mut engine = runs.engine(world);
+            engine.load(scene.as_ref().expect("the scene is sound"));
+            engine.step();
+        });
+        let question = format!(
+            "300 slow discs, {}, a step: 1 if walls_of is called where no ghosts are under way",
+            rank.name()
+        );
+        ask.judge(&question, || vec![truth(walls_alone())], |found| match found {
+            [0.0] => Ok(()),
+            _ => Err("wall collisions are found before or after the ghosts travel, and not meanwhile".into()),
+        });
+    });
+}
+
+/// Whether something else than a started message stands before a search for walls, or something else than a wait
+/// behind it.
+fn walls_alone() -> bool {
+    let made = calls_made();
+    let is_search = |at: &usize| made[*at] == "walls_of";
+    (0..made.len()).filter(is_search).any(|at| {
+        let before = made[..at].last().is_some_and(|call| call.starts_with("MPI_I"));
+        let behind = made.get(at + 1).is_some_and(|call| call.starts_with("MPI_Wait"));
+        !before || !behind
+    })
 }

@@ -11,7 +11,7 @@ use oracle::mpiexec::{Job, ends_when_a_rank_is_killed};
 use oracle::{Ask, Random};
 use oracle_mpi::DiscsOnRanks;
 
-use super::crowds::{all_scenes, wide};
+use super::crowds::{all_scenes, wide, zigzag};
 
 /// Steps of a run whose bits are compared.
 const STEPS: usize = 6;
@@ -84,6 +84,11 @@ pub(crate) fn memory_with_master(_: &mut Random, ask: &mut impl Ask) {
 
 pub(crate) fn bits_with_cuts(random: &mut Random, ask: &mut impl Ask) {
     bits_of_sequential(&spatial_cuts(&[1, 2, 3, 4, 5]), random, ask);
+}
+
+pub(crate) fn many_rounds(random: &mut Random, ask: &mut impl Ask) {
+    let scenes = [("a zigzag", zigzag(3.0)), ("other speeds", zigzag(random.between(2.9, 3.1)))];
+    spatial_cuts(&[2, 4]).bits_of(ask, &solution7::VARIANTS[0], &scenes, 1);
 }
 
 pub(crate) fn cuts_that_move(random: &mut Random, ask: &mut impl Ask) {

@@ -5,8 +5,8 @@ mod answers;
 mod cache;
 mod programs;
 
-use std::fs::{self, File};
-use std::os::unix::fs::MetadataExt;
+use std::fs::{self, File, Permissions};
+use std::os::unix::fs::{MetadataExt, PermissionsExt};
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::time::{Duration, Instant, SystemTime};
@@ -147,6 +147,8 @@ impl Tree {
         let order = Order { sources: &self.solution, names, limit: FIRST, most: GIVEN_FILE };
         let built = self.build_once(sandbox, &order).with_context(unbuilt)?;
         let built = built.map_err(|why| anyhow!("{}:\n{why}", unbuilt()))?;
+        // It knows what is right, and nobody who is asked may look into it.
+        fs::set_permissions(built.path().join(asking::JUDGE), Permissions::from_mode(0o700))?;
         // Of the solution itself nothing is kept.
         put(self.folder.path(), self.lab, &Sources::new(), sandbox)?;
         cache::keep(&cache::of(kit), self.folder.path())?;

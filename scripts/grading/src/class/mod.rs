@@ -75,10 +75,13 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     submissions.retain(|path| options.only.as_ref().is_none_or(|only| name(path).contains(only)));
     ensure!(!submissions.is_empty(), "there is nothing to grade");
     let submissions = named(submissions);
-    let beside = options.paths.iter().map(|path| path.join(roll::FILE)).find(|path| path.is_file());
+    let beside = roll::FILES.iter().filter_map(|name| {
+        options.paths.iter().map(|path| path.join(name)).find(|path| path.is_file())
+    });
+    let beside: Vec<PathBuf> = beside.collect();
     let grade = |lab, submissions: &[Named], into: &Path| {
         record::expect_lab(into, lab)?;
-        beside.iter().try_for_each(|beside| roll::link(beside, into))?;
+        beside.iter().try_for_each(|file| roll::link(file, into))?;
         batch::grade(kit, lab, submissions, into, &options)
     };
     kill_all_on_interrupt();

@@ -2,7 +2,7 @@
 //!
 //! Each is the solution with one answer replaced. It must lose the marks of its task and of those
 //! that its section names, and no others: what a question misses, or blames on the wrong task, shows
-//! here.
+//! here. The unusual right programs of `tests/right` must lose none.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -15,24 +15,34 @@ use lab_kit::{Kit, Lab};
 
 /// The programs on a page of the kit, each by the path `PAGE/NAME`; none if `path` is no such page.
 pub(crate) fn on_page(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
-    let Some(lab) = lab_of(kit, path) else { return Ok(Vec::new()) };
-    Ok(wrong::read(kit, lab)?.into_iter().map(|wrong| path.join(wrong.name)).collect())
+    let Some((_, programs)) = page_at(kit, path)? else { return Ok(Vec::new()) };
+    Ok(programs.into_iter().map(|wrong| path.join(wrong.name)).collect())
 }
 
 /// The known-wrong program of `lab` that has this path, if one does.
 pub(crate) fn at(kit: &Kit, lab: Lab, path: &Path) -> Result<Option<Wrong>> {
-    if path.parent().and_then(|page| lab_of(kit, page)) != Some(lab) {
+    let Some(page) = path.parent() else { return Ok(None) };
+    let Some((_, programs)) = page_at(kit, page)?.filter(|(of, _)| *of == lab) else {
         return Ok(None);
-    }
+    };
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    Ok(wrong::read(kit, lab)?.into_iter().find(|wrong| wrong.name == name))
+    Ok(programs.into_iter().find(|wrong| wrong.name == name))
 }
 
-/// The lab whose page of known-wrong programs lies at `path`. A link to it may lie in a class, and is none.
-fn lab_of(kit: &Kit, path: &Path) -> Option<Lab> {
-    let lab = path.file_name()?.to_str()?.strip_prefix("lab")?.strip_suffix(".md")?.parse().ok()?;
-    let page = kit.path(wrong::page(lab)).canonicalize().ok()?;
-    (!path.is_symlink() && path.canonicalize().ok()? == page).then_some(lab)
+/// The lab and the programs of the kit's page that lies at `path`. A link to it may lie in a class, and is none.
+fn page_at(kit: &Kit, path: &Path) -> Result<Option<(Lab, Vec<Wrong>)>> {
+    let lab = path.file_name().and_then(|name| name.to_str()?.strip_prefix("lab"));
+    let lab = lab.and_then(|lab| lab.strip_suffix(".md")?.parse().ok());
+    let (Some(lab), Ok(there)) = (lab, path.canonicalize()) else { return Ok(None) };
+    let is = |page: String| kit.path(page).canonicalize().is_ok_and(|page| page == there);
+    if path.is_symlink() {
+        return Ok(None);
+    }
+    if is(wrong::page(lab)) {
+        return Ok(Some((lab, wrong::read(kit, lab)?)));
+    }
+    let right = is(wrong::right_page(lab)).then(|| wrong::read_right(kit, lab)).transpose()?;
+    Ok(right.map(|right| (lab, right)))
 }
 
 /// Where the marks differ from what the manifest says, if they do.
@@ -40,12 +50,14 @@ pub(crate) fn complaint(wrong: &Wrong, record: &Record) -> Option<String> {
     if record.status != Status::Graded {
         return Some(format!("WRONG MARKS: it must be graded: {}", record.message));
     }
-    let must = [wrong.region.task].into_iter().chain(wrong.loses.iter().copied());
+    let own = (!wrong.fails.is_empty()).then_some(wrong.region.task);
+    let must = own.into_iter().chain(wrong.loses.iter().copied());
     let must: BTreeSet<String> = must.map(|task| task.to_string()).collect();
     let lost: BTreeSet<String> =
         record.tasks.iter().filter(|task| !task.passed).map(|task| task.id.clone()).collect();
     let list = |tasks: &BTreeSet<String>| tasks.iter().cloned().collect::<Vec<_>>().join(", ");
-    (must != lost).then(|| format!("WRONG MARKS: its section says {}", list(&must)))
+    let says = if must.is_empty() { "that it loses none".into() } else { list(&must) };
+    (must != lost).then(|| format!("WRONG MARKS: its section says {says}"))
 }
 
 #[cfg(test)]
@@ -62,6 +74,9 @@ mod tests {
         let name = all[0].file_name().unwrap().to_string_lossy();
         assert_eq!(at(&kit, lab, &all[0]).unwrap().unwrap().name, name);
         assert_eq!(at(&kit, lab, &kit.path("tests/lab2.rs")).unwrap(), None);
+        let right = on_page(&kit, &kit.path("tests/right/lab6.md")).unwrap();
+        let first = at(&kit, "6".parse().unwrap(), &right[0]).unwrap().unwrap();
+        assert!(first.fails.is_empty() && !first.passes.is_empty());
         assert_eq!(
             on_page(&kit, &kit.path("tests/mutants.md")).unwrap(),
             [""; 0].map(Into::<std::path::PathBuf>::into)

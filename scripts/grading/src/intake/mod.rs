@@ -97,9 +97,6 @@ pub(crate) struct Intake {
 /// Characters shown of the path of a file that is not taken.
 const SHOWN: usize = 200;
 
-/// What Gradescope puts into the folder of submissions that it exports, and what an instructor does.
-const ABOUT: [&str; 2] = ["submission_metadata.yml", roll::FILE];
-
 /// The submissions at a path: it is one, or a folder of many.
 pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     ensure!(path.exists(), "there is no {}", path.display());
@@ -139,7 +136,7 @@ fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
     let entries = fs::read_dir(path).with_context(|| format!("cannot read {}", path.display()))?;
     let mut found = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
     let is_about = |path: &Path| {
-        ABOUT.iter().any(|name| path.ends_with(name))
+        roll::FILES.iter().any(|name| path.ends_with(name))
             || path.extension().is_some_and(|end| end == "csv")
     };
     found.retain(|path| !is_about(path));

@@ -60,8 +60,11 @@ pub(crate) fn write(
         let of =
             |kind: &str, ending: &str| folder.join(kind).join(format!("{}.{ending}", record.name));
         write_file(&of("feedback", "md"), letter::letter(record, &words))?;
-        let results = serde_json::to_string_pretty(&gradescope::results(record, &words))?;
-        write_file(&of("gradescope", "json"), &results)?;
+        // The grader's own failure is no submission's, and must not be uploaded as a 0.
+        if record.status != Status::Failed {
+            let results = serde_json::to_string_pretty(&gradescope::results(record, &words))?;
+            write_file(&of("gradescope", "json"), &results)?;
+        }
     }
     Ok(())
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
+use super::export::{Export, Member};
 use super::roster::{Roster, Student, key};
 use crate::escape::line;
 use crate::record::{Attempt, Record};
@@ -103,16 +104,21 @@ pub(super) struct Join<'a> {
 }
 
 impl<'a> Join<'a> {
-    /// Joins by name, number or e-mail address. What `names` says of a submission goes first.
+    /// Joins by name, number or e-mail address. What `names` says of a submission goes first, then Gradescope's export.
     pub(super) fn new(
         roster: Option<&'a Roster>,
         names: &BTreeMap<String, Members>,
+        export: &Export,
         records: &[Record],
     ) -> Self {
         let students = roster.map_or(&[][..], |roster| &roster.students);
         let whose = records.iter().map(|record| match names.get(&record.name) {
             Some(members) => {
                 members.names().iter().filter_map(|student| the_one(students, student)).collect()
+            }
+            None if export.of(&record.name).is_some() => {
+                let members = export.of(&record.name).into_iter().flat_map(|it| &it.members);
+                members.filter_map(|member| the_member(students, member)).collect()
             }
             // Platforms put names, numbers and what was uploaded between underscores.
             None => [record.name.as_str()]
@@ -213,6 +219,11 @@ impl<'a> Join<'a> {
             Attempt::Counts
         }
     }
+}
+
+/// The student of the roster whom Gradescope means.
+fn the_member(students: &[Student], member: &Member) -> Option<usize> {
+    member.keys.iter().find_map(|key| the_one(students, key))
 }
 
 /// The one student of that name; none if nobody has it, or more than one.

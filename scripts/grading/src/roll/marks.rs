@@ -63,7 +63,7 @@ impl Roster {
     /// How many points the platform gives for all, if it says so.
     fn most(&self, at: usize, line: u64, cells: &StringRecord) -> Result<Option<f64>> {
         let (text, line) = match self.form {
-            Form::Gradebook => return Ok(None),
+            Form::Gradebook | Form::Gradescope | Form::Classroom => return Ok(None),
             Form::Worksheet => (column(&self.header, "Maximum Grade").map(|at| &cells[at]), line),
             Form::Canvas => {
                 let row = self.rows.iter().find(|(_, row)| self.is_possible(row));

@@ -5,6 +5,7 @@
 //! what lateness costs ([`late`]), and what a person decided ([`Decision`]). [`Roll::tell`] writes it into the records, and
 //! points are made from those alone: marks anew keep it.
 
+pub(crate) mod export;
 mod join;
 pub(crate) mod late;
 mod marks;
@@ -22,6 +23,7 @@ use serde::Deserialize;
 
 use crate::escape::line;
 use crate::record::{Decision, Record, scale};
+use export::Export;
 pub(crate) use join::Attendance;
 use join::{Attempts, Join, Members};
 use lab_kit::Facts;
@@ -46,18 +48,24 @@ pub(crate) struct Roll {
     column: Option<String>,
     pseudonyms: Option<String>,
     names: BTreeMap<String, Members>,
+    /// What Gradescope says of them, where `names` says nothing.
+    #[serde(skip)]
+    export: Export,
     attempts: Option<Attempts>,
     late: Option<Late>,
     #[serde(rename = "override")]
     overrides: Vec<Decision>,
 }
 
-/// Takes a `class.toml` that lies beside the submissions for that of a folder of records.
+/// The files beside submissions that tell of them: the instructor's and Gradescope's.
+pub(crate) const FILES: [&str; 2] = [FILE, export::FILE];
+
+/// Takes one of [`FILES`] that lies beside the submissions for that of a folder of records.
 ///
 /// # Errors
 /// The folder has another.
 pub(crate) fn link(beside: &Path, folder: &Path) -> Result<()> {
-    let own = folder.join(FILE);
+    let own = folder.join(beside.file_name().unwrap_or_default());
     let beside = beside.canonicalize()?;
     if own.canonicalize().is_ok_and(|own| own == beside) {
         return Ok(());
@@ -73,6 +81,11 @@ impl Roll {
     /// # Errors
     /// One of them cannot be read, or says what cannot be: file, line and column are named.
     pub(crate) fn read(folder: &Path, rubric: &Facts) -> Result<Self> {
+        let export = Export::read(folder)?;
+        Ok(Self { export, ..Self::read_own(folder, rubric)? })
+    }
+
+    fn read_own(folder: &Path, rubric: &Facts) -> Result<Self> {
         let path = folder.join(FILE);
         let text = match fs::read_to_string(&path) {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Self::default()),
@@ -110,7 +123,7 @@ impl Roll {
                 mac.iter().map(|byte| format!("{byte:02x}")).collect::<String>()[..DIGITS].into()
             });
         }
-        let join = Join::new(self.students.as_ref(), &self.names, records);
+        let join = Join::new(self.students.as_ref(), &self.names, &self.export, records);
         for complaint in join.wrong(&self.names, records) {
             eprintln!("{FILE}: names: {}", line(&complaint));
         }
@@ -134,7 +147,9 @@ impl Roll {
             }
         }
         for (at, record) in records.iter_mut().enumerate() {
-            record.student = join.student(at);
+            let exported = self.export.of(&record.name);
+            record.student = join.student(at).or_else(|| Some(exported?.names()));
+            times[at] = times[at].or_else(|| exported?.time);
             record.by_hand = decided[at].iter().copied().cloned().collect();
             let excused = decided[at].iter().rev().find_map(|one| one.days);
             let time = times[at].or(record.handed_in);
@@ -144,7 +159,7 @@ impl Roll {
 
     /// Who handed in what, by records that have their points. Writes into each whether it counts.
     pub(crate) fn attendance(&self, records: &mut [Record]) -> Attendance {
-        let join = Join::new(self.students.as_ref(), &self.names, records);
+        let join = Join::new(self.students.as_ref(), &self.names, &self.export, records);
         let attendance = join.attendance(self.attempts, records);
         for at in 0..records.len() {
             records[at].attempt = join.attempt(at, &attendance, records);
@@ -154,7 +169,8 @@ impl Roll {
 
     /// Whether it says what lateness costs, and leaves it to the times of files when each came.
     pub(crate) fn trusts_files(&self) -> bool {
-        self.late.as_ref().is_some_and(|late| late.listed().next().is_none())
+        let untold = self.late.as_ref().is_some_and(|late| late.listed().next().is_none());
+        untold && self.export.is_empty()
     }
 
     /// The roster with a column of marks; none if there is no roster.

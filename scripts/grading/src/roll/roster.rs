@@ -1,4 +1,4 @@
-//! A learning platform's list of students: the CSV that Canvas or Moodle exports.
+//! A platform's list of students: the CSV that Canvas, Moodle, Gradescope or Classroom 50 exports.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -10,8 +10,13 @@ use lab_kit::files::read_bytes;
 
 /// Columns that name a student, each another way.
 const NAMES: [&str; 2] = ["Student", "Full name"];
-const NAME_PARTS: [(&str, &str); 2] = [("First name", "Last name"), ("First name", "Surname")];
-const IDS: [&str; 8] = [
+const NAME_PARTS: [(&str, &str); 4] = [
+    ("First name", "Last name"),
+    ("First name", "Surname"),
+    ("First Name", "Last Name"),
+    ("first_name", "last_name"),
+];
+const IDS: [&str; 12] = [
     "ID",
     "SIS User ID",
     "SIS Login ID",
@@ -20,6 +25,10 @@ const IDS: [&str; 8] = [
     "ID number",
     "Email address",
     "Username",
+    "SID",
+    "Email",
+    "email",
+    "username",
 ];
 
 /// The student that Canvas makes up.
@@ -34,6 +43,10 @@ pub(super) enum Form {
     Worksheet,
     /// The gradebook of Moodle: `Assignment: Lab 3 (Real)`.
     Gradebook,
+    /// The roster of Gradescope: no marks, and a role of each person.
+    Gradescope,
+    /// The roster of Classroom 50, by the names of users at GitHub: no marks.
+    Classroom,
 }
 
 /// The students of a class.
@@ -67,10 +80,15 @@ impl Roster {
             Form::Worksheet
         } else if has(&["First name", "Email address"]) {
             Form::Gradebook
+        } else if has(&["First Name", "Last Name", "SID", "Email"]) {
+            Form::Gradescope
+        } else if has(&["username", "first_name", "last_name"]) {
+            Form::Classroom
         } else {
             bail!(
                 "{}, line 1: there are neither Canvas's columns (Student, ID) nor Moodle's \
-                 (Identifier, Full name, Grade; or First name, Last name, Email address)",
+                 (Identifier, Full name, Grade; or First name, Last name, Email address), Gradescope's \
+                 (First Name, Last Name, SID, Email) or Classroom 50's (username, first_name, last_name)",
                 path.display()
             );
         };
@@ -84,6 +102,8 @@ impl Roster {
             Form::Canvas => "ID",
             Form::Worksheet => "Identifier",
             Form::Gradebook => "Email address",
+            Form::Gradescope => "Email",
+            Form::Classroom => "username",
         };
         let mut seen = BTreeMap::new();
         let mut students = Vec::new();
@@ -96,6 +116,10 @@ impl Roster {
             let own = cell(id).unwrap_or_default();
             // Canvas has rows about the columns.
             if self.form == Form::Canvas && (own.is_empty() || name == TEST_STUDENT) {
+                continue;
+            }
+            // Gradescope's roster has the staff too.
+            if self.form == Form::Gradescope && cell("Role").is_some_and(|role| role != "Student") {
                 continue;
             }
             let location = format!("{}, line {line}, column {id}", self.path.display());

@@ -157,7 +157,7 @@ fn names_of_nobody_are_pointed_out() {
     let folder = folder(&[("class.toml", said), ("r.csv", GRADEBOOK)]);
     let roll = Roll::read(folder.path(), &rubric()).unwrap();
     let records = [Record { name: "pair".into(), ..Record::sample() }];
-    let join = super::Join::new(roll.students.as_ref(), &roll.names, &records);
+    let join = super::Join::new(roll.students.as_ref(), &roll.names, &roll.export, &records);
     assert_eq!(
         join.wrong(&roll.names, &records),
         ["no submission is called 'pear'", "'9' is not one student of the roster"]
@@ -309,4 +309,46 @@ fn a_pseudonym_hides_a_name_and_can_be_spoken_of() {
     );
     let (records, ..) = marked(&[("class.toml", &said)], &["ada"]);
     assert_eq!(records[0].points, 1.0);
+}
+
+const GRADESCOPE: &str = "First Name,Last Name,SID,Email,Role\n\
+    Ada,Lovelace,11,ada@example.org,Student\n\
+    Grace,Hopper,12,grace@example.org,Student\n\
+    Linus,Pauling,13,linus@example.org,Student\n\
+    Tea,Cher,,staff@example.org,TA\n";
+
+const EXPORT: &str = "submission_1:\n  :submitters:\n  - :name: Ada L.\n    :sid: '11'\n    :email: private@example.org\n  \
+                      :created_at: 2026-11-20 22:00:00 Z\n\
+                      submission_2:\n  :submitters:\n  - :name: Grace Hopper\n    :email: grace@example.org\n  - :name: Linus\n    \
+                      :email: linus@example.org\n  :created_at: 2026-11-22 07:00:00 Z\n";
+
+#[test]
+fn an_export_of_gradescope_says_who_handed_in_and_when() {
+    let late = "roster = \"roster.csv\"\n[late]\ndeadline = \"2026-11-21T06:00Z\"\npenalty = 10\n";
+    let files =
+        [("class.toml", late), ("roster.csv", GRADESCOPE), ("submission_metadata.yml", EXPORT)];
+    let (records, attendance, marks) = marked(&files, &["submission_1", "submission_2"]);
+    assert_eq!(records[0].student.as_deref(), Some("Ada Lovelace"));
+    assert_eq!(records[1].student.as_deref(), Some("Grace Hopper and Linus Pauling"));
+    assert_eq!(records[0].late, None);
+    assert_eq!(records[1].late.as_ref().unwrap().days, 2);
+    assert!(attendance.words(&records).is_empty(), "{:?}", attendance.words(&records));
+    assert_eq!(marks.unwrap().matches("@example.org,Student,").count(), 3);
+
+    let (records, _, _) = marked(&files[2..], &["submission_2", "submission_3"]);
+    assert_eq!(
+        records[0].student.as_deref(),
+        Some("Grace Hopper and Linus"),
+        "without a roster too"
+    );
+    assert_eq!(records[1].student, None);
+}
+
+#[test]
+fn a_roster_of_classroom_50_knows_users_of_github() {
+    let roster =
+        "username,first_name,last_name,email,section,github_id\nada-l,Ada,Lovelace,,One,4711\n";
+    let files = [("class.toml", "roster = \"roster.csv\"\n"), ("roster.csv", roster)];
+    let (records, _, _) = marked(&files, &["ada-l"]);
+    assert_eq!(records[0].student.as_deref(), Some("Ada Lovelace"));
 }

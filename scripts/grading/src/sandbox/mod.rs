@@ -7,6 +7,7 @@ mod beside;
 pub(crate) mod faults;
 mod filter;
 pub(crate) mod memory;
+mod nobody;
 pub(crate) mod processes;
 pub(crate) mod room;
 mod scratch;
@@ -107,6 +108,8 @@ pub(crate) struct Sandbox {
     cargo_home: PathBuf,
     /// Whether code is kept in: it can be made here.
     pub(crate) keeps: bool,
+    /// Whether code runs at least as [`nobody`], where nothing keeps it in.
+    as_nobody: bool,
     pub(crate) limits: Limits,
     scratch: Scratch,
     /// See [`filter`].
@@ -132,7 +135,8 @@ impl Sandbox {
         let filter = filter::write(scratch.path(), limits.loopback);
         let filter = filter.context("cannot write a filter")?;
         let keeps = true;
-        let mut sandbox = Self { sysroot, cargo_home, keeps, limits, scratch, filter };
+        let mut sandbox =
+            Self { sysroot, cargo_home, keeps, as_nobody: false, limits, scratch, filter };
         if let Err(why) = self_test::check(&sandbox) {
             let none = "foreign code cannot be kept in a sandbox here";
             if !trusted {
@@ -140,8 +144,10 @@ impl Sandbox {
                 return Err(why.context(format!("{none}; {advice}")));
             }
             eprintln!("{none}: {why:#}");
-            eprintln!("NO SANDBOX: what was handed in runs with all your rights");
             sandbox.keeps = false;
+            sandbox.as_nobody = nobody::can_build(&sandbox.sysroot, &sandbox.cargo_home);
+            let rights = if sandbox.as_nobody { "as nobody" } else { "with all your rights" };
+            eprintln!("NO SANDBOX: what was handed in runs {rights}");
         }
         Ok(sandbox)
     }
@@ -175,6 +181,9 @@ impl Sandbox {
         let cargo = self.sysroot.join("bin/cargo");
         if !self.keeps {
             let mut command = Command::new(cargo);
+            if self.as_nobody {
+                command = nobody::cargo(&self.sysroot, &self.cargo_home, tree);
+            }
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
             command.env("CARGO_INCREMENTAL", "0").args(SETTINGS);
             return command;
@@ -206,7 +215,9 @@ impl Sandbox {
     /// A program that lies in `folder` and may write one file, whose name is then its first argument, or none.
     pub(crate) fn program(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
         let mut command = Command::new(folder.join(name));
-        if self.keeps {
+        if self.as_nobody {
+            command = nobody::program(&folder.join(name));
+        } else if self.keeps {
             command = self.inside(folder, written);
             command.arg(Path::new("/kit").join(name));
         }

@@ -1,5 +1,6 @@
-//! `cargo lab figures`: the book's charts, of the model and of the numbers in book/data. Drawings are edited
-//! by hand and are beside them.
+//! `cargo lab figures`: the book's charts, of the model and of the numbers in book/data.
+//!
+//! Drawings are edited by hand and are in the same folder.
 
 mod of_examples;
 mod of_model;
@@ -16,15 +17,15 @@ use lab_measure::chart::{Form, Sheet, svg};
 
 /// Draw the book's charts, of the model and of measurements (for those who maintain the kit)
 ///
-/// They go to book/src/figures. Nothing is measured: the numbers are those in book/data.
+/// The charts are written to book/src/figures. Nothing is measured: the numbers are in book/data.
 #[derive(Args)]
 pub struct Options {
-    /// Draw nothing; fail if a chart is not what would be drawn
+    /// Draw nothing, and fail if a chart differs from its file
     #[arg(long)]
     check: bool,
 }
 
-/// Draws all charts, or compares them with the files.
+/// Draws all charts, or compares them with their files.
 ///
 /// # Errors
 /// A chart cannot be drawn or written.
@@ -45,7 +46,8 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(if drifted { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
-/// Draws every chart twice: for pages, and for phones in a folder of their own. Returns them with their paths in the kit.
+/// Draws every chart twice: for pages, and for phones in another folder. Returns the charts with
+/// their paths in the kit.
 fn all(kit: &Kit) -> Result<Vec<(PathBuf, String)>> {
     let mut sheets: Vec<(String, Sheet)> = of_numbers::all(kit)?;
     for (name, draw) in of_examples::CHARTS {

@@ -1,4 +1,4 @@
-//! Figures of the numbers that examples of the engines wrote.
+//! Figures of the numbers that the engines' examples have written.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use serde::Deserialize;
 /// A file in book/data, whose figure has the same name, and the function that draws it.
 type Figure = (&'static str, fn(&Path) -> Result<Sheet>);
 
-/// All of these figures.
+/// All figures of examples.
 pub(super) const CHARTS: [Figure; 3] =
     [("lab7-greedy", greedy), ("lab6-model", model), ("lab13-model", model)];
 
@@ -28,7 +28,7 @@ struct Loss {
     error_in_radii: f64,
 }
 
-/// Draws the error of positions and the share of collisions that are kept, against the step.
+/// Draws the error of positions and the share of collisions that the rule keeps, against the step.
 fn greedy(file: &Path) -> Result<Sheet> {
     let losses = Losses::deserialize(DataFile::read(file)?.results)?.steps;
     let errors = losses.iter().map(|loss| (loss.way_in_radii, loss.error_in_radii)).collect();
@@ -79,7 +79,7 @@ fn model(file: &Path) -> Result<Sheet> {
     let curves = Curves::deserialize(DataFile::read(file)?.results)?.curves;
     let halo = &curves[1];
     let most = halo.strong.iter().map(|point| point.ranks).fold(0.0, f64::max);
-    // Labels with room between them, each four times the last.
+    // Each label is four times the one before, so that labels have enough room.
     let powers = std::iter::successors(Some(1.0), |p| Some(4.0 * p));
     let ranks = Axis::log("ranks").with_ticks(powers.take_while(|p| *p <= most));
     let mut strong = Chart::new(
@@ -107,7 +107,7 @@ fn model(file: &Path) -> Result<Sheet> {
     ]])
 }
 
-/// Makes a line of the network in the middle, with a band over all.
+/// Makes a line of the network in the middle, with a band over all networks.
 fn banded(name: &str, values: impl Iterator<Item = (f64, [f64; 3])>) -> Series {
     let mut line = Vec::new();
     let mut band = Vec::new();

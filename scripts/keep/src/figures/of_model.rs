@@ -1,4 +1,5 @@
-//! Charts of the model: the force and the potential of a pair, and the energy by the time step.
+//! Charts of the model: the force and the potential of a pair, and the energy for different time
+//! steps.
 
 use anyhow::Result;
 use common::soft::{CUTOFF, DT, MASS, MIN_R, Scene};
@@ -9,13 +10,14 @@ use lab_measure::chart::{Axis, Chart, Kind, Series};
 /// A figure's file, and the function that draws it.
 type Figure = (&'static str, fn() -> Result<Chart>);
 
-/// All of these figures.
+/// All charts of the model.
 pub(super) const CHARTS: [Figure; 3] =
     [("force.svg", force), ("potential.svg", potential), ("energy.svg", time_steps)];
 
 /// Draws the change of a particle's velocity by one neighbour in one step, against its distance.
 fn force() -> Result<Chart> {
-    // Evenly on a logarithmic axis, and once more close to the cutoff, where the force ends.
+    // Points are evenly spaced on a logarithmic axis, and denser close to the cutoff, where the
+    // force ends.
     let mut points: Vec<(f64, f64)> = (0..=240)
         .map(|k| 10f64.powf(-3.0 + f64::from(k) / 80.0))
         .chain((1..=6).map(|k| 1.0 - 10f64.powi(-k)))
@@ -34,14 +36,14 @@ fn force() -> Result<Chart> {
     .with(Series::new(Kind::Guide, "velocity 1, as fast as most particles are", speed)))
 }
 
-/// Draws the potential of a pair against its distance, with the energies that pairs bring.
+/// Draws the potential of a pair against its distance, and the energies that pairs have.
 fn potential() -> Result<Chart> {
     let points: Vec<(f64, f64)> = (0..=150)
         .map(|k| 0.75 + f64::from(k) * 0.002)
         .map(|r| (r, potential_of_pair(r * CUTOFF, 0.0)))
         .collect();
-    // Velocity components are uniform in -1 to 1: their mean square is 1/3, so the square of the
-    // difference of two velocities is 4/3 on average and 8 at most.
+    // Velocity components are uniform in -1 to 1, so their mean square is 1/3. The square of the
+    // difference of two velocities is therefore 4/3 on average and at most 8.
     let levels = [4.0 / 3.0, 8.0].map(|squared| MASS / 2.0 * squared / 2.0);
     let [average, most] = levels.map(|energy| vec![(0.75, energy), (1.05, energy)]);
     Ok(Chart::new(
@@ -55,7 +57,7 @@ fn potential() -> Result<Chart> {
     .labelled_directly())
 }
 
-/// Time that passes in a run.
+/// Total time of a run.
 const TIME: f64 = 0.15;
 
 /// Draws the energy of a hundred particles against time, for three time steps.

@@ -17,7 +17,8 @@ struct Line {
     command: Command,
 }
 
-/// Draws a figure for every file in book/data whose command draws one. Returns them with their names.
+/// Draws a figure for every file in book/data whose command draws one. Returns the figures with
+/// their names.
 ///
 /// # Errors
 /// A file was not written by a command of the kit.
@@ -27,7 +28,7 @@ pub(super) fn all(kit: &Kit) -> Result<Vec<(String, Sheet)>> {
     let mut figures = Vec::new();
     for path in files {
         let file = DataFile::read(&path)?;
-        // Some commands that draw nothing have changed since, and their numbers stay true.
+        // Other commands may have changed since; their numbers are still valid, and need no figure.
         if file.words().iter().any(|word| word == "--svg") {
             let figure = redraw(&file);
             figures.extend(figure.with_context(|| format!("cannot draw {}", path.display()))?);

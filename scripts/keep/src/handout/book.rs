@@ -1,4 +1,4 @@
-//! The book of a handout: the chapters of its labs, and in the place of each other page a word that it is not here.
+//! The book of a handout: the chapters of its labs. Each other page only says that it is missing.
 
 use std::fs;
 use std::path::Path;
@@ -11,13 +11,13 @@ use lab_kit::files::read_text;
 use lab_kit::starter::Files;
 use lab_kit::{Kit, Lab, files_below, quiz};
 
-/// Pages about all labs at once, which measure and compare what a handout does not have.
+/// Pages about all labs at once. They contain measurements of labs that a handout does not have.
 const ABOUT_ALL: [&str; 2] = ["compare.md", "reports.md"];
 
-/// The last part of the table of contents is not for students.
+/// The title of the last part of the table of contents, which is not for students.
 const INSTRUCTORS: &str = "# For instructors";
 
-/// What a page says, below its title, that is not here.
+/// The text of a page that the handout lacks, below its title.
 const NOT_HERE: &str = "This page is about labs that your kit does not have yet.";
 
 /// Adds the book for `labs`.
@@ -25,7 +25,7 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
     if !kit.path("book/book.toml").is_file() {
         return Ok(());
     }
-    // What is set for instructors' pages goes with them.
+    // The settings for instructors' pages are removed with the pages.
     let settings = read_text(&kit.path("book/book.toml"))?;
     let settings = settings.split_inclusive('\n').filter(|line| !line.starts_with("\"instructor/"));
     files.insert("book/book.toml".into(), settings.collect::<String>().into_bytes());
@@ -50,7 +50,7 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
         all.push_str(&text);
         files.insert(Path::new("book/src").join(name), text.into_bytes());
     }
-    // Pictures, and the data of tables, that its pages name.
+    // Only the pictures and the data files that its pages name are added.
     for folder in ["book/src/figures", "book/data"] {
         for path in files_below(&kit.path(folder))? {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -72,8 +72,10 @@ fn is_for(page: &str, labs: &[Lab]) -> bool {
     }
 }
 
-/// The text with its quizzes written out, for the handout has no known-wrong programs. A quiz shows
-/// much of an answer, so the quizzes of the last lab are left out: they come with the next lab.
+/// Returns the text with its quizzes written out, because the handout has no known-wrong programs.
+///
+/// A quiz shows much of an answer, so the quizzes of the last lab are omitted: they come with the
+/// next lab.
 fn with_quizzes(kit: &Kit, labs: &[Lab], text: &str) -> Result<String> {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {
@@ -90,7 +92,7 @@ fn with_quizzes(kit: &Kit, labs: &[Lab], text: &str) -> Result<String> {
     Ok(out)
 }
 
-/// The text with code from files that the handout lacks put in.
+/// Returns the text with the included code of files that the handout lacks.
 fn with_code(kit: &Kit, page: &Path, text: &str, files: &Files) -> Result<String> {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {
@@ -104,7 +106,7 @@ fn with_code(kit: &Kit, page: &Path, text: &str, files: &Files) -> Result<String
         let source = fs::canonicalize(&source)
             .with_context(|| format!("{} shows {path}", page.display()))?;
         let in_kit = source.strip_prefix(fs::canonicalize(kit.root())?)?.to_owned();
-        // A lab's starter has no anchors, so what is shown of it is written out.
+        // A lab's starter has no anchors, so code from it is written out.
         if files.contains_key(&in_kit) && !in_kit.starts_with("labs") {
             out.push_str(line);
             continue;

@@ -13,7 +13,7 @@ fn lab(number: &str) -> Lab {
     number.parse().unwrap()
 }
 
-/// A class's tree with these labs, each committed.
+/// Returns a class's tree with these labs, each in one commit.
 fn handout(labs: &[&str]) -> (tempfile::TempDir, Kit) {
     let folder = tempfile::tempdir().unwrap();
     labs.iter().for_each(|lab| drop(add(folder.path(), lab)));
@@ -51,6 +51,7 @@ fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
         ("scripts/student/src/main.rs", true),
         ("scripts/grading", false),
         (".cargo/config.toml", true),
+        (".vscode/tasks.json", true),
         (".devcontainer/devcontainer.json", true),
         ("README.md", true),
         ("AGENTS.md", true),
@@ -106,16 +107,19 @@ fn a_student_pulls_a_lab_beside_their_work() {
     assert!(mine.join("labs/lab2/src/lib.rs").is_file());
 }
 
-/// The lines of a text that are long enough to be somebody's own: shorter ones, such as `let result = work();`, are
-/// written twice without being copied.
+/// Returns the lines of a text that are so long that equal lines are copies.
+///
+/// Shorter lines, such as `let result = work();`, are written twice without being copied.
 fn lines(text: &str) -> impl Iterator<Item = &str> {
     text.lines().map(str::trim).filter(|line| line.len() >= LONG && !line.starts_with("//"))
 }
 
 const LONG: usize = 30;
 
-/// The lines of the answers to lab 3 and later ones, less what is given somewhere or was an answer before: nothing
-/// in the tree of labs 1 to 3, its book or its history has one of them.
+/// No line of the answers to lab 3 and later labs may be in the tree of labs 1 to 3, its book or
+/// its history.
+///
+/// Lines that are given in some file, or that were in an earlier answer, do not count.
 #[test]
 fn no_line_of_an_answer_is_in_a_class_s_tree() {
     let whole = Kit::find().unwrap();

@@ -1,4 +1,4 @@
-//! Which files a handout has.
+//! The files of a handout.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -13,13 +13,16 @@ use lab_kit::files::{read_bytes, read_text};
 use lab_kit::starter::{Files, GIVEN, Record, generate};
 use lab_kit::{Facts, Kit, Lab, Workers};
 
-/// Files at the top that go along as they are. README is the students' own.
-const TOP: [&str; 10] = [
+/// Files in the top folder that are copied as they are. The README is written for students instead.
+const TOP: [&str; 13] = [
     ".cargo/config.toml",
+    ".config/nextest.toml",
     ".devcontainer/devcontainer.json",
     ".gitignore",
     ".helix/languages.toml",
+    ".vscode/extensions.json",
     ".vscode/settings.json",
+    ".vscode/tasks.json",
     ".zed/settings.json",
     "LICENSE-APACHE",
     "LICENSE-MIT",
@@ -27,7 +30,7 @@ const TOP: [&str; 10] = [
     "rustfmt.toml",
 ];
 
-/// All files of a tree with these labs, in order, by their path.
+/// Returns all files of a tree with these labs, in order, by their path.
 pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
     let mut files = Files::new();
     for path in TOP {
@@ -48,15 +51,14 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
         add_all(kit, &mut files, &kit.path(package.folder))?;
     }
     add(kit, &mut files, &kit.path("scripts/setup.sh"))?;
-    // Whole: cargo takes out what no package of the handout needs.
+    // The lock file is copied as a whole; cargo removes the packages that the handout does not
+    // need.
     add(kit, &mut files, &kit.path("Cargo.lock"))?;
-    // The measuring commands show it beside what they measure.
+    // The measuring commands show its numbers with their measurements.
     add(kit, &mut files, &kit.path("book/published.toml"))?;
     add_all(kit, &mut files, &kit.path("scripts/slurm"))?;
-    // They grade a class, and draw the book.
-    for name in ["grade.sh", "book.sh"] {
-        files.remove(&Path::new("scripts/slurm").join(name));
-    }
+    // This script grades a class.
+    files.remove(Path::new("scripts/slurm/grade.sh"));
     book::add_pages(kit, labs, &mut files)?;
     files.insert("README.md".into(), readme(kit, labs).into_bytes());
     files.insert("AGENTS.md".into(), include_bytes!("agents.md").into());
@@ -75,7 +77,7 @@ fn have_ranks(kit: &Kit, labs: &[Lab]) -> Result<bool> {
     Ok(false)
 }
 
-/// A lab as it is given, whatever the instructor's own folder of it holds.
+/// Adds a lab as it is given, whatever is in the instructor's folder of the lab.
 fn starter(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
     let folder = PathBuf::from(format!("labs/lab{lab}"));
     let given = generate(kit, lab)?;
@@ -90,14 +92,15 @@ fn starter(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
     if page.is_file() { add(kit, files, &page) } else { Ok(()) }
 }
 
-/// The tests of a lab and their snapshots.
+/// Adds the tests of a lab and their snapshots.
 fn tests(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
     let paths = kit.test_sources(lab)?.into_iter().chain(kit.snapshots(lab)?);
     paths.into_iter().try_for_each(|path| add(kit, files, &path))
 }
 
-/// What these labs build on: the packages of given code and the solutions of earlier labs that their manifests
-/// name, and what these build on.
+/// Returns the folders that these labs build on, directly or through other folders.
+///
+/// They are packages of given code and solutions of earlier labs that the labs' manifests name.
 fn given_folders(kit: &Kit, labs: &[Lab]) -> Result<BTreeSet<PathBuf>> {
     let mut given = BTreeSet::new();
     let mut unread: Vec<PathBuf> = labs.iter().map(|lab| kit.solution(*lab)).collect();
@@ -113,7 +116,7 @@ fn given_folders(kit: &Kit, labs: &[Lab]) -> Result<BTreeSet<PathBuf>> {
     Ok(given)
 }
 
-/// What students read first.
+/// Returns the README for students.
 fn readme(kit: &Kit, labs: &[Lab]) -> String {
     let row = |lab: &Lab| format!("| {lab} | {} |\n", kit.title(*lab));
     let last = labs.last().map_or_else(String::new, Lab::to_string);

@@ -1,4 +1,4 @@
-//! Files that a handout has as they are in the kit.
+//! Copies files of the kit to a handout.
 
 use std::path::Path;
 
@@ -14,7 +14,7 @@ pub(super) fn add(kit: &Kit, files: &mut Files, path: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Adds all files of a folder, without what builds and editors left behind.
+/// Adds all files of a folder, without files that builds and editors have left.
 pub(super) fn add_all(kit: &Kit, files: &mut Files, folder: &Path) -> Result<()> {
     for path in files_below(folder)? {
         let relative = path.strip_prefix(folder)?;

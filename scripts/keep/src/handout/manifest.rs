@@ -5,7 +5,9 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use toml_edit::{Array, DocumentMut, Item, Value, value};
 
-/// The kit's manifest, with no member, path, patch or profile of a package that is not among the files `paths`.
+/// Returns the kit's manifest without the packages that are not among `paths`.
+///
+/// Members, paths, patches and profiles of these packages are removed.
 pub(crate) fn fit<'p>(text: &str, paths: impl Iterator<Item = &'p Path>) -> Result<String> {
     let manifests = paths.filter(|path| path.ends_with("Cargo.toml"));
     let folders: Vec<&str> = manifests.filter_map(|path| path.parent()?.to_str()).collect();
@@ -26,7 +28,7 @@ pub(crate) fn fit<'p>(text: &str, paths: impl Iterator<Item = &'p Path>) -> Resu
         let kept = members.iter().filter_map(Value::as_str).filter(|member| there(member));
         workspace["default-members"] = value(Array::from_iter(kept.map(String::from)));
     }
-    // A pattern without a match is an error of cargo's.
+    // Cargo reports an error for a pattern without a match.
     if let Some(members) = workspace.get("members").and_then(Item::as_array) {
         let kept = members.iter().filter_map(Value::as_str);
         let kept = kept.filter(|member| match member.strip_suffix('*') {
@@ -43,7 +45,8 @@ pub(crate) fn fit<'p>(text: &str, paths: impl Iterator<Item = &'p Path>) -> Resu
     Ok(manifest.to_string())
 }
 
-/// Takes packages out of a table that lie in a folder that is not there; says whether none is left.
+/// Removes packages whose folders do not exist from a table. Returns whether the table is then
+/// empty.
 fn without_lost_paths(table: Option<&mut Item>, there: impl Fn(&str) -> bool) -> bool {
     let Some(table) = table.and_then(Item::as_table_like_mut) else { return false };
     let path = |item: &Item| Some(item.as_table_like()?.get("path")?.as_str()?.to_owned());
@@ -85,7 +88,7 @@ opt-level = 0
 opt-level = 0
 ";
 
-    /// The manifest fitted to all packages that it names, but those in these folders.
+    /// Returns the manifest fitted to all packages that it names, except those in these folders.
     fn without(gone: &[&str]) -> String {
         let all = [
             "labs/common",

@@ -1,9 +1,10 @@
-//! `cargo lab handout`: what a class gets, one tree that grows lab by lab.
+//! `cargo lab handout`: the kit of a class, a tree that grows lab by lab.
 //!
-//! [`lay`] adds a lab to a tree: its starter, its tests, its chapter, and the answers of earlier labs that it builds
-//! on. Nothing of its own solution or of a later one is in it, and nothing from `tests/wrong`: a grader who builds foreign
-//! code in such a tree has nothing there to lose. [`record`](Record) says which files are as the command wrote them;
-//! what somebody has edited since stays. The tree is a git repository, and each lab a commit.
+//! [`lay`] adds a lab to a tree: its starter, its tests, its chapter, and the answers of earlier
+//! labs that it builds on. The tree contains neither the lab's solution nor a later one, and
+//! nothing from `tests/wrong`. So a grader can build foreign code in such a tree without revealing
+//! answers. A [`Record`] lists the files that are as the command wrote them; files that somebody
+//! has edited stay as they are. The tree is a git repository, with a commit for each lab.
 
 mod book;
 mod contents;
@@ -25,19 +26,20 @@ pub(crate) use manifest::fit;
 
 /// Write a class's kit, or add a lab to it (for instructors)
 ///
-/// It has the lab's starter, tests, hints and chapter, this command, and the solutions of earlier labs that the lab
-/// builds on. It has no other solution, no known-wrong ones and no instructor's pages. It is a git repository: each
-/// lab is a commit. What students have edited stays as it is.
+/// The kit has the lab's starter, tests, hints and chapter, this command, and the solutions of
+/// earlier labs that the lab builds on. It has no other solution, no known-wrong programs and no
+/// instructor's pages. It is a git repository with a commit for each lab. Files that students have
+/// edited stay as they are.
 #[derive(Args)]
 pub struct Options {
-    /// The lab to add, such as 3: none before the last one that is there
+    /// The lab to add, such as 3; not a lab before the last one in the kit
     lab: Lab,
-    /// The class's folder: a new or an empty one, or one that this command wrote
+    /// The class's folder: new, empty, or written by this command
     #[arg(long, value_name = "DIR")]
     into: PathBuf,
 }
 
-/// Writes or adds to the tree, commits, and says what is in it.
+/// Writes or extends the tree, commits it, and prints its contents.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let Options { lab, into } = options;
     let laid = lay(kit, lab, &into)?;
@@ -58,19 +60,21 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// What was done to a tree.
+/// The changes to a tree.
 pub struct Laid {
     /// The files that were written or removed.
     pub changed: Vec<PathBuf>,
-    /// Those that somebody has edited.
+    /// The files that somebody has edited, which were left alone.
     pub edited: Vec<PathBuf>,
 }
 
-/// Adds `lab` to the tree in the folder `into`, which is made if it is not there.
+/// Adds `lab` to the tree in the folder `into`, which is made if it does not exist.
+///
+/// All contents are gathered before anything is written, so a kit that cannot be made leaves no
+/// files behind.
 ///
 /// # Errors
-/// There is no such lab, `into` holds something else, or a file cannot be read or written. What is to
-/// be written is gathered first: a kit that cannot be made leaves nothing behind.
+/// There is no such lab, `into` contains something else, or a file cannot be read or written.
 pub fn lay(kit: &Kit, lab: Lab, into: &Path) -> Result<Laid> {
     kit.chosen_solutions(Some(lab))?;
     let before = Record::read(into)?;
@@ -93,8 +97,8 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path) -> Result<Laid> {
         let target = into.join(path);
         fs::remove_file(&target).with_context(|| format!("cannot remove {}", target.display()))?;
     }
-    // What only the kit needs, cargo takes out of the lock file and leaves every version as it is. Where
-    // it cannot, it does so at the first build.
+    // Cargo removes the packages that only the kit needs from the lock file, and keeps every
+    // version. If it fails here, it does so at the first build.
     let _ = Kit::at(into).cargo().args(["update", "--workspace", "--offline"]).output();
     files.insert(LOCK.into(), read_bytes(&into.join(LOCK))?);
     let after = Record::of(&files);
@@ -110,7 +114,7 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path) -> Result<Laid> {
 
 const LOCK: &str = "Cargo.lock";
 
-/// Writes a file; one that is a script can be run.
+/// Writes a file, and makes a script executable.
 fn write(target: &Path, bytes: &[u8]) -> Result<()> {
     write_file(target, bytes)?;
     #[cfg(unix)]

@@ -6,11 +6,12 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
-/// Commits these files of the folder and no others, in a repository that is made if there is none. Says whether
-/// there was anything to commit.
+/// Commits these files of the folder and no others. Makes the repository if there is none.
+///
+/// Returns whether there was anything to commit.
 ///
 /// # Errors
-/// Git is not there, or refuses.
+/// Git is not installed, or fails.
 pub(super) fn commit(folder: &Path, message: &str, paths: &[PathBuf]) -> Result<bool> {
     if !folder.join(".git").exists() {
         git(folder, &["init", "--quiet", "--initial-branch=main"], &[])?;
@@ -20,7 +21,7 @@ pub(super) fn commit(folder: &Path, message: &str, paths: &[PathBuf]) -> Result<
     }
     const THESE: [&str; 2] = ["--pathspec-from-file=-", "--pathspec-file-nul"];
     git(folder, &[&["add", "--force"], &THESE[..]].concat(), paths)?;
-    // Git wants to know who commits; where nobody has said so, the kit does.
+    // Git needs a name for the committer. If the user has not set one, the kit uses its own.
     let known = git(folder, &["var", "GIT_COMMITTER_IDENT"], &[]).is_ok();
     let who = ["-c", "user.name=Cutoff", "-c", "user.email=cutoff@localhost"];
     let who = if known { &[][..] } else { &who[..] };
@@ -37,7 +38,7 @@ fn git(folder: &Path, arguments: &[&str], paths: &[PathBuf]) -> Result<()> {
     let mut git = git.spawn().context("git did not start: is it installed?")?;
     let names = paths.iter().map(|path| path.display().to_string() + "\0");
     let mut input = git.stdin.take().context("git has no input")?;
-    // One that ends before it has read says why.
+    // If git ends before it has read the input, its output says why.
     let _ = input.write_all(names.collect::<String>().as_bytes());
     drop(input);
     let output = git.wait_with_output()?;

@@ -1,6 +1,6 @@
 //! The copy of the kit that holds the mutated solutions: `target/prove/kit`.
 //!
-//! It is a workspace of its own, without starters and tools, and its programs go to `target/prove/build`.
+//! It is a workspace of its own, without starters, and its programs go to `target/prove/build`.
 //! What it has in common with the kit, the packages from a registry, is compiled once for both. A file
 //! that is right already is not touched, so that cargo compiles only what changed.
 
@@ -36,7 +36,7 @@ impl Copy {
         };
         let mut files = BTreeMap::new();
         let mutated = format!("solutions/lab{lab}/src");
-        for folder in ["labs", "solutions", "tests"] {
+        for folder in ["labs", "scripts", "solutions", "tests"] {
             for path in files_below(&kit.path(folder))? {
                 let relative = path.strip_prefix(kit.root())?.to_owned();
                 if !is_left_out(&relative) {
@@ -93,7 +93,7 @@ fn is_left_out(relative: &Path) -> bool {
     let is_starter =
         top == "labs" && second.strip_prefix("lab").is_some_and(|n| n.parse::<Lab>().is_ok());
     is_starter
-        || (top == "tests" && ["wrong", "exam"].contains(&second))
+        || (top == "tests" && ["wrong", "right", "exam"].contains(&second))
         || relative.iter().any(|part| part == "target")
 }
 

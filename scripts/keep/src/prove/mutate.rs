@@ -165,6 +165,7 @@ fn g() {
             name: name.into(),
             region,
             fails: vec![],
+            passes: vec![],
             loses: vec![],
             story: "x".into(),
             body: body.into(),

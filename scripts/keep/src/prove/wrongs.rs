@@ -1,43 +1,45 @@
-//! The known-wrong solutions: does every one fail where it must?
+//! The known-wrong solutions: does every one fail where it must? And do the unusual right ones pass?
 
 use std::path::PathBuf;
 
 use anyhow::Result;
 
-use super::Bench;
 use super::copy::Copy;
 use super::mutate::{environment, mutate};
 use super::report::Row;
+use super::{Bench, first_lines};
 use lab_kit::answers;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::machine::on_all_cores;
-use lab_kit::wrong;
+use lab_kit::wrong::{self, Wrong};
 
 impl Bench<'_> {
-    /// Proves the wrong solutions whose name contains `name`.
+    /// Proves the wrong solutions and the unusual right ones whose name contains `name`.
     pub(super) fn wrongs(&self, copy: &Copy, name: Option<&str>) -> Result<Vec<Row>> {
         self.begin("wrong solutions must be caught");
         let mut wrongs = wrong::read(self.kit, self.lab)?;
+        wrongs.extend(wrong::read_right(self.kit, self.lab)?);
         wrongs.retain(|wrong| name.is_none_or(|name| wrong.name.contains(name)));
         let files = answers::read_solution(self.kit, self.lab)?;
         let folder = PathBuf::from(format!("solutions/lab{}", self.lab));
         for (path, text) in mutate(self.lab, &files, &wrongs)? {
             copy.put(&folder.join(path), text.as_bytes())?;
         }
-        let row =
-            |name, tests, faults| self.row(&format!("wrong: {name}"), "caught", tests, faults);
         let program = match self.build(copy.cargo(), &format!("solution{}", self.lab)) {
             Ok(program) => program,
-            Err(why) => return Ok(vec![row("all", 0, vec![why.to_string()])]),
+            Err(why) => {
+                return Ok(vec![self.row("wrong: all", "caught", 0, vec![why.to_string()])]);
+            }
         };
         let tests = program.tests()?;
         let (mut runs, mut faults) = (Vec::new(), vec![Vec::new(); wrongs.len()]);
         for (index, wrong) in wrongs.iter().enumerate() {
-            let unknown = wrong.fails.iter().filter(|test| !tests.contains(test));
+            let named = || wrong.fails.iter().chain(&wrong.passes);
+            let unknown = named().filter(|test| !tests.contains(test));
             let unknown: Vec<_> = unknown.map(|test| format!("there is no test {test}")).collect();
             faults[index].extend(unknown);
             if faults[index].is_empty() {
-                runs.extend(wrong.fails.iter().map(|test| (index, test)));
+                runs.extend(named().map(|test| (index, test)));
             }
         }
         self.bar.set_length(runs.len() as u64);
@@ -47,11 +49,27 @@ impl Bench<'_> {
             outcome
         });
         for ((index, _), outcome) in runs.iter().zip(outcomes) {
-            faults[*index].extend(uncaught(&outcome?));
+            let outcome = outcome?;
+            let is_right = wrongs[*index].fails.is_empty();
+            faults[*index].extend(if is_right { rejected(&outcome) } else { uncaught(&outcome) });
         }
         let rows = wrongs.iter().zip(faults);
-        Ok(rows.map(|(wrong, faults)| row(&wrong.name, wrong.fails.len(), faults)).collect())
+        Ok(rows.map(|(wrong, faults)| self.row_of(wrong, faults)).collect())
     }
+
+    fn row_of(&self, wrong: &Wrong, faults: Vec<String>) -> Row {
+        let name = &wrong.name;
+        match wrong.passes.len() {
+            0 => self.row(&format!("wrong: {name}"), "caught", wrong.fails.len(), faults),
+            tests => self.row(&format!("right: {name}"), "passes", tests, faults),
+        }
+    }
+}
+
+/// Why an unusual right solution does not count as accepted.
+fn rejected(outcome: &Outcome) -> Option<String> {
+    let passed = outcome.verdict == Verdict::Passed;
+    (!passed).then(|| format!("{}: {}", outcome.test, first_lines(outcome)))
 }
 
 /// Why a wrong solution does not count as caught. A process that dies or hangs says nothing

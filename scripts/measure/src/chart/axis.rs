@@ -13,22 +13,22 @@ pub struct Axis {
     from: Option<f64>,
 }
 
-/// Positions of values.
+/// The way from a value to its position.
 #[derive(Clone, Debug, PartialEq)]
 enum Scale {
     Linear,
     Logarithmic,
-    /// Value k is name k; the first name is at the upper end.
+    /// Value k has name k. The first name is at the upper end.
     Names(Vec<String>),
 }
 
-/// An axis fitted to the values on it. A position on it is a value, or its logarithm.
+/// An axis that is fitted to its values. A position is a value, or its logarithm.
 pub(super) struct Fitted {
     scale: Scale,
     positions: (f64, f64),
     /// Positions with a label and a line across the chart.
     ticks: Vec<f64>,
-    /// Positions with a faint line only.
+    /// Positions with a faint line and no label.
     between: Vec<f64>,
 }
 
@@ -49,7 +49,7 @@ impl Axis {
         Self { scale: Scale::Names(names), ticks: Some(ticks), ..Self::linear("") }
     }
 
-    /// Returns the names that it shows; empty if it shows numbers.
+    /// Returns the names on the axis; empty if it has numbers.
     pub(super) fn named(&self) -> &[String] {
         if let Scale::Names(names) = &self.scale { names } else { &[] }
     }
@@ -64,7 +64,7 @@ impl Axis {
         self
     }
 
-    /// Starts a linear axis at this value if the data lie above it, as an efficiency starts at 0.
+    /// Starts a linear axis at this value if the data are above it, as an efficiency starts at 0.
     #[must_use]
     pub fn starting_at(mut self, value: f64) -> Self {
         self.from = Some(value);
@@ -76,7 +76,7 @@ impl Axis {
         self.scale.position(value).is_finite()
     }
 
-    /// Fits the axis to values that it can show, with some `most` labels where it may choose them.
+    /// Fits the axis to values that it can show, with about `most` labels if no labels were chosen.
     pub(super) fn fit(&self, values: impl IntoIterator<Item = f64>, most: usize) -> Fitted {
         let given = self.ticks.iter().flatten().filter(|tick| self.shows(**tick));
         let given: Vec<f64> = given.map(|tick| self.scale.position(*tick)).collect();
@@ -157,8 +157,10 @@ impl ValueFormatter<f64> for Fitted {
     }
 }
 
-/// Returns powers of ten, and 2 and 5 times these where there are fewer than three; then the positions between them. Of
-/// more than `most` powers only some are labelled.
+/// Returns the positions of labels on a logarithmic axis, and the positions between them.
+///
+/// Labels are powers of ten, and also 2 and 5 times these if there are fewer than three. If there
+/// are more than `most` powers, only some of them have labels.
 fn decades(positions: (f64, f64), most: usize) -> (Vec<f64>, Vec<f64>) {
     let ticks = multiples(&[1], positions);
     let between = multiples(&[2, 3, 4, 5, 6, 7, 8, 9], positions);
@@ -182,7 +184,7 @@ fn multiples(of: &[u8], (low, high): (f64, f64)) -> Vec<f64> {
     positions
 }
 
-/// Returns multiples of 1, 2 or 5 times a power of ten: `most` or one more, and three of eight at least.
+/// Returns multiples of 1, 2 or 5 times a power of ten, at most `most` + 1 of them.
 fn round_steps((low, high): (f64, f64), most: usize) -> Vec<f64> {
     let rough = (high - low) / most as f64;
     let power = 10f64.powf(rough.log10().floor());
@@ -193,7 +195,7 @@ fn round_steps((low, high): (f64, f64), most: usize) -> Vec<f64> {
     (first..=last).map(|k| k as f64 * step).collect()
 }
 
-/// Writes a number as a label: plain where it is short, else as a power of ten.
+/// Formats a number as a label: plainly if it is short, otherwise as a power of ten.
 pub fn number(value: f64) -> String {
     let rounded = format!("{value:.3e}").parse().unwrap_or(value);
     let size = f64::abs(rounded);

@@ -1,4 +1,4 @@
-//! Drawing a figure through plotters.
+//! Draws figures with plotters.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -8,8 +8,10 @@ use super::layout::Layout;
 use super::look::{Area, Drawn, FONT, INK, Look, draw_line, draw_mark, looks};
 use super::plane::draw_plane;
 
-/// Draws rows of charts as one SVG document, white behind, with fonts that every reader has. Charts side by side show
-/// the same series, and have one legend; on a phone they are one below the other.
+/// Draws rows of charts as one SVG document with a white background and standard fonts.
+///
+/// Charts in a row show the same series and have one legend. On a phone they are one below the
+/// other.
 pub fn svg(rows: &[Vec<Chart>], form: Form) -> String {
     let layouts: Vec<Layout> = rows.iter().map(|row| Layout::of(row, form)).collect();
     let heights = rows.iter().zip(&layouts).map(|(row, layout)| layout.height(row.len()));
@@ -48,7 +50,7 @@ fn draw(rows: &[Vec<Chart>], layouts: &[Layout], page: &Area<'_>) -> Drawn {
     Ok(())
 }
 
-/// Writes the title, perhaps the label of the axis upwards, and returns the rest below.
+/// Writes the title and, in a narrow layout, the label of the y axis. Returns the area below them.
 fn above<'p>(chart: &Chart, layout: Layout, plot: &Area<'p>) -> Drawn<Area<'p>> {
     let sizes = layout.sizes();
     let centred = (layout.width / 2, HPos::Center);
@@ -131,7 +133,7 @@ mod tests {
 
     #[test]
     fn text_can_be_read_on_a_page_and_on_a_phone() {
-        // As wide as a page of the book, and a phone, show it.
+        // These are the widths that a page of the book and a phone have.
         for (form, shown) in [(Form::Page, 750.0), (Form::Phone, 350.0)] {
             let chart =
                 Chart::new("A long title of some words", Axis::linear("x"), Axis::linear("y"))

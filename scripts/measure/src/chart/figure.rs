@@ -9,7 +9,7 @@ pub struct Chart {
     pub(super) x: Axis,
     pub(super) y: Axis,
     pub(super) series: Vec<Series>,
-    /// Value of x from which the area is shaded, and the words there.
+    /// Value of x where a shaded area begins, and the text in it.
     pub(super) beyond: Option<(f64, String)>,
     /// Whether names are at the ends of their lines instead of in a legend.
     pub(super) direct: bool,
@@ -18,7 +18,7 @@ pub struct Chart {
 /// A figure: rows of charts. The charts of a row show the same series, and share a legend.
 pub type Sheet = Vec<Vec<Chart>>;
 
-/// A medium that shows a figure: a page, or a phone, which has less than half the width.
+/// The medium of a figure: a page, or a phone, which has less than half the width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "said above")]
 pub enum Form {
@@ -26,34 +26,34 @@ pub enum Form {
     Phone,
 }
 
-/// One line of a chart.
+/// A line of a chart.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// Name in a legend; a series without a name is not in it.
+    /// Name in the legend; empty for a series that is not in the legend.
     pub(super) name: String,
     pub(super) kind: Kind,
-    /// Points in ascending x; for a part of bars the start and the end, bar by bar.
+    /// Points in ascending x. For a part of bars, they are the start and the end, bar by bar.
     pub(super) points: Vec<(f64, f64)>,
     /// Lower and upper bound (x, low, high), in ascending x; may be empty.
     pub(super) band: Vec<(f64, f64, f64)>,
 }
 
-/// The meaning of a line, which decides its look.
+/// The meaning of a line, which determines its look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Measurements: a full line with filled marks.
     Measured,
     /// Measurements without an order: filled marks alone.
     Apart,
-    /// Measurements that are only there to be compared with: grey marks.
+    /// Measurements that are shown only for comparison: grey marks.
     Behind,
-    /// A line of many that are alike, of which one is named: thin and grey, without marks.
+    /// One of many similar lines, of which only one is named: thin and grey, without marks.
     Crowd,
     /// Numbers of a course report, whose name comes first: dashes with hollow marks.
     Published,
     /// Values of a formula: a full line without marks, with a band.
     Model,
-    /// A line for the eye, such as an ideal or a slope: thin, grey, no marks.
+    /// A guide such as an ideal or a slope: thin and grey, without marks.
     Guide,
     /// A part of each bar, between two points.
     Part,
@@ -79,8 +79,9 @@ impl Chart {
         self
     }
 
-    /// Makes a chart of one bar for each of `rows`, from the upper end down: a name, and the lengths of the parts
-    /// that follow each other in the bar.
+    /// Makes a chart with a bar for each of `rows`, from the upper end down.
+    ///
+    /// A row is a name, and the lengths of the parts that follow each other in the bar.
     pub fn bars(
         title: impl Into<String>,
         x: Axis,
@@ -98,8 +99,9 @@ impl Chart {
         Self::lanes(title, x, names, parts)
     }
 
-    /// Makes a chart of one lane for each of `names`, from the upper end down. Each part has its name, and stretches
-    /// of lanes: the number of the lane, start and end.
+    /// Makes a chart with a lane for each of `names`, from the upper end down.
+    ///
+    /// A part is a name, and periods in lanes: the number of the lane, start and end.
     pub fn lanes<'p>(
         title: impl Into<String>,
         x: Axis,
@@ -118,14 +120,14 @@ impl Chart {
         chart
     }
 
-    /// Shades the area from this x on, such as more workers than cores, and writes `what` there.
+    /// Shades the area from this x on, such as more workers than cores, and writes `what` in it.
     #[must_use]
     pub fn shaded_beyond(mut self, x: Option<f64>, what: &str) -> Self {
         self.beyond = x.map(|x| (x, what.into()));
         self
     }
 
-    /// Puts each name at the end of its line, and leaves the legend out.
+    /// Puts each name at the end of its line, and omits the legend.
     #[must_use]
     pub fn labelled_directly(mut self) -> Self {
         self.direct = true;

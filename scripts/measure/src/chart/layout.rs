@@ -1,14 +1,16 @@
-//! Sizes of a chart and of its parts, by the medium that shows it.
+//! Sizes of a chart and of its parts, for a medium.
 
 use super::figure::{Chart, Form};
 use lab_kit::page::fold;
 
 const BAR_ROW: u32 = 22;
-/// The width of a character, in sizes of its text.
+/// The width of a character, as a multiple of the text size.
 const CHARACTER: f64 = 0.45;
 
-/// Layout of a row of charts: the number of charts side by side, the size of the plot of each, and the height of the
-/// legend below them all; 0 if they have none.
+/// Layout of a row of charts.
+///
+/// It consists of the number of charts side by side, the height of each plot, and the height of the
+/// legend below them, which is 0 without a legend.
 #[derive(Clone, Copy)]
 pub(super) struct Layout {
     form: Form,
@@ -18,8 +20,9 @@ pub(super) struct Layout {
     pub(super) legend: u32,
 }
 
-/// Sizes of text, 1.24 times its height in pixels. No text is less than 12 pixels high as it is shown: a page scales a
-/// figure by 0.91.
+/// Sizes of text, 1.24 times its height in pixels.
+///
+/// No text is displayed less than 12 pixels high. A page scales a figure by 0.91.
 pub(super) struct Sizes {
     pub(super) title: u32,
     pub(super) label: u32,
@@ -73,7 +76,7 @@ impl Layout {
         self.width < Form::Page.width()
     }
 
-    /// Whether names are at the ends of the lines, which needs room there.
+    /// Whether names are at the ends of the lines, which requires enough width.
     pub(super) fn names_lines(self, chart: &Chart) -> bool {
         chart.direct && self.form == Form::Page
     }
@@ -87,7 +90,8 @@ impl Layout {
         Sizes { title, label, tick, entry }
     }
 
-    /// Returns the greatest number of labels on an axis that may choose them: to the right and upwards.
+    /// Returns the greatest number of labels on the x axis and on the y axis, if the axis chooses
+    /// its labels.
     pub(super) fn ticks(self) -> (usize, usize) {
         if self.is_narrow() { (5, 7) } else { (8, 8) }
     }
@@ -101,7 +105,7 @@ impl Layout {
         if self.form == Form::Phone { 21 } else { 24 }
     }
 
-    /// Returns the room for names beside an axis.
+    /// Returns the width for names beside an axis.
     pub(super) fn beside_axis(self, chart: &Chart) -> u32 {
         let longest = chart.y.named().iter().map(|name| name.chars().count()).max();
         let numbers = match self.form {
@@ -114,12 +118,13 @@ impl Layout {
         })
     }
 
-    /// Whether the label of the axis upwards is above the chart; beside it a phone has too little room.
+    /// Whether the label of the y axis is above the chart, because a phone has too little room
+    /// beside it.
     pub(super) fn says_above(self) -> bool {
         self.form == Form::Phone
     }
 
-    /// Folds a text of that size into lines that are as wide as the chart at most.
+    /// Folds a text of this size into lines that are at most as wide as the chart.
     pub(super) fn lines(self, text: &str, size: u32) -> String {
         fold("", text, (f64::from(self.width - 12) / (CHARACTER * f64::from(size))) as usize)
     }

@@ -13,8 +13,10 @@ pub(super) const FONT: &str = "sans-serif";
 pub(super) const INK: RGBColor = RGBColor(51, 51, 51);
 const GREY: RGBColor = RGBColor(130, 130, 130);
 
-/// Colours of measurements: Okabe and Ito's darker ones, which differ for every kind of colour vision, and three
-/// more, for lines that are told apart by their marks too.
+/// Colours of measurements.
+///
+/// They are Okabe and Ito's darker colours, which differ for every kind of colour vision, and three
+/// more. Lines with these three also differ in their marks.
 const COLOURS: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -39,7 +41,9 @@ pub(super) struct Look {
     mark: usize,
 }
 
-/// Chooses the looks: guides and what is behind are grey, reports have their colours, and the other series take colours
+/// Chooses the looks of series.
+///
+/// Guides and comparisons are grey, and reports have their colours. The other series take colours
 /// and marks in turn.
 pub(super) fn looks(all: &[Series]) -> Vec<Look> {
     let mut looks = Vec::new();
@@ -81,7 +85,7 @@ pub(super) fn draw_line(page: &Area<'_>, points: &[(i32, i32)], kind: Kind, look
     Ok(())
 }
 
-/// Draws a bar from each first of two points to the second.
+/// Draws bars: each pair of points is the start and the end of a bar.
 fn draw_bars(page: &Area<'_>, points: &[(i32, i32)], look: &Look) -> Drawn {
     const HALF: i32 = 8;
     for &[(start, y), (end, _)] in points.as_chunks().0 {
@@ -91,7 +95,7 @@ fn draw_bars(page: &Area<'_>, points: &[(i32, i32)], look: &Look) -> Drawn {
 }
 
 impl Kind {
-    /// Whether points are marked.
+    /// Whether points have marks.
     pub(super) fn has_marks(self) -> bool {
         matches!(self, Self::Measured | Self::Apart | Self::Behind | Self::Published)
     }
@@ -105,7 +109,7 @@ pub(super) fn draw_mark(page: &Area<'_>, (x, y): (i32, i32), kind: Kind, look: &
         Kind::Published => look.colour.stroke_width(2),
         _ => return Ok(()),
     };
-    // Five, with six colours: no two of thirty series look alike.
+    // There are five marks and six colours, so no two of thirty series look the same.
     match look.mark % 5 {
         0 => page.draw(&Circle::new((x, y), SIZE, style)),
         1 => page.draw(&Rectangle::new([(x - SIZE, y - SIZE), (x + SIZE, y + SIZE)], style)),

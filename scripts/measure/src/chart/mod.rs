@@ -1,4 +1,4 @@
-//! Charts of lines and bars as SVG, the one look of all figures.
+//! Charts of lines and bars as SVG, with the same look in all figures.
 //!
 //! ```ignore
 //! let chart = Chart::new("Run time against n", Axis::log("particles n"), Axis::log("time [s]"))
@@ -8,9 +8,9 @@
 //! write_file(&path, svg(&[vec![chart]], Form::Page))?;
 //! ```
 //!
-//! Points are (x, y) pairs in any order. On a logarithmic axis a value that is not positive, and
-//! on every axis a value that is not finite, is left out. Colours can be told apart with any kind of
-//! colour vision, and every series has its own mark as well.
+//! Points are (x, y) pairs in any order. Values that are not finite are omitted, and on a
+//! logarithmic axis also values that are not positive. The colours differ for every kind of colour
+//! vision, and every series has a different mark as well.
 
 mod axis;
 mod draw;

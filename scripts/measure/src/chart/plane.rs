@@ -1,4 +1,4 @@
-//! The plane of a chart: its axes, its lines, and their names.
+//! Draws the plane of a chart: its axes, its lines, and their names.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -22,7 +22,7 @@ struct Visible<'s> {
     band: Vec<(f64, f64)>,
 }
 
-/// Draws the plane of a chart into its part of the page.
+/// Draws the plane of a chart in its part of the page.
 pub(super) fn draw_plane(chart: &Chart, layout: Layout, page: &Area<'_>, plot: &Area<'_>) -> Drawn {
     let all = visible(chart);
     let plane = plane(chart, layout, plot, &all)?;
@@ -86,7 +86,7 @@ fn plane<'p, 'b>(
     Ok(plane)
 }
 
-/// Shades the area that the chart wants shaded, and writes there why.
+/// Shades the area that the chart has chosen, and writes the reason in it.
 fn shade(
     chart: &Chart,
     layout: Layout,
@@ -105,7 +105,7 @@ fn shade(
     }
     let corners = [(left, rows.start), (columns.end, rows.end)];
     page.draw(&Rectangle::new(corners, BLACK.mix(0.07).filled()))?;
-    // At the bottom, unless a line ends there.
+    // The reason is at the bottom, unless a line ends there.
     let there = points.into_iter().map(|point| plane.backend_coord(point));
     let lowest = there.filter(|(x, _)| *x >= left).map(|(_, y)| y).max();
     let (y, side) = match lowest > Some(rows.end - 40) {
@@ -122,8 +122,10 @@ fn pixels(plane: &Plane<'_, '_>, points: &[(f64, f64)]) -> Vec<(i32, i32)> {
     points.iter().map(|point| plane.backend_coord(point)).collect()
 }
 
-/// Writes the names of series, in the order of their lines' ends: as near as the others leave room, and none below the
-/// plot. A name with a mark is behind the last of all ends, where no line crosses it.
+/// Writes the names of series, in the order of their lines' ends.
+///
+/// A name is as near to its line's end as the other names allow, and never below the plot. A name
+/// with a mark is to the right of all ends, where no line crosses it.
 fn names(all: &[Visible<'_>], plane: &Plane<'_, '_>, page: &Area<'_>) -> Drawn {
     let mut labels = Vec::new();
     for visible in all {

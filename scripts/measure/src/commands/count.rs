@@ -1,4 +1,4 @@
-//! `cargo lab count`: the events of a processor in a step, counted.
+//! `cargo lab count`: the number of a processor's events in a step.
 
 use std::collections::BTreeMap;
 use std::process::ExitCode;
@@ -22,40 +22,42 @@ use crate::subject::Programs;
 
 /// Count instructions, cache misses and mispredicted branches of a step
 ///
-/// 'cargo lab count 2 --solution' counts all variants of lab 2; a program is written as for 'race', and one without
-/// a variant stands for all of its lab. Valgrind's cachegrind simulates a processor with two levels of caches and
-/// a predictor of branches, some fifty times as slow as the machine: all pairs ask for '-n 1000'. Each program runs
-/// twice, and what the shorter run counts is taken from what the longer one does: what is left is of the last
-/// steps, without set-up. Load and the machine's own caches change nothing, and memory and code lie at the same
-/// addresses: on one system all counts are the same in every run to 10^-4. On another one, and where the system
-/// allows no such addresses, misses and mispredictions are the same to 10^-3.
+/// 'cargo lab count 2 --solution' counts all variants of lab 2. Programs are written as for 'race';
+/// a program without a variant means all variants of its lab. Valgrind's cachegrind simulates a
+/// processor with two levels of caches and a branch predictor. It is about fifty times slower than
+/// the machine, so use '-n 1000' for all pairs. Each program runs twice, and the counts of the
+/// shorter run are subtracted from those of the longer one. The result is the counts of the last
+/// steps, without set-up. Load and the machine's real caches have no influence, and memory and code
+/// have the same addresses in each run. On one system all counts repeat to 10^-4. On a different
+/// system, or if the system cannot fix addresses, misses and mispredictions repeat to 10^-3.
 ///
-/// It counts, and takes no time: it cannot see what a processor fetches ahead, how many misses it waits for at once,
-/// or two cores that write to one line (false sharing). It knows no AVX-512: a program that would use it takes its
-/// other way. Threads run one at a time, and the instructions of one that waits count too.
+/// The command counts and does not time. It cannot show prefetching, several misses at once, or two
+/// cores that write to the same cache line (false sharing). It has no AVX-512: a program that would
+/// use it takes its other path. Threads run one at a time, and the instructions of a waiting thread
+/// count too.
 #[derive(Args)]
 #[command(mut_arg("n", |n| n.help("Number of particles [default: 20000; 2000 hard discs]")))]
 pub struct Options {
     #[command(flatten)]
     programs: Programs,
-    /// What varies, with its values, such as n=1000,10000 or a parameter's: bin-size=1,2
+    /// Quantity that varies, with its values, such as n=1000,10000 or a parameter: bin-size=1,2
     #[arg(long, value_name = "WHAT=VALUES")]
     over: Option<Over>,
     #[command(flatten)]
     scene: OneScene,
-    /// Threads, or ranks, of a program that does not say
+    /// Number of threads, or ranks, of a program that does not set it
     #[arg(short, default_value_t = 1, value_name = "WORKERS", value_parser = clap::value_parser!(u16).range(1..))]
     t: u16,
-    /// Time steps that are counted
+    /// Number of time steps that are counted
     #[arg(long, default_value_t = 10, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     steps: u64,
-    /// Time steps before: soft discs need some fifty to leave the lattice that they start on
-    /// [default: 50; hard discs 1]
+    /// Number of time steps before that; soft discs need about fifty to leave the lattice at the
+    /// start [default: 50; hard discs 1]
     #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     after: Option<u64>,
     #[command(flatten)]
     caches: Caches,
-    /// Also show where in the source most instructions are
+    /// Also show the places in the source with the most instructions
     #[arg(long)]
     by: Option<By>,
     #[command(flatten)]
@@ -66,7 +68,7 @@ pub struct Options {
 const COLUMNS: [&str; 4] =
     ["instructions", "first-level misses", "last-level misses", "mispredicted branches"];
 
-/// Number of a program's locations that are shown.
+/// Number of a program's locations in the table.
 const LOCATIONS: usize = 12;
 
 /// Counts of a program, per particle and step.
@@ -79,7 +81,7 @@ pub struct Row {
     per_particle_and_step: BTreeMap<String, f64>,
 }
 
-/// All numbers.
+/// All results of the command.
 #[derive(Deserialize, Serialize)]
 pub struct Results {
     pub(super) caches: Caches,
@@ -100,7 +102,7 @@ impl Row {
     }
 }
 
-/// Counts, prints, writes.
+/// Counts, and prints and writes the results.
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let named = options.programs.of_one_kind()?;
     let hard = named[0].is_hard();
@@ -130,7 +132,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Makes a job for each variant that is named, at each value that is asked for.
+/// Makes a job for each variant that is named, at each value of the varied quantity.
 fn jobs(options: &Options, runner: &Runner, named: &[Program]) -> Result<Vec<Job>> {
     let mut programs = Vec::new();
     for program in named {
@@ -145,7 +147,7 @@ fn jobs(options: &Options, runner: &Runner, named: &[Program]) -> Result<Vec<Job
     })
 }
 
-/// Counts the last steps of a run: those of the job, after `after` others.
+/// Counts the last steps of a run: the steps of the job, after `after` earlier steps.
 pub(super) fn profile(runner: &Runner, job: &Job, after: u64, by: By) -> Result<Profile> {
     runner.run(&Job { steps: after, ..job.clone() })?;
     let shorter = Profile::take(runner.folder(), by)?;
@@ -166,7 +168,7 @@ fn table(over: Option<&Over>, rows: &[Row]) -> Table {
         .table(rows)
 }
 
-/// Lists the locations with most instructions.
+/// Makes a table of the locations with the most instructions.
 fn locations(job: &Job, profile: &Profile) -> Table {
     let locations = profile.first(LOCATIONS);
     Columns::of(job.program.to_string(), |(location, _): &(&str, Counts)| (*location).into())

@@ -40,10 +40,10 @@ pub enum Command {
 }
 
 impl Command {
-    /// Measures, prints, writes.
+    /// Measures, and prints and writes the results.
     ///
     /// # Errors
-    /// Something cannot be measured.
+    /// A measurement fails.
     pub fn run(self, kit: &Kit) -> Result<ExitCode> {
         match self {
             Self::Race(options) => race::run(kit, options),
@@ -60,10 +60,12 @@ impl Command {
         }
     }
 
-    /// Returns the figure of results that it wrote, and the figure's file; `None` if it draws none.
+    /// Returns the figure of results that the command wrote, and the figure's file.
+    ///
+    /// Returns `None` if the command draws no figure.
     ///
     /// # Errors
-    /// The results are of another command.
+    /// The results are from a different command.
     pub fn redraw(&self, results: &Value) -> Result<Option<(&Path, Sheet)>> {
         match self {
             Self::Race(_) | Self::Count(_) | Self::Speed(_) => Ok(None),

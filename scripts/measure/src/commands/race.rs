@@ -1,4 +1,4 @@
-//! `cargo lab race`: programs side by side.
+//! `cargo lab race`: times of programs that take turns.
 
 use std::process::ExitCode;
 
@@ -20,10 +20,11 @@ use lab_kit::table::Table;
 
 /// Race programs against each other on one scene
 ///
-/// A program is `lab2`, `lab2:sorted`, or with its parameters `lab3:fork-join,t=2,padding=1`, where
-/// t is threads and r ranks. `solution2:sorted` is the solution's. They take turns, round after
-/// round; shown are the shortest take, the median, and how both compare with the first program's: decided,
-/// if the median of the faster is less than the shortest take of the slower.
+/// A program is `lab2`, `lab2:sorted`, or with parameters `lab3:fork-join,t=2,padding=1`, where t
+/// is the number of threads and r the number of ranks. `solution2:sorted` is the solution's
+/// program. The programs take turns, round after round. The table shows the shortest take, the
+/// median, and the ratio of both to the first program. A ratio is decided if the median of the
+/// faster program is less than the shortest take of the slower one.
 #[derive(Args)]
 #[command(
     mut_arg("rounds", |rounds| rounds.default_value("5")),
@@ -34,7 +35,7 @@ pub struct Options {
     programs: Programs,
     #[command(flatten)]
     scene: OneScene,
-    /// Threads, or ranks, of a program that does not say
+    /// Number of threads, or ranks, of a program that does not set it
     #[arg(short, default_value_t = 1, value_name = "WORKERS", value_parser = clap::value_parser!(u16).range(1..))]
     t: u16,
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! `cargo lab speed`: the time of a right loop beside that of a fast one.
+//! `cargo lab speed`: compares a lab's innermost loop with a fast loop.
 
 use std::process::ExitCode;
 
@@ -19,11 +19,12 @@ use crate::scene::Scene;
 
 /// Say of a lab's innermost loops whether they are as fast as they can be
 ///
-/// Each loop takes turns with one that a fast loop is as fast as: the same work where nothing is to be guessed, or
-/// without what makes it slow. Both are programs of the lab, so no solution is needed, and a loop can be timed as soon as
-/// its task is done. A loop is slow if it takes more than 1.5 times as long, by the shortest takes and by the medians,
-/// and the takes of the two lie apart. Where valgrind is installed, the branches that a slow loop guesses wrong are
-/// counted, and its instructions.
+/// Each loop takes turns with a second loop that a fast loop is as fast as: it does the same work
+/// without unpredictable branches, or without the slow part. Both are programs of the lab, so no
+/// solution is needed, and a loop can be timed as soon as its task is done. A loop is slow if it
+/// takes more than 1.5 times as long, by the shortest takes and by the medians, and if the ranges
+/// of the two do not overlap. If valgrind is installed, the command also counts the mispredicted
+/// branches and the instructions of a slow loop.
 #[derive(Args)]
 pub struct Options {
     /// The lab, such as 10
@@ -35,19 +36,19 @@ pub struct Options {
     caches: Caches,
 }
 
-/// Least ratio of times that is neither noise nor good enough.
+/// Ratio of times above which a loop is slow.
 const SLOW: f64 = 1.5;
 
-/// Takes in turns, of about a tenth of a second each.
+/// Number of takes in turns, each of about a tenth of a second.
 const EFFORT: Effort = Effort { steps: None, rounds: 7, seconds: 1.4 };
 
-/// Most passes through a loop; no loop needs more for that time.
+/// Greatest number of passes through a loop. A tenth of a second never needs more.
 const MOST_PASSES: u64 = 1_000_000;
 
-/// Passes that are counted, and those before.
+/// Number of passes that are counted, and number of passes before.
 const COUNTED: u64 = 10;
 
-/// Times the loops and prints what is slow in each.
+/// Times the loops and prints the reason for each slow one.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let Options { lab, solution, caches } = options;
     let races = kit.facts(lab)?.races;
@@ -87,7 +88,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Makes the job of a program of loops, such as `alone:drift` of package `lab10`.
+/// Makes the job for a program with one loop, such as `alone:drift` of package `lab10`.
 fn job(package: &str, program: &str, n: usize) -> Result<Job> {
     let program = format!("{package}-{program}").parse().map_err(anyhow::Error::msg)?;
     Ok(Job::new(program, Scene::Soft { n }))
@@ -97,7 +98,7 @@ fn say(race: &Race, verdict: &str, text: &str) {
     print!("{}", folded(&format!("{:8} {verdict}", race.task), text));
 }
 
-/// Measures the ratio of a loop's times to those of the loop beside it.
+/// Measures the ratio of a loop's times to the times of the second loop.
 fn ratio(runner: &Runner, own: &Job, other: &Job) -> Result<Ratio> {
     let fit = Fit::Each { most: MOST_PASSES, affordable: false };
     let timings = EFFORT.run(runner, vec![own.clone(), other.clone()], fit)?.timings;
@@ -113,8 +114,8 @@ fn counted(runner: &Runner, job: &Job) -> Result<Counts> {
     Ok(per(&job, profile(runner, &job, 1, By::Function)?.total()))
 }
 
-/// Explains the time by what a processor does more than for the loop beside it: guess wrong, or else follow
-/// instructions.
+/// Explains the time by mispredicted branches, or else by instructions, compared with the second
+/// loop.
 fn why(own: Counts, other: Counts, of: &str) -> String {
     let [instructions, _, _, wrong] = own;
     if wrong > other[3] + 0.01 {

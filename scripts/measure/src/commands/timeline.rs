@@ -19,9 +19,10 @@ use lab_kit::table::{Table, three_digits};
 
 /// Show when each rank computes, communicates and waits in a step
 ///
-/// In a call of other ranks a rank waits until the last of its partners has come to the same call, and
-/// communicates for the rest of it. Of all steps of one run the most typical one is drawn: it is nearest to the
-/// median of what each rank does. The table is the mean over all steps.
+/// In a call of other ranks, a rank waits until the last of its partners has entered the same call,
+/// and communicates for the rest of the call. The drawing shows the most typical step of one run:
+/// the step that is nearest to the medians of all ranks' activities. The table shows means over all
+/// steps.
 #[derive(Args)]
 pub struct Options {
     #[command(flatten)]
@@ -31,14 +32,14 @@ pub struct Options {
     /// Number of ranks
     #[arg(long, default_value_t = 2, value_name = "RANKS", value_parser = clap::value_parser!(u16).range(1..))]
     ranks: u16,
-    /// Time steps
+    /// Number of time steps
     #[arg(long, default_value_t = 20, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     steps: u64,
     #[command(flatten)]
     pub(super) files: Files,
 }
 
-/// A run, and the step of it that is drawn.
+/// A run, and the step that is drawn.
 #[derive(Deserialize, Serialize)]
 pub struct Timeline {
     program: Program,
@@ -48,11 +49,11 @@ pub struct Timeline {
     ms_per_step: Vec<[f64; 3]>,
     /// Number of the step that is drawn.
     step: u32,
-    /// Activities in that step.
+    /// Activities in this step.
     stretches: Vec<Stretch>,
 }
 
-/// A stretch of time with one activity of a rank.
+/// A period with one activity of a rank.
 #[derive(Deserialize, Serialize)]
 struct Stretch {
     rank: usize,
@@ -68,7 +69,7 @@ impl Options {
     }
 }
 
-/// Runs, prints, writes.
+/// Runs the programs, and prints and writes the results.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     ensure!(package.has_ranks(), "lab {} has no ranks", package.lab);
@@ -140,7 +141,8 @@ impl Timeline {
         self.stretches.iter().map(|stretch| stretch.end).fold(0.0, f64::max)
     }
 
-    /// Writes the activities of a rank in characters of equal times: `#` it computes, `=` it communicates, `.` it waits.
+    /// Writes the activities of a rank as characters of equal times: `#` computes, `=`
+    /// communicates, `.` waits.
     fn lane(&self, rank: usize) -> String {
         const WIDTH: usize = 64;
         let mut lane = String::new();
@@ -159,7 +161,8 @@ impl Timeline {
     }
 }
 
-/// Finds the step that is nearest to the medians of all, by the milliseconds of each rank and activity.
+/// Finds the step nearest to the medians of all steps, by the milliseconds of each rank and
+/// activity.
 fn typical(ms: &[Vec<[f64; 3]>]) -> Option<u32> {
     let numbers = ms.first()?.as_flattened().len();
     let mut away = vec![0.0; ms.len()];
@@ -173,7 +176,7 @@ fn typical(ms: &[Vec<[f64; 3]>]) -> Option<u32> {
     (0..ms.len()).min_by(|&a, &b| away[a].total_cmp(&away[b])).map(|step| step as u32)
 }
 
-/// The means of all steps as a table, then the drawing.
+/// Writes the means of all steps as a table, then the drawing.
 impl std::fmt::Display for Timeline {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { program, n, steps, ms_per_step, step, .. } = self;

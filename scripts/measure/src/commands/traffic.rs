@@ -21,11 +21,11 @@ use lab_kit::table::Table;
 
 /// Count what ranks send and hold
 ///
-/// Runs a few steps of scenes of several sizes on several numbers of ranks and shows messages and
-/// bytes per step, the memory of a rank, and the exponent of n with which the bytes grow. Counts
-/// carry no noise, so nothing is repeated; but it takes some fifty steps until the particles have
-/// left the lattice that they start on. The scenes are those of the counter-based generator, of
-/// which a rank may make its share alone.
+/// Runs a few steps of scenes of several sizes on several numbers of ranks. Shows messages and
+/// bytes per step, the memory of a rank, and the exponent of n in the growth of the bytes. Counts
+/// have no noise, so runs are not repeated. However, the particles need about fifty steps to leave
+/// the lattice at the start. The scenes are those of the counter-based generator, which lets each
+/// rank make only its share.
 #[derive(Args)]
 pub struct Options {
     #[command(flatten)]
@@ -36,7 +36,7 @@ pub struct Options {
     /// Numbers of ranks, separated by commas
     #[arg(long, default_value = "2", value_name = "RANKS", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
     ranks: Vec<u16>,
-    /// Time steps of every run
+    /// Number of time steps of every run
     #[arg(long, default_value_t = 100, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     steps: u64,
     #[command(flatten)]
@@ -56,7 +56,7 @@ const COLUMNS: [(&str, &str); 7] = [
 
 const BYTES: &str = "bytes per step, mean rank";
 
-/// One run.
+/// The counters of one run.
 #[derive(Deserialize, Serialize)]
 struct Point {
     program: Program,
@@ -65,7 +65,7 @@ struct Point {
     counters: BTreeMap<String, f64>,
 }
 
-/// A program's exponent of n on a number of ranks; `None` where nothing is sent.
+/// A program's exponent of n on a number of ranks; `None` if no bytes are sent.
 #[derive(Deserialize, Serialize)]
 struct Slope {
     program: Program,
@@ -73,7 +73,7 @@ struct Slope {
     slope_of_bytes: Option<f64>,
 }
 
-/// All numbers.
+/// All results of the command.
 #[derive(Deserialize, Serialize)]
 pub struct Results {
     runs: Vec<Point>,
@@ -86,7 +86,7 @@ impl Options {
     }
 }
 
-/// Counts, prints, writes.
+/// Counts, and prints and writes the results.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     ensure!(
@@ -124,12 +124,12 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Iterates over the points of each program on each number of ranks.
+/// Iterates over the runs of each program on each number of ranks.
 fn lines(points: &[Point]) -> impl Iterator<Item = &[Point]> {
     points.chunk_by(|a, b| a.program == b.program && a.ranks == b.ranks)
 }
 
-/// Returns the bytes against n, where any are sent.
+/// Returns the bytes against n, without runs that send nothing.
 fn bytes(line: &[Point]) -> Vec<(f64, f64)> {
     let points =
         line.iter().filter_map(|point| Some((point.n as f64, *point.counters.get(BYTES)?)));

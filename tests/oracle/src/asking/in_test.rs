@@ -4,6 +4,7 @@ use super::Ask;
 use crate::apart::apart;
 #[cfg(unix)]
 use crate::mpiexec::on_each;
+use crate::panics::name_the_lab;
 use crate::watchdog::{is_rank, watched};
 use crate::{Question, Random};
 
@@ -30,6 +31,7 @@ pub fn in_test(
     snapshot: fn(&str, &str),
     ask: fn(&mut Random, &mut InTest),
 ) {
+    name_the_lab();
     println!("{ASKS}{}", question.text);
     let test = question.test();
     watched(&test.clone(), move || {

@@ -128,6 +128,11 @@ pub fn others_within(furthest: usize, rank: usize, ranks: usize) -> Vec<usize> {
     others.filter(|other| other.abs_diff(rank) <= furthest).collect()
 }
 
+/// Whether a call of MPI begins to send a message that is waited for later.
+pub fn begins_send(call: &str) -> bool {
+    ["MPI_Isend", "MPI_Issend"].contains(&call)
+}
+
 /// Asks how many of the calls that a rank has `made` are none of `calls`: there must be none, where
 /// these do the work.
 pub fn no_other_calls(made: &[&str], calls: &[&str], name: &str, ask: &mut impl Ask) {
@@ -184,7 +189,7 @@ pub fn memory(
 }
 
 /// The bytes of memory that this process has now; 0 where the system does not say.
-fn resident() -> u64 {
+pub fn resident() -> u64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
     let kibibytes =

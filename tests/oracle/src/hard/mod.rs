@@ -10,6 +10,6 @@ mod states;
 
 pub use compare::{difference, one_step};
 pub use events::Exact;
-pub use model::{Event, What, first_touch, possible, step};
+pub use model::{Event, What, first_touch, possible, step, wait_at_wall};
 pub use runs::Runs;
 pub use states::{follow, of_each_step, split, state};

@@ -169,7 +169,7 @@ pub(super) fn swap_normal_components(a: &mut Disc, b: &mut Disc) {
 }
 
 /// Takes a disc that is beyond a wall back along its path.
-fn wait_at_wall(disc: &mut Disc, low: f64, high: f64) {
+pub fn wait_at_wall(disc: &mut Disc, low: f64, high: f64) {
     let mut back: f64 = 0.0;
     for (x, v) in [(disc.x, disc.vx), (disc.y, disc.vy)] {
         let bound = if x < low { low } else { high };

@@ -157,17 +157,12 @@ impl Job {
         let Some(status) = wait(&mut child.0, limit + TO_SAY) else {
             drop(child);
             tasks_that_hang().insert(self.task.clone());
-            let mut said: Vec<_> = all_of(&mut stderr).lines().map(str::to_owned).collect();
-            said.sort();
             panic!(
-                "task {}: {} gave no answer within {} s. Some rank waits for a call that \
-                 another rank does not make: a collective operation that some ranks leave out or make once more, \
-                 a message that no rank sends, or a send that no rank receives; or a loop does not \
-                 end, or a list grows in each step.\n{}",
+                "task {}: {} gave no answer within {} s. {}",
                 self.task,
                 count(self.ranks),
                 limit.as_secs(),
-                said.join("\n"),
+                words::of_no_answer(&all_of(&mut stderr), self.ranks, limit),
             );
         };
         let took = start.elapsed();

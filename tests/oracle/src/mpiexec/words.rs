@@ -1,7 +1,9 @@
 //! What a failed job has to say to a student.
 
+use std::time::Duration;
+
 /// Lines of Open MPI and of the test harness that hold one of these say nothing about the lab.
-const NOISE: [&str; 13] = [
+const NOISE: [&str; 20] = [
     "-----------------",
     "MPI_ABORT was invoked on rank",
     "with errorcode ",
@@ -15,10 +17,22 @@ const NOISE: [&str; 13] = [
     "] *** MPI_ERRORS_ARE_FATAL",
     "] ***    and potentially your MPI job",
     "note: run with `RUST_BACKTRACE",
+    "Process received signal ***",
+    "Signal: ",
+    "Signal code: ",
+    "End of error message ***",
+    "Primary job  terminated normally",
+    "a non-zero exit code. Per user-direction",
+    "mpiexec noticed that process rank",
 ];
 
 /// What the libraries say, and what that means.
-const MEANINGS: [(&str, &str); 2] = [
+const MEANINGS: [(&str, &str); 3] = [
+    (
+        "Process received signal",
+        "A rank crashed inside the MPI library. Most often two messages that do not belong together have met: ranks \
+         make their calls in different orders, or a rank stops after fewer rounds than another.",
+    ),
     (
         "MPI_ERR_TRUNCATE",
         "A message was longer than the buffer for it. Either the buffer is too short, or ranks make their \
@@ -31,9 +45,48 @@ const MEANINGS: [(&str, &str); 2] = [
     ),
 ];
 
+/// Calls of MPI whose names hold one of these wait for a single message. Other calls wait for all ranks.
+const OF_ONE_MESSAGE: [&str; 4] = ["send", "recv", "probe", "wait"];
+
+const MISSING_CALL: &str = "Each rank waits in a call of MPI. So some rank waits for a call that another rank does not \
+                            make: a collective operation that some ranks leave out or make once more, a message that no \
+                            rank sends, or a send that no rank receives.";
+
+const NOT_KNOWN: &str = "A loop does not end, a list grows in each step, or this machine is busy.";
+
+/// Says why a job of so many ranks may have given no answer within `limit`, and what its ranks said.
+///
+/// A call is missing only if all ranks have been waiting in calls for a quarter of the time, and not all in the same
+/// collective operation. On a busy machine right programs take too long as well.
+pub(super) fn of_no_answer(stderr: &str, ranks: usize, limit: Duration) -> String {
+    let mut lines: Vec<&str> = stderr.lines().collect();
+    lines.sort_unstable();
+    let waits: Vec<(&str, u64)> = lines.iter().filter_map(|line| wait(line)).collect();
+    let all_wait =
+        waits.len() == ranks && waits.iter().all(|(_, seconds)| 4 * seconds >= limit.as_secs());
+    let all_in_one = waits.iter().all(|(call, _)| *call == waits[0].0 && is_of_all(call));
+    let why = if all_wait && !all_in_one { MISSING_CALL } else { NOT_KNOWN };
+    format!("{why}\n{}", lines.join("\n"))
+}
+
+/// The call with its location, and how many seconds a rank has waited in it, of a line such as
+/// `after 20 s rank 1 is in a run, in MPI_Recv (labs/lab5/src/root.rs, line 29) for 19 s`.
+fn wait(line: &str) -> Option<(&str, u64)> {
+    let (_, wait) = line.split_once(", in MPI_")?;
+    let (call, seconds) = wait.strip_suffix(" s")?.rsplit_once(" for ")?;
+    Some((call, seconds.parse().ok()?))
+}
+
+fn is_of_all(call: &str) -> bool {
+    let name = call.split(' ').next().unwrap_or_default().to_lowercase();
+    !OF_ONE_MESSAGE.iter().any(|part| name.contains(part))
+}
+
 /// What ranks and launcher said, without noise.
 pub(super) fn of_a_failure(stderr: &str) -> String {
-    let is_noise = |line: &&str| line.is_empty() || NOISE.iter().any(|noise| line.contains(noise));
+    let is_noise = |line: &&str| {
+        line.is_empty() || is_frame(line) || NOISE.iter().any(|noise| line.contains(noise))
+    };
     // Open MPI begins a line with a machine and a process.
     let said = |line| str::split_once(line, "] *** ").map_or(line, |(_, said)| said);
     let mut lines: Vec<&str> = stderr.lines().filter(|line| !is_noise(line)).map(said).collect();
@@ -45,9 +98,40 @@ pub(super) fn of_a_failure(stderr: &str) -> String {
     lines.join("\n")
 }
 
+/// Whether a line is of a trace of Open MPI's, such as `[vm:11471] [ 5] /lib/libc.so.6(abort+0xd3)[0x7f22]`.
+fn is_frame(line: &str) -> bool {
+    let Some((_, frame)) = line.split_once("] [") else { return false };
+    frame.split_once(']').is_some_and(|(number, _)| number.trim().parse::<u32>().is_ok())
+}
+
 #[cfg(test)]
 mod tests {
-    use super::of_a_failure;
+    use std::time::Duration;
+
+    use super::{MISSING_CALL, NOT_KNOWN, of_a_failure, of_no_answer};
+
+    #[test]
+    fn a_call_is_missing_only_where_all_ranks_wait() {
+        let says = |calls: [&str; 2]| {
+            let lines = [0, 1].map(|rank| format!("after 20 s rank {rank} is {}\n", calls[rank]));
+            let said = of_no_answer(&lines.concat(), 2, Duration::from_secs(20));
+            assert!(said.contains("rank 0 is") && said.contains("rank 1 is"), "{said}");
+            said
+        };
+        let waits = "in a run, in MPI_Wait (labs/lab8/src/x.rs, line 3) for 19 s";
+        let sums = "in a run, in MPI_Allreduce (labs/lab8/src/x.rs, line 9) for 19 s";
+        for calls in [[waits, waits], [waits, sums]] {
+            assert!(says(calls).starts_with(MISSING_CALL), "{calls:?}");
+        }
+        let soon = "in a run, in MPI_Wait (labs/lab8/src/x.rs, line 3) for 1 s";
+        let computes = "in a run, past MPI_Wait (labs/lab8/src/x.rs, line 3)";
+        for calls in [[sums, sums], [waits, soon], [waits, computes], ["past a run", sums]] {
+            assert!(says(calls).starts_with(NOT_KNOWN), "{calls:?}");
+        }
+        let one_of_two = format!("after 20 s rank 0 is {waits}\n");
+        let said = of_no_answer(&one_of_two, 2, Duration::from_secs(20));
+        assert!(said.starts_with(NOT_KNOWN), "{said}");
+    }
 
     #[test]
     fn the_ranks_words_remain() {
@@ -58,5 +142,16 @@ mod tests {
         let said = of_a_failure(said);
         assert!(said.starts_with("A message was longer than the buffer") && !said.contains("vm:3"));
         assert_eq!(of_a_failure(""), "a rank ended the job without a word");
+    }
+
+    #[test]
+    fn a_crash_is_explained_and_its_trace_left_out() {
+        let said = "malloc(): unaligned tcache chunk detected\n[vm:7] *** Process received signal ***\n[vm:7] Signal: \
+                    Aborted (6)\n[vm:7] [ 0] /lib/libc.so.6(+0x3c0)[0x7f]\n[vm:7] [13] /kit/lab8(+0x1)[0x2]\n[vm:7] *** End \
+                    of error message ***\n";
+        let said = of_a_failure(said);
+        let lines: Vec<&str> = said.lines().collect();
+        assert!(lines[0].starts_with("A rank crashed inside the MPI library."), "{said}");
+        assert_eq!(lines[1..], ["malloc(): unaligned tcache chunk detected"]);
     }
 }

@@ -1,4 +1,4 @@
-//! The engine as a program: its parameters, and how it is built.
+//! Builds the engine as a program from its parameters.
 
 use common::{BuildError, Config, Parameter, hard};
 use device::{Gpu, Real};
@@ -21,11 +21,12 @@ pub const PARAMETERS: &[Parameter] = &[
     TIMING,
 ];
 
-/// Builds an engine with the kernels `K` on this program's device, which filters in precision `R`. The greedy choice
-/// is made `on_device` or on the host.
+/// Builds an engine with the kernels `K` on this program's device, with a filter in precision `R`.
+///
+/// The greedy choice is made on the device if `on_device`, otherwise on the host.
 ///
 /// # Errors
-/// There is no device, or it cannot do what the parameters ask for.
+/// There is no device, or it cannot do what the parameters require.
 pub fn build<K: HardKernels, R: Real>(
     config: &Config,
     deal: Deal,

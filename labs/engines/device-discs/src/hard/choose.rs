@@ -1,4 +1,4 @@
-//! The greedy choice: on the host by a sort, or on the device without one.
+//! The greedy choice: on the host by sorting, or on the device without sorting.
 
 use std::marker::PhantomData;
 
@@ -10,38 +10,38 @@ use wgpu::Buffer;
 use super::finder::WALL;
 use super::kernels::HardKernels;
 
-/// Rounds that are submitted before the host looks whether more are needed.
+/// Number of rounds that are submitted before the host tests whether more are needed.
 const ROUNDS: usize = 4;
 
 /// The kernels of a round, in order.
 const KERNELS: [&str; 5] = ["forget", "least_high", "least_low", "least_rank", "take"];
 
-/// Why the device made no choice.
+/// The reason why the device made no choice.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum ChoiceError {
-    /// It cannot: mostly, it has too little memory.
+    /// A call failed, mostly because the device has too little memory.
     #[error(transparent)]
     Gpu(#[from] GpuError),
-    /// It does not come to an end: the kernels are wrong, or the device is.
+    /// The rounds did not end, because the kernels or the device are faulty.
     #[error(
         "the choice among {open} candidates does not settle: each round takes one or more, but \
          after {rounds} rounds {left} are still open"
     )]
     Unsettled {
-        /// Rounds that were run.
+        /// Number of rounds that were run.
         rounds: usize,
-        /// Candidates that were open before them.
+        /// Number of open candidates before these rounds.
         open: u32,
-        /// Candidates that are open after them.
+        /// Number of open candidates after these rounds.
         left: u32,
     },
 }
 
-/// Where the choice among the candidates is made.
+/// The place where the choice among the candidates is made.
 pub enum Choice<K> {
-    /// The host sorts them and takes them in order.
+    /// The host sorts the candidates and takes them in order.
     Host,
-    /// The device takes, in rounds, all that come first for their discs.
+    /// The device takes, in rounds, all candidates that are the first for each of their discs.
     Device(Box<Chooser<K>>),
 }
 
@@ -73,7 +73,7 @@ impl<K: HardKernels> Choice<K> {
     }
 }
 
-/// Chooses on the device, with the kernels `K`.
+/// The choice on the device, with the kernels `K`.
 pub struct Chooser<K> {
     gpu: &'static Gpu,
     kernels: Vec<Kernel>,
@@ -120,14 +120,16 @@ impl<K: HardKernels> Chooser<K> {
         })
     }
 
-    /// For each candidate 1 if it happens, else 0. All `discs` discs are free at the start.
+    /// Returns for each candidate 1 if it happens, otherwise 0. All `discs` discs are free at the
+    /// start.
     ///
-    /// Every round takes at least the first of all open candidates, so from round to round fewer
-    /// are left. Where that fails the kernels are wrong, or the device is, and more rounds would
-    /// not help.
+    /// Every round takes at least the first of all open candidates, so the number of open
+    /// candidates falls from round to round. If it does not, the kernels or the device are faulty,
+    /// and more rounds would not help.
     ///
     /// # Errors
-    /// The device has too little memory for these candidates, or [`ChoiceError::Unsettled`].
+    /// The device has too little memory for these candidates, or the error is
+    /// [`ChoiceError::Unsettled`].
     pub fn choose(
         &mut self,
         candidates: &[Candidate],
@@ -174,7 +176,7 @@ impl<K: HardKernels> Chooser<K> {
         // ANCHOR_END: rounds
     }
 
-    /// The clock, if there is one.
+    /// Returns the clock, if there is one.
     pub fn stopwatch(&self) -> Option<&Stopwatch> {
         self.stopwatch.as_ref()
     }
@@ -193,7 +195,7 @@ impl Memory {
         let firsts = gpu.storage("the discs' first candidates", 3 * of_discs)?;
         let left = gpu.storage("the candidates left", word)?;
         let all = [&numbers, &keys, &taken, &busy, &firsts, &left];
-        // Which of them each kernel uses, in the order of `KERNELS`.
+        // The buffers that each kernel uses, in the order of `KERNELS`.
         let used: [&[u32]; 5] =
             [&[0, 4, 5], &[0, 1, 3, 4], &[0, 1, 3, 4], &[0, 1, 3, 4], &[0, 1, 2, 3, 4, 5]];
         let bind = |(kernel, used): (&Kernel, &[u32])| {
@@ -205,8 +207,10 @@ impl Memory {
     }
 }
 
-/// A candidate as the kernels see it: the upper and the lower half of its time, and its discs.
-/// Adding zero makes −0.0, whose bits would come last, into 0.0.
+/// Returns a candidate in the kernels' form: the upper and the lower half of its time, and its
+/// discs.
+///
+/// The bits of −0.0 would come last, so adding zero makes it 0.0.
 fn key(candidate: &Candidate) -> [u32; 4] {
     let bits = (candidate.time + 0.0).to_bits();
     let (a, b) = match candidate.hit {

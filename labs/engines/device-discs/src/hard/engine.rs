@@ -1,4 +1,4 @@
-//! The engine: the device looks at all pairs, the host at the pairs that are left.
+//! The engine: the device filters all pairs, and the host computes the pairs that are left.
 
 use std::time::{Duration, Instant};
 
@@ -11,8 +11,10 @@ use super::finder::Finder;
 use super::kernels::HardKernels;
 use super::margins::Margins;
 
-/// Hard discs. The device filters with the kernels `K` in precision `R`; every result is computed on the host in f64,
-/// by lab 7's functions, so that its bytes are those of lab 7's sequential program.
+/// Hard discs, filtered on the device with the kernels `K` in precision `R`.
+///
+/// The host computes every result in f64 with the functions of lab 7. So the bytes are those of lab
+/// 7's sequential program.
 pub struct HardDiscs<K, R> {
     finder: Finder<K, R>,
     choice: Choice<K>,
@@ -25,23 +27,23 @@ pub struct HardDiscs<K, R> {
     tally: Tally,
 }
 
-/// What an engine counts.
+/// The engine's counters.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tally {
     steps: u64,
     found: u64,
     candidates: u64,
     taken: u64,
-    /// Finding candidates, the way to the device and back included.
+    /// Time for finding candidates, with the way to the device and back.
     finding: Duration,
-    /// Computing their times.
+    /// Time for computing the times of collisions.
     checking: Duration,
     choosing: Duration,
     moving: Duration,
 }
 
 impl<K: HardKernels, R: Real> HardDiscs<K, R> {
-    /// An engine made of a way to find candidates and a way to choose among them.
+    /// Makes an engine from a way to find candidates and a way to choose among them.
     pub fn new(finder: Finder<K, R>, choice: Choice<K>) -> Self {
         Self {
             finder,
@@ -56,12 +58,12 @@ impl<K: HardKernels, R: Real> HardDiscs<K, R> {
         }
     }
 
-    /// The collisions that the last step could have had, in any order.
+    /// Returns the collisions that the last step could have had, in any order.
     pub fn candidates(&self) -> &[Candidate] {
         &self.candidates
     }
 
-    /// The collisions of the last step, in any order.
+    /// Returns the collisions of the last step, in any order.
     pub fn taken(&self) -> &[Candidate] {
         &self.taken
     }
@@ -94,7 +96,8 @@ impl<K: HardKernels, R: Real> Simulation for HardDiscs<K, R> {
     }
 
     /// # Panics
-    /// The device has too little memory for these discs or candidates, or it chooses without end.
+    /// The device has too little memory for these discs or candidates, or its choice does not
+    /// settle.
     fn step(&mut self) {
         let start = Instant::now();
         let margins = Margins::of::<R>(&self.discs, self.square);

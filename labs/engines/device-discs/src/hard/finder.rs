@@ -14,19 +14,19 @@ use super::margins::Margins;
 /// The second number of a candidate that is a disc and a wall.
 pub const WALL: u32 = u32::MAX;
 
-/// The list's first capacity, in candidates.
+/// Capacity of the first list, in candidates.
 const FIRST_CAPACITY: u64 = 1024;
 
-/// How the work is dealt to the invocations.
+/// The distribution of the work to the invocations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Deal {
-    /// Discs: an invocation looks at a disc's walls and at all discs after it.
+    /// An invocation tests a disc with the walls and with all discs after it.
     Discs,
-    /// Pairs, by their number; walls apart.
+    /// An invocation tests pairs by their number. Another kernel tests the walls.
     Pairs,
 }
 
-/// Finds the discs that may collide, on the device, with the kernels `K` in precision `R`.
+/// A search for the discs that may collide, on the device, with the kernels `K` in precision `R`.
 pub struct Finder<K, R> {
     gpu: &'static Gpu,
     kernels: Vec<Kernel>,
@@ -39,7 +39,7 @@ pub struct Finder<K, R> {
     candidates: Buffer,
     bound: Vec<Bound>,
     capacity: u64,
-    /// For how many candidates the device has memory.
+    /// Greatest number of candidates that the device has memory for.
     most: u64,
     /// Number of discs, and the bounds of the filter for them.
     n: u32,
@@ -48,7 +48,7 @@ pub struct Finder<K, R> {
 }
 
 impl<K: HardKernels, R: Real> Finder<K, R> {
-    /// Compiles the kernels of a `deal`. They will run on `launch`.
+    /// Compiles the kernels of a `deal`, which will run on `launch`.
     ///
     /// # Errors
     /// The device cannot compute with `R`, or refuses a kernel.
@@ -87,18 +87,19 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
         Ok(finder)
     }
 
-    /// The same on a device that has memory for `most` candidates: a test can try how the search does with little.
+    /// Limits the list to `most` candidates, so that a test can try the search with little memory.
     #[must_use]
     pub fn with_room_for(self, most: u64) -> Self {
         Self { most: most.min(self.most), ..self }
     }
 
-    /// Fills `found` with the pairs a < b that may collide in this step and with (a, [`WALL`]) for
-    /// each disc that may hit a wall, each once, in any order. With the margins of these discs none that
-    /// collides is missing.
+    /// Fills `found` with the candidates of this step: pairs a < b, and (a, [`WALL`]) for walls.
+    ///
+    /// Each occurs once, in any order. If `margins` are those of these discs, no collision is
+    /// missing.
     ///
     /// # Errors
-    /// The device has not the memory for the discs.
+    /// The device has too little memory for the discs.
     pub fn find(
         &mut self,
         discs: &[Disc],
@@ -116,7 +117,7 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
             [disc.x, disc.y, disc.vx, disc.vy].map(|number| R::of(number / square.side))
         });
         self.gpu.upload(&self.discs, &numbers.collect::<Vec<_>>());
-        // A launch must not count beyond 32 bits, so it may look at that many pairs at most.
+        // A launch counts candidates in 32 bits, so it may test at most 2³² pairs.
         let n = discs.len() as u32;
         self.n = n;
         self.margins = margins;
@@ -133,7 +134,7 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
         self.bound = self.kernels.iter().map(|kernel| kernel.bind(self.gpu, &buffers)).collect();
     }
 
-    /// The clock, if there is one.
+    /// Returns the clock, if there is one.
     pub fn stopwatch(&self) -> Option<&Stopwatch> {
         self.stopwatch.as_ref()
     }

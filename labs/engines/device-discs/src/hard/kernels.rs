@@ -7,15 +7,15 @@ use device::{Bound, GpuError, Launch, Launcher, Work};
 use solution7::{Candidate, Square};
 use wgpu::Buffer;
 
-/// A search on the device whose list of candidates grows.
+/// A search on the device with a list of candidates that can grow.
 pub trait Search {
     /// Runs the kernels on some rows and returns the number of candidates found.
     fn run(&mut self, rows: Range<u32>) -> u64;
 
-    /// The number of candidates that the list has room for.
+    /// Returns the number of candidates that the list has room for.
     fn capacity(&self) -> u64;
 
-    /// Makes room for at least `count` candidates. What the list held is lost.
+    /// Makes room for at least `count` candidates. The list loses its contents.
     ///
     /// # Errors
     /// The device has too little memory for them.
@@ -34,17 +34,17 @@ pub struct Launches<'a> {
 }
 
 impl<'a> Launches<'a> {
-    /// The kernels in their order, bound to their buffers.
+    /// Returns the kernels in their order, bound to their buffers.
     pub fn kernels(&self) -> &'a [Bound] {
         self.kernels
     }
 
-    /// The number of invocations of each kernel.
+    /// Returns the launch of each kernel.
     pub fn launch(&self) -> Launch {
         self.launch
     }
 
-    /// The buffer for the number of candidates, one u32.
+    /// Returns the buffer for the number of candidates, one u32.
     pub fn count(&self) -> &'a Buffer {
         self.count
     }
@@ -52,26 +52,30 @@ impl<'a> Launches<'a> {
 
 /// The kernels of the search and of the choice, in WGSL, and the host's part of the search.
 ///
-/// All kernels see `real`, the number that they compute with, and `invocation` and `invocations` of the crate
-/// [`device`]. Those of the search are compiled with [`filter`](Self::filter) and bound to
+/// All kernels have `real`, the number type that they compute with, and `invocation` and
+/// `invocations` of the crate [`device`]. The kernels of the search are compiled with
+/// [`filter`](Self::filter) and bound to these buffers:
 ///
-/// | binding | type | what |
+/// | binding | type | contents |
 /// |---|---|---|
-/// | 0 | uniform | numbers of discs and rows and the bounds, see [`Margins::bytes`](super::Margins::bytes) |
+/// | 0 | uniform | numbers of discs and rows, bounds: [`Margins::bytes`](super::Margins::bytes) |
 /// | 1 | `array<vec4<real>>` | (x, y, vx, vy) of each disc, in sides of the square |
-/// | 2 | `atomic<u32>` | how many candidates there are |
-/// | 3 | `array<vec2<u32>>` | as many of them as there is room for |
+/// | 2 | `atomic<u32>` | number of candidates |
+/// | 3 | `array<vec2<u32>>` | the candidates, as many as there is room for |
 pub trait HardKernels: Launcher + Sized + 'static {
-    /// Functions of the search: which discs may collide, and a list that many append to.
+    /// Returns the functions of the search: the test of a pair, and a list that many invocations
+    /// append to.
     fn filter() -> &'static str;
 
-    /// The kernel `find_collisions`: rows are discs, and a disc comes with all discs after it.
+    /// Returns the kernel `find_collisions`: a row is a disc, with all discs after it.
     fn basic() -> &'static str;
 
-    /// The kernels `find_walls` and `find_pairs`: walls apart, and pairs dealt by number.
+    /// Returns the kernels `find_walls` and `find_pairs`: walls are tested separately, and pairs by
+    /// number.
     fn balanced() -> &'static str;
 
-    /// The kernels of a round of the greedy choice: `forget`, `least_high`, `least_low`, `least_rank`, `take`.
+    /// Returns the kernels of a round of the choice: `forget`, `least_high`, `least_low`,
+    /// `least_rank`, `take`.
     fn choose() -> &'static str;
 
     /// Adds all candidates of some rows of work to `found`, in any order.
@@ -84,10 +88,11 @@ pub trait HardKernels: Launcher + Sized + 'static {
         found: &mut Vec<[u32; 2]>,
     ) -> Result<(), GpuError>;
 
-    /// Writes down the launches that find the candidates, counted from zero.
+    /// Records the launches that find the candidates and count them from zero.
     fn record(finder: Launches<'_>, work: &mut Work<'_>);
 
-    /// Fills `candidates` with those of `found` that collide, and when: (a, b) with a < b, or
-    /// (a, [`WALL`](super::WALL)).
+    /// Fills `candidates` with the members of `found` that collide, and their times.
+    ///
+    /// A member is (a, b) with a < b, or (a, [`WALL`](super::WALL)).
     fn confirm(discs: &[Disc], square: Square, found: &[[u32; 2]], candidates: &mut Vec<Candidate>);
 }

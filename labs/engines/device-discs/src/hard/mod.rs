@@ -1,4 +1,4 @@
-//! Hard discs whose pairs are looked at on the device.
+//! Hard discs whose pairs are filtered on the device.
 
 mod build;
 mod choose;

@@ -1,4 +1,4 @@
-//! The engine as a program: its parameters, and how it is built.
+//! Builds the engine as a program from its parameters.
 
 use common::{BuildError, Config, Parameter, soft};
 use device::Gpu;
@@ -30,7 +30,7 @@ pub const PARAMETERS: &[Parameter] = &[
 /// Builds an engine with the kernels `K` in precision `P` on this program's device.
 ///
 /// # Errors
-/// There is no device, or it cannot do what the parameters ask for.
+/// There is no device, or it cannot do what the parameters require.
 pub fn build<K: SoftKernels, P: Precision>(
     config: &Config,
 ) -> Result<Box<dyn soft::Simulation>, BuildError> {

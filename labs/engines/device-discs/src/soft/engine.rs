@@ -1,4 +1,4 @@
-//! The engine: a step is five or more launches, and the particles never leave the device.
+//! The engine: a step is five or more launches, and the particles stay on the device.
 
 use std::cell::{Cell, RefCell};
 use std::marker::PhantomData;
@@ -19,25 +19,26 @@ pub struct SoftDiscs<K, P: Precision> {
     stopwatch: Option<Stopwatch>,
     scene: Option<Loaded<P>>,
     readback: RefCell<Readback>,
-    /// Seconds that copies between host and device took, waiting for them included.
+    /// Seconds that copies between host and device took, with the time that the host waited for
+    /// them.
     transfer: Cell<f64>,
     in_flight: u32,
     kernels_of: PhantomData<K>,
 }
 
-/// The particles' ids as one sort leaves them.
+/// The particles' ids after a sort.
 #[derive(Debug, PartialEq)]
 pub struct Sorted {
     /// The bins.
     pub grid: Grid,
-    /// Where each bin begins, and at last the number of particles.
+    /// The first particle of each bin, and finally the number of particles.
     pub starts: Vec<u32>,
     /// The ids, bin by bin.
     pub ids: Vec<u32>,
 }
 
 impl<K: SoftKernels, P: Precision> SoftDiscs<K, P> {
-    /// Compiles the kernels. With a stopwatch each is timed, and every step waits.
+    /// Compiles the kernels. With a stopwatch, each kernel is timed, and every step waits.
     ///
     /// # Errors
     /// The device cannot compute in this precision or run workgroups of this size.
@@ -72,10 +73,10 @@ impl<K: SoftKernels, P: Precision> SoftDiscs<K, P> {
         })
     }
 
-    /// Starts over from `scene`.
+    /// Starts from `scene`.
     ///
     /// # Errors
-    /// The device has not the memory for it.
+    /// The device has too little memory for the scene.
     pub fn try_load(&mut self, scene: &Scene) -> Result<(), GpuError> {
         self.scene = None;
         let start = Instant::now();
@@ -91,7 +92,7 @@ impl<K: SoftKernels, P: Precision> SoftDiscs<K, P> {
         Ok(())
     }
 
-    /// Sorts the particles into bins, and moves none.
+    /// Sorts the particles into bins without moving them, and returns the result.
     pub fn sort(&self) -> Sorted {
         let scene = self.scene();
         let mut work = Work::new(self.gpu, None);

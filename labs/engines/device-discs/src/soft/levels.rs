@@ -1,4 +1,4 @@
-//! The levels of a prefix sum, from the numbers themselves up to a level of a single block.
+//! The levels of a prefix sum, from the numbers up to a level of a single block.
 
 use device::{Gpu, GpuError};
 use wgpu::Buffer;
@@ -7,7 +7,8 @@ use super::kernels::SoftKernels;
 use super::scan::{Level, Scan};
 
 impl Scan {
-    /// Prepares to sum the `len` numbers (u32) in `values`, by workgroups of `threads`, with the kernels `K`.
+    /// Prepares to sum the `len` numbers (u32) in `values`, by workgroups of `threads`, with the
+    /// kernels `K`.
     ///
     /// # Errors
     /// The device refuses a kernel, its launch or its memory.
@@ -17,9 +18,9 @@ impl Scan {
         len: u32,
         threads: u32,
     ) -> Result<Self, GpuError> {
-        let sources = [K::scan()];
+        let sources = [K::scan(), include_str!("shared.wgsl")];
         let limits = gpu.limits();
-        // Blocks of one number would never become fewer.
+        // With blocks of one number, the next level would have as many numbers as this one.
         let threads = threads.max(2);
         let scan_blocks = K::compiled(gpu, "scan_blocks", &sources, threads, &[])?;
         let add_sums = K::compiled(gpu, "add_sums", &sources, threads, &[])?;

@@ -1,15 +1,14 @@
-// Positions in double precision: (x, y) as everywhere else in the kit.
+// Positions in double precision: (x, y) from the corner of the box.
 
 const FEW: u32 = 8u;
 
-// The vector from sorted particle i to sorted particle j. How many bins lie between them does not
-// matter to positions that count from the corner of the box.
+// Returns the vector from sorted particle i to sorted particle j. `over`, the number of bins
+// between them, is needed only for positions that are relative to their bin.
 fn separation(i: u32, j: u32, over: vec2<i32>) -> vec2<real> {
     return sorted_positions[j] - sorted_positions[i];
 }
 
-// A coordinate that may lie outside the walls, and its velocity, reflected back inside: lab 1's
-// bounce.
+// Reflects a coordinate that may be outside the walls, and its velocity: lab 1's `bounce`.
 fn bounce(x_: real, v_: real) -> vec2<real> {
     var x = x_;
     var v = v_;
@@ -32,7 +31,7 @@ fn bounce(x_: real, v_: real) -> vec2<real> {
     return vec2<real>(period - folded, -v);
 }
 
-// Moves sorted particle i for one time step and writes it to the unsorted arrays, with its new bin.
+// Moves sorted particle i by one time step and writes it to the unsorted arrays, with its new bin.
 fn advance(i: u32, a: vec2<real>) {
     let v = sorted_velocities[i] + a * DT;
     let position = sorted_positions[i] + v * DT;

@@ -1,65 +1,70 @@
-//! The bins, and the two ways to store a position: f64 from the corner of the box, f32 from that of
-//! the bin.
+//! The bins, and two ways to store positions: f64 from the box's corner, or f32 from the bin's
+//! corner.
 
 use common::soft::{CUTOFF, Particle};
 use device::Real;
 
 use super::kernels::SoftKernels;
 
-/// How the box is divided: `columns` × `columns` bins of side `side`.
+/// The division of the box into `columns` × `columns` bins of side `side`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     /// Side of the box.
     pub size: f64,
-    /// Bins along x, and as many along y.
+    /// Number of bins along x, which is also their number along y.
     pub columns: u32,
     /// Side of a bin, `size / columns`.
     pub side: f64,
 }
 
-/// Bins are so much wider than the cutoff that no rounding, not even that of single precision,
-/// lets two particles at the cutoff be two bins apart.
+/// Factor by which bins are wider than the cutoff.
+///
+/// It is so large that rounding, even to single precision, never puts two particles at the cutoff
+/// two bins apart.
 const SLACK: f64 = 1.0 + 1.0 / (1 << 20) as f64;
 
 impl Grid {
-    /// Bins of at least `bin` cutoffs (1 or more) in a box of side `size`, but not many more than
-    /// the `n` particles in it: an empty plain needs no bins.
+    /// Makes bins of at least `bin` cutoffs (1 or more) in a box of side `size`.
+    ///
+    /// There are not many more bins than the `n` particles, because empty parts of the box need no
+    /// bins.
     pub fn new(size: f64, n: usize, bin: f64) -> Self {
         let most = (8.0 * n as f64).sqrt().clamp(64.0, 46_340.0);
         let columns = (size / (CUTOFF * bin * SLACK)).floor().clamp(1.0, most);
         Self { size, columns: columns as u32, side: size / columns }
     }
 
-    /// Number of bins.
+    /// Returns the number of bins.
     pub fn bins(&self) -> u32 {
         self.columns * self.columns
     }
 
-    /// The column of coordinate `x`, or the row of `y`. The far wall belongs to the last.
+    /// Returns the column of coordinate `x`, or the row of `y`. The far wall belongs to the last
+    /// column.
     pub fn column(&self, x: f64) -> u32 {
         ((x / self.side) as u32).min(self.columns - 1)
     }
 }
 
-/// How positions are stored on the device.
+/// A way to store positions on the device.
 pub trait Precision: 'static {
-    /// The number that the kernels compute with.
+    /// The number type that the kernels compute with.
     type Real: Real;
 
-    /// The functions `separation` and `advance`, for the kernels `K`.
+    /// Returns the functions `separation` and `advance`, for the kernels `K`.
     fn source<K: SoftKernels>() -> &'static str;
 
-    /// Where the particle is: its bin, and its position as the device stores it.
+    /// Returns the particle's bin, and its position in the device's form.
     fn write(particle: &Particle, grid: &Grid) -> (u32, [Self::Real; 2]);
 
-    /// The coordinates of a position, from its bin.
+    /// Returns the coordinates of a position, from its bin and its form on the device.
     fn read(bin: u32, position: [Self::Real; 2], grid: &Grid) -> [f64; 2];
 }
 
-/// Double precision.
+/// Positions in double precision.
 pub struct Double;
 
-/// Single precision, relative to the bin.
+/// Positions in single precision, relative to the bin.
 pub struct Single;
 
 /// The constants of chapter 1, in WGSL.

@@ -12,16 +12,16 @@ use super::kernels::SoftKernels;
 use super::positions::{Grid, Precision};
 use super::scan::{Scan, Sort};
 
-/// What can be chosen about an engine.
+/// The options of an engine.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
-    /// Invocations in a workgroup.
+    /// Number of invocations in a workgroup.
     pub threads: u32,
     /// Least side of a bin, in cutoffs.
     pub bin: f64,
-    /// Steps that may be submitted before the host waits.
+    /// Number of steps that may be submitted before the host waits.
     pub in_flight: u32,
-    /// Whether each step's statistics will be asked for.
+    /// Whether each step computes statistics.
     pub statistics: bool,
 }
 
@@ -44,7 +44,7 @@ pub(super) struct Loaded<P: Precision> {
     velocities: Buffer,
     pub(super) sorted_tags: Buffer,
     pub(super) tallies: Buffer,
-    /// The particles as they were last read.
+    /// The particles as they were last read, or `None` if they have moved since.
     pub(super) host_copy: RefCell<Option<Vec<Particle>>>,
     precision: PhantomData<P>,
 }

@@ -1,4 +1,4 @@
-//! How the rows of cells are shared out.
+//! Divides the rows of cells into strips with about as many discs each.
 
 use std::ops::Range;
 
@@ -6,22 +6,25 @@ use common::hard::Disc;
 
 use super::lattice::Lattice;
 
-/// Discs in a strip, about: its entries should stay in a core's nearest caches while they are sorted and
-/// searched.
+/// Approximate number of discs in a strip.
+///
+/// The entries of so many discs stay in a core's nearest caches while they are sorted and searched.
 const DISCS: usize = 512;
 
-/// A worker keeps a list for each strip open at the same time, and more of them would not fit into its caches.
+/// Greatest number of strips. A worker fills a list for each strip, and more lists would not fit
+/// into its caches.
 const MOST_STRIPS: usize = 512;
 
-/// Most slices, of 2^k rows each, in which rows are told apart.
+/// Greatest number of slices; a slice is 2^k rows that stay together.
 const MOST_SLICES: u32 = 4096;
 
-/// Discs that tell well enough where the discs are.
+/// Number of discs that are sampled to find out where the discs are.
 const SAMPLE: usize = 1 << 14;
 
-/// A lattice whose rows are cut into strips, with about as many discs in each.
+/// A lattice whose rows are divided into strips, with about as many discs in each.
 ///
-/// How follows from the discs, and not from the number of workers: a worker takes strip after strip.
+/// The strips depend on the discs, and not on the number of workers: a worker takes strip after
+/// strip.
 #[derive(Debug)]
 pub(super) struct Cut {
     /// The lattice.
@@ -34,13 +37,13 @@ pub(super) struct Cut {
 }
 
 impl Cut {
-    /// Cuts a lattice.
+    /// Divides the rows of a lattice into strips.
     pub(super) fn new(lattice: Lattice, discs: &[Disc]) -> Self {
         let mut shift = 0;
         while lattice.rows() >> shift >= MOST_SLICES {
             shift += 1;
         }
-        // Without discs there are no rows.
+        // If there are no discs, there are no rows.
         let slices = (lattice.rows().saturating_sub(1) >> shift) + 1;
         let mut sampled = vec![0_usize; slices as usize];
         for disc in discs.iter().step_by(discs.len().div_ceil(SAMPLE).max(1)) {
@@ -65,18 +68,18 @@ impl Cut {
         Self { lattice, shift, strips, rows }
     }
 
-    /// The strip that a row belongs to.
+    /// Returns the strip that contains a row.
     #[inline]
     pub(super) fn strip(&self, row: u32) -> usize {
         self.strips[(row >> self.shift) as usize] as usize
     }
 
-    /// How many strips there are.
+    /// Returns the number of strips.
     pub(super) fn strips(&self) -> usize {
         self.rows.len()
     }
 
-    /// The numbers of the cells of a strip.
+    /// Returns the numbers of the cells of a strip.
     pub(super) fn cells(&self, strip: usize) -> Range<u64> {
         let Range { start, end } = self.rows[strip];
         self.lattice.cell(start, 0)..self.lattice.cell(end, 0)

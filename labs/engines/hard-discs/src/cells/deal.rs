@@ -1,4 +1,4 @@
-//! Entries of discs, dealt out to strips.
+//! Distributes the entries of discs to strips.
 
 use common::hard::Disc;
 
@@ -7,21 +7,22 @@ use crate::broad_phase::BroadPhase;
 use crate::entry::Entry;
 use crate::geometry::{Square, Window, reach};
 
-/// Discs after which the list of entries that do not exist is emptied.
+/// Number of discs after which the list of unused entries is cleared.
 const PIECE: usize = 1024;
 
-/// The entries of some discs: a list for each strip, and one more for entries that do not exist.
+/// The entries of some discs: a list for each strip, and another list for unused entries.
 #[derive(Default)]
 pub(super) struct Deal {
     lists: Vec<Vec<Entry>>,
 }
 
 impl Deal {
-    /// Makes the entries of those of `discs` that are `free`. The first of them has number `first`.
+    /// Makes the entries of those `discs` that are `free`. The first disc has number `first`.
     ///
-    /// Nearly all boxes reach into one row or two, either as often as the other. So the processor
-    /// could not guess a branch, and a wrong guess costs more than an entry: there are always two,
-    /// and where the box reaches into one row only the second goes to a list that nobody reads.
+    /// Nearly all boxes reach into one row or into two, and both cases are equally frequent. So the
+    /// processor could not predict a branch, and a misprediction costs more than an entry.
+    /// Therefore two entries are always made. If the box reaches into one row only, the second
+    /// entry goes to a list that is never read.
     pub(super) fn deal<C: BroadPhase>(
         &mut self,
         discs: &[Disc],
@@ -63,7 +64,7 @@ impl Deal {
         }
     }
 
-    /// The entries of a strip.
+    /// Returns the entries of a strip.
     pub(super) fn entries(&self, strip: usize) -> &[Entry] {
         &self.lists[strip]
     }

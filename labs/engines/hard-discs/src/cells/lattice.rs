@@ -1,4 +1,4 @@
-//! How the square is cut into cells.
+//! The lattice of cells over the square.
 
 use super::work::{HEIGHT, WIDTH, expected_work, mean_box};
 use crate::geometry::Square;
@@ -6,8 +6,9 @@ use crate::survey::Survey;
 
 /// Columns and rows of cells that cover the positions of the discs.
 ///
-/// Positions beyond the lattice count to its outermost cells, so that whatever overlaps in the plane
-/// shares a row, and begins and ends in the right order of columns, on the lattice too.
+/// A position outside the lattice belongs to the nearest cell. So boxes that overlap in the plane
+/// also share a row of the lattice, and their columns begin and end in the same order as in the
+/// plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lattice {
     left: f64,
@@ -18,12 +19,13 @@ pub(super) struct Lattice {
     rows: u32,
     /// The greatest velocity component of the scene.
     pub(super) fastest: f64,
-    /// Whether it pays to look at many pairs together: an entry has several partners, and few pairs
-    /// must be asked when they touch.
+    /// Whether testing many pairs together pays.
+    ///
+    /// It does if an entry has several partners, and few of these pairs touch at any time.
     pub(super) in_lanes: bool,
 }
 
-/// The number of cells of about this length between two coordinates.
+/// Returns the number of cells of about this length between two coordinates.
 fn cells_along((low, high): (f64, f64), length: f64) -> f64 {
     ((high - low) / length).ceil().clamp(1.0, MOST)
 }
@@ -32,11 +34,11 @@ fn cells_per_length((low, high): (f64, f64), cells: f64) -> f64 {
     if high > low { cells / (high - low) } else { 0.0 }
 }
 
-/// More columns or rows than this are not told apart.
+/// Greatest number of columns or rows.
 const MOST: f64 = (1 << 30) as f64;
 
 impl Lattice {
-    /// The lattice for a step of `windows` windows.
+    /// Returns the lattice for a step of `windows` windows.
     pub(super) fn new(survey: &Survey, square: Square, windows: usize) -> Self {
         let (width, height) = mean_box(survey, square, windows);
         let work = expected_work(survey, square, windows);
@@ -54,26 +56,26 @@ impl Lattice {
         }
     }
 
-    /// The column of a position.
+    /// Returns the column of a position.
     #[inline]
     pub(super) fn column(&self, x: f64) -> u32 {
-        // The conversion takes what is negative to 0.
+        // The conversion turns negative numbers into 0.
         (((x - self.left) * self.per_width) as u32).min(self.columns - 1)
     }
 
-    /// The row of a position.
+    /// Returns the row of a position.
     #[inline]
     pub(super) fn row(&self, y: f64) -> u32 {
         (((y - self.bottom) * self.per_height) as u32).min(self.rows - 1)
     }
 
-    /// The number of a cell.
+    /// Returns the number of a cell.
     #[inline]
     pub(super) fn cell(&self, row: u32, column: u32) -> u64 {
         u64::from(row) * u64::from(self.columns) + u64::from(column)
     }
 
-    /// Number of rows.
+    /// Returns the number of rows.
     pub(super) fn rows(&self) -> u32 {
         self.rows
     }

@@ -1,4 +1,4 @@
-//! Discs as structures of arrays.
+//! Discs as a structure of arrays, for pair tests in vector registers.
 
 use std::array::from_fn;
 use std::ops::Range;
@@ -7,7 +7,7 @@ use common::hard::Disc;
 
 use crate::pairs::LANES;
 
-/// The positions and velocities of discs, in an order of one's own.
+/// The positions and velocities of discs, in the caller's order.
 #[derive(Default)]
 pub(super) struct Paths {
     x: Vec<f64>,
@@ -20,7 +20,8 @@ impl Paths {
     /// Copies these discs.
     pub(super) fn copy<'a>(&mut self, discs: impl ExactSizeIterator<Item = &'a Disc>) {
         let Self { x, y, vx, vy } = self;
-        // What stands behind the last disc is looked at, and nobody asks for its pairs.
+        // The elements behind the last disc are read in the last lanes, but their pairs are never
+        // used.
         for array in [&mut *x, y, vx, vy] {
             array.resize(discs.len() + LANES, 0.0);
         }
@@ -32,8 +33,12 @@ impl Paths {
         }
     }
 
-    /// Looks at the pairs of disc `a` with the discs in `others`, [`LANES`] at a time, until one of them
-    /// [may touch](crate::may_touch). Returns where these [`LANES`] begin; `None` if no pair is left.
+    /// Tests the pairs of disc `a` with the discs in `others` until one [may
+    /// touch](crate::may_touch).
+    ///
+    /// It tests [`LANES`] pairs at a time.
+    ///
+    /// Returns the first index of these [`LANES`], or `None` if no pair of `others` may touch.
     #[inline(always)]
     pub(super) fn next_that_may_touch(
         &self,
@@ -42,7 +47,8 @@ impl Paths {
         radius: f64,
     ) -> Option<usize> {
         let limit = 4.000_001 * radius * radius;
-        // All of the length of x: the compiler asks once whether the lanes are inside.
+        // All slices have the same length, so the compiler tests only once whether the lanes are in
+        // bounds.
         let n = self.x.len();
         let all = [&self.x[..n], &self.y[..n], &self.vx[..n], &self.vy[..n]];
         let from = all.map(|of| of[a]);
@@ -64,7 +70,7 @@ impl Paths {
     }
 }
 
-/// The differences of [`LANES`] numbers from index `first` on to the number `from`.
+/// Returns the [`LANES`] numbers from index `first` on, each minus `from`.
 #[inline(always)]
 fn differences(numbers: &[f64], first: usize, from: f64) -> [f64; LANES] {
     let to = &numbers[first..first + LANES];

@@ -1,4 +1,4 @@
-//! Sorted occupied cells, window by window, strip by strip.
+//! The finder that plans a step, and then searches it window by window, strip by strip.
 
 use std::marker::PhantomData;
 
@@ -17,31 +17,33 @@ use crate::geometry::{Square, Window};
 use crate::survey::Survey;
 use crate::threads::SharedCount;
 
-/// The fastest search: it surveys the scene, plans the step, and then looks only at pairs
-/// whose boxes meet.
+/// The fastest search: it surveys the scene, plans the step, and then tests only pairs whose boxes
+/// meet.
 ///
-/// Workers share the work of a window twice. First each has a part of the discs and deals their entries out to
-/// the strips, into lists of its own. Then each takes a strip, collects its entries from the lists
-/// of all workers and searches it, and takes the next one.
+/// Workers share the work of a window in two ways. First each worker makes the entries of a part of
+/// the discs, and appends them to its lists, one for each strip. Then each worker takes a strip,
+/// collects its entries from the lists of all workers, searches them, and takes the next strip.
 pub struct Planned<C> {
     rules: PhantomData<C>,
     workers: Workers,
-    /// The number of windows that the user wants, if any.
+    /// The number of windows that the user chose, or `None` to choose by the scene.
     fixed: Option<usize>,
-    /// Whether a window is decided before the next one is searched.
+    /// Whether a window is decided before the next window is searched.
     decided: bool,
     survey: Survey,
     plan: Option<Cut>,
     windows: usize,
     deals: Vec<Deal>,
     searchers: Vec<Searcher>,
-    /// Pairs tested in this step, and how many times as many as expected in the last.
+    /// Pair tests in this step, and pair tests of the last step as a multiple of the expected
+    /// number.
     step_tests: u64,
     crowding: f64,
 }
 
 impl<C> Planned<C> {
-    /// A finder for `workers`, with a `fixed` number of windows or with one that fits the scene.
+    /// Makes a finder for `workers`, with a `fixed` number of windows or with a number that fits
+    /// the scene.
     pub fn new(workers: Workers, fixed: Option<usize>) -> Self {
         let count = workers.count();
         Self {
@@ -59,8 +61,10 @@ impl<C> Planned<C> {
         }
     }
 
-    /// The same for an engine that may have to search later windows before it knows which discs collide in the first:
-    /// it does not count on fewer discs there.
+    /// Returns the finder for an engine that may search later windows before the first window is
+    /// decided.
+    ///
+    /// It does not expect fewer free discs in later windows.
     pub fn undecided(self) -> Self {
         Self { decided: false, ..self }
     }

@@ -1,4 +1,4 @@
-//! A search in sorted occupied cells.
+//! Searches a strip: sorts its entries by cell, and tests the pairs whose boxes meet.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -15,27 +15,27 @@ use crate::entry::Entry;
 use crate::geometry::{Square, Window};
 use crate::pairs::{LANES, may_touch};
 
-/// Most bits of a digit: its counts should stay in the nearest cache.
+/// Greatest number of bits in a digit, so that its counts stay in the nearest cache.
 const MOST_BITS: u32 = 12;
 
-/// Below this length the counts cost more than they save.
+/// Number of entries below which the counts of digits cost more than they save.
 const FEW: usize = 128;
 
-/// What a worker needs to search strips, one after the other, and what it finds there.
+/// The working memory of a worker that searches strips, and its results.
 #[derive(Default)]
 pub(super) struct Searcher {
     entries: Vec<Entry>,
     scratch: Vec<Entry>,
     counts: Vec<u32>,
     paths: Paths,
-    /// The candidates that it has found.
+    /// The candidates that were found.
     pub(super) list: Vec<Candidate>,
-    /// How many pairs it has tested.
+    /// Number of pairs that were tested.
     pub(super) pair_tests: u64,
 }
 
 impl Searcher {
-    /// Adds the candidates of `window` in a strip, whose entries all workers have dealt out.
+    /// Adds the candidates of `window` in a strip, for which all workers have made the entries.
     pub(super) fn search<C: Collisions + BroadPhase>(
         &mut self,
         deals: &[Deal],
@@ -62,9 +62,10 @@ impl Searcher {
 
     /// Collects the entries of a strip, sorted by cell.
     ///
-    /// This is a counting sort digit by digit, the lowest first, with as few digits as the number of
-    /// cells allows. It reads and writes each entry once a digit, in time linear in their number; a sort
-    /// by comparison would also have to do log₂ n comparisons each, half of them mispredicted.
+    /// This is a radix sort from the lowest digit, with as few digits as the number of cells
+    /// allows. It reads and writes each entry once per digit, so its time is linear in the number
+    /// of entries. A comparison sort would also need log₂ n comparisons for each entry, half of
+    /// them mispredicted.
     fn sort(&mut self, deals: &[Deal], strip: usize, cells: Range<u64>) {
         let Self { entries, scratch, counts, .. } = self;
         let dealt = deals.iter().flat_map(|deal| deal.entries(strip));
@@ -93,7 +94,7 @@ impl Searcher {
     }
 }
 
-/// Entries that meet, and what comes of it.
+/// The entries whose pairs are tested, and the list for their candidates.
 struct Meeting<'a, C> {
     rules: PhantomData<C>,
     entries: &'a [Entry],
@@ -111,27 +112,28 @@ impl<C: Collisions> Meeting<'_, C> {
         let q = &self.entries[l];
         let a = p.disc().min(q.disc());
         let b = p.disc().max(q.disc());
-        // Nearly always no, and so foreseen by the processor. What it cannot foresee is asked later.
+        // The result is nearly always false, so the processor predicts it. The unpredictable test
+        // comes later.
         if !may_touch(&self.discs[a as usize], &self.discs[b as usize], self.square.radius) {
             return;
         }
         if let Some(hit) = C::pair_hit(self.discs, a, b, self.square.radius)
             && self.window.contains(hit.time)
-            // Of all rows that the boxes share, the lowest is the first row of one of them.
+            // The lowest row that both boxes share is the first row of one of them.
             && (p.is_first() || q.is_first())
         {
             self.list.push(hit);
         }
     }
 
-    /// The same for some partners of entry `k`. Rare, and so kept out of the loop around it.
+    /// Tests some partners of entry `k`. This is rare, so it is kept out of the loop around it.
     #[inline(never)]
     fn ask_some(&mut self, k: usize, partners: Range<usize>) {
         partners.for_each(|l| self.ask(k, l));
     }
 }
 
-/// All pairs of a strip, many at a time.
+/// A vector kernel that tests all pairs of a strip, several at a time.
 struct Look<'a, C> {
     meeting: Meeting<'a, C>,
     paths: &'a Paths,
@@ -156,7 +158,8 @@ impl<C: Collisions + BroadPhase> NullaryFnOnce for Look<'_, C> {
     }
 }
 
-/// Writes entries to `out` in the order of their digits; those of the same digit keep their order.
+/// Writes entries to `out` in the order of their digits. Entries with the same digit keep their
+/// order.
 fn scatter<'a>(
     entries: impl Iterator<Item = &'a Entry> + Clone,
     out: &mut [Entry],

@@ -1,41 +1,42 @@
-//! How much work a step makes.
+//! Estimates the work of a step.
 
 use crate::geometry::Square;
 use crate::pairs::LANES;
 use crate::survey::Survey;
 
-/// Height of a row, in heights of a mean box. Lower rows mean more entries, higher ones more
-/// pairs to look at.
+/// Height of a row, in heights of a mean box.
+///
+/// Lower rows mean more entries; higher rows mean more pairs to test.
 pub(super) const HEIGHT: f64 = 2.0;
 
 /// Width of a column, in widths of a mean box.
 pub(super) const WIDTH: f64 = 0.5;
 
-/// Mean width and height of a box, if the step is cut into `windows` windows.
+/// Returns the mean width and height of a box, if the step is divided into `windows` windows.
 pub(super) fn mean_box(survey: &Survey, square: Square, windows: usize) -> (f64, f64) {
     let windows = windows as f64;
     let least = 2.0 * square.radius;
     (survey.speed.0 / windows + least, survey.speed.1 / windows + least)
 }
 
-/// Work that a step is expected to make, all its windows together.
+/// The expected work of a step, summed over its windows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Work {
-    /// Entries.
+    /// Number of entries.
     pub entries: f64,
-    /// Pairs to look at.
+    /// Number of pairs whose boxes are compared.
     pub pairs: f64,
-    /// Of these, pairs that are asked when they touch.
+    /// Number of these pairs whose collision time is computed.
     pub asked: f64,
 }
 
-/// The work of a step that is cut into `windows` windows.
+/// Returns the expected work of a step that is divided into `windows` windows.
 ///
-/// Boxes shrink with the number of windows: a mean one is `speed / windows + 2 r` wide. A disc
-/// is in 1 + height / row height rows. Two entries of a row meet if their boxes overlap along x. Of such pairs
-/// a share of about 4 r / width pass each other within 2 r, at any time, and then all are asked that were looked
-/// at together with them. All that for each window, and only of discs that are free when it begins
-/// ([`still_free`]).
+/// Boxes shrink as the number of windows grows: a mean box is `speed / windows + 2 r` wide. A disc
+/// is in 1 + height / row height rows. Two entries of a row meet if their boxes overlap along x.
+/// About 4 r / width of such pairs pass each other within 2 r at some time; then the collision time
+/// of every pair that was tested together with them is computed. All this happens in each window,
+/// but only for discs that are free when the window begins ([`still_free`]).
 pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
     let (width, height) = mean_box(survey, square, windows);
     let wide = (survey.x.1 - survey.x.0).max(width);
@@ -51,11 +52,11 @@ pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
     Work { entries: free * entries, pairs, asked: asked * pairs }
 }
 
-/// Windows, counted by the share of discs that are free when they begin, and by the share of pairs.
+/// Returns the sums over windows of the shares of discs, and of pairs, that are free at their start.
 ///
-/// A disc collides once in a step. If it would meet m discs, the share f of the free ones falls by
-/// f' = −m f², so f(t) = 1 / (1 + m t). In the first window all are free; over the later ones f
-/// and f² are integrated.
+/// A disc collides once in a step. If it would meet m discs, the share f of free discs falls with
+/// the slope −m f², so f(t) = 1 / (1 + m t). In the first window all discs are free; over the later
+/// windows f and f² are integrated.
 fn still_free(meetings: f64, windows: usize) -> (f64, f64) {
     let windows = windows as f64;
     let later = 1.0 - 1.0 / windows;

@@ -1,4 +1,4 @@
-//! Threads, and what they share.
+//! Threads, and the data that they share.
 
 pub(crate) mod pieces;
 mod shared;

@@ -1,14 +1,14 @@
-//! Simple loops over discs, cut into pieces of equal length that workers share.
+//! Simple loops over discs, divided into pieces of equal length that workers share.
 //!
-//! The CS3210 report says of these loops (does a disc hit a wall, where does it go) that they «do not allow much
-//! difference». The pieces are the same for any number of threads.
+//! They compute whether a disc hits a wall, and where it goes. The CS3210 report says that these
+//! loops «do not allow much difference». The pieces are the same for any number of threads.
 
 use workers::Workers;
 
-/// Discs in a piece.
+/// Number of discs in a piece.
 const PIECE: usize = 4096;
 
-/// Calls `act` with every item and its index.
+/// Calls `act` with the index of every item and the item.
 pub(crate) fn for_each<T: Send>(
     workers: &Workers,
     items: &mut [T],
@@ -21,7 +21,7 @@ pub(crate) fn for_each<T: Send>(
     });
 }
 
-/// Calls `work` with each piece of the items and the index of its first item, and returns the results.
+/// Calls `work` with each piece and the index of its first item, and returns the results.
 pub(crate) fn map_pieces<T: Sync, U: Send>(
     workers: &Workers,
     items: &[T],
@@ -31,7 +31,8 @@ pub(crate) fn map_pieces<T: Sync, U: Send>(
     workers.map(pieces, |(k, piece): (usize, &[T])| work(k * PIECE, piece))
 }
 
-/// Appends to `out`, in order, the results of `find` for every item and its index.
+/// Calls `find` with the index of every item and the item, and appends the results to `out` in
+/// order.
 pub(crate) fn collect<T: Sync, U: Send>(
     workers: &Workers,
     items: &[T],

@@ -1,14 +1,15 @@
-//! What threads share in a loop: a count, and a count behind a lock.
+//! Counters that threads share: an atomic one, and one behind a lock.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 type Interruption<T> = Box<dyn Fn(&T) + Send + Sync>;
 
-/// A count that several threads share.
+/// An atomic counter that several threads share.
 ///
-/// A test can have another thread's work done at the worst moments: before and after each `load`, and
-/// before each `store` ([`SharedCount::interrupted`]). Without a test that costs a look at a `None`.
+/// A test can make it do another thread's work at the worst moments: before each operation, and
+/// after each `load` ([`SharedCount::interrupted`]). Without a test this costs the comparison of an
+/// `Option` with `None`.
 #[derive(Default)]
 pub struct SharedCount {
     value: AtomicUsize,
@@ -16,14 +17,16 @@ pub struct SharedCount {
 }
 
 impl SharedCount {
-    /// A count from 0 that calls `interruption` before and after each `load` and before each `store`.
+    /// Returns a counter at 0 that calls `interruption` before each operation, and after each
+    /// `load`.
     pub fn interrupted(interruption: impl Fn(&Self) + Send + Sync + 'static) -> Self {
         Self { value: AtomicUsize::new(0), interruption: Some(Box::new(interruption)) }
     }
 
-    // Relaxed is enough below: no thread learns from the count what another thread has written.
+    // Relaxed ordering is enough below, because no thread learns from the counter what another
+    // thread has written.
 
-    /// What it is now. It may be something else at once.
+    /// Returns the current value, which another thread may change at once.
     #[inline]
     pub fn load(&self) -> usize {
         self.interrupt();
@@ -32,20 +35,21 @@ impl SharedCount {
         value
     }
 
-    /// Overwrites it.
+    /// Overwrites the value.
     #[inline]
     pub fn store(&self, value: usize) {
         self.interrupt();
         self.value.store(value, Ordering::Relaxed);
     }
 
-    /// Adds to it, and returns what it was before; nothing comes in between.
+    /// Adds to the value and returns the value before. No other thread can change it in between.
     #[inline]
     pub fn fetch_add(&self, more: usize) -> usize {
         if more == 0 {
-            // It is a load.
+            // Adding nothing is a load.
             return self.load();
         }
+        self.interrupt();
         self.value.fetch_add(more, Ordering::Relaxed)
     }
 
@@ -57,10 +61,11 @@ impl SharedCount {
     }
 }
 
-/// A count that several threads share, behind a lock: a thread that reads or writes it is alone with it.
+/// A counter behind a lock that several threads share. One thread at a time reads or writes it.
 ///
-/// A test can have another thread's work done at the worst moment: when the lock has just been given
-/// back ([`LockedCount::interrupted`]). Without a test that costs one look at a `None`.
+/// A test can make it do another thread's work at the worst moment: just after the lock is released
+/// ([`LockedCount::interrupted`]). Without a test this costs the comparison of an `Option` with
+/// `None`.
 #[derive(Default)]
 pub struct LockedCount {
     value: Mutex<usize>,
@@ -68,14 +73,15 @@ pub struct LockedCount {
 }
 
 impl LockedCount {
-    /// A count from 0 that calls `interruption` after each critical section.
+    /// Returns a counter at 0 that calls `interruption` after each critical section.
     pub fn interrupted(interruption: impl Fn(&Self) + Send + Sync + 'static) -> Self {
         Self { value: Mutex::new(0), interruption: Some(Box::new(interruption)) }
     }
 
     // ANCHOR: locked
-    /// A critical section: takes the lock, lets `act` read and write the count, and gives the lock
-    /// back. Returns what `act` returned.
+    /// Runs a critical section: takes the lock, calls `act` with the value, and releases the lock.
+    ///
+    /// Returns the result of `act`.
     pub fn locked<T>(&self, act: impl FnOnce(&mut usize) -> T) -> T {
         let result = act(&mut self.value.lock().expect("no critical section panics"));
         if let Some(interrupt) = &self.interruption {

@@ -1,17 +1,17 @@
-//! One array for the candidates of all threads.
+//! An array for the candidates of all threads.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::collisions::{Candidate, Hit};
 
-/// Slots in the first segment; each further segment has twice as many as the one before.
+/// Number of slots in the first segment. Each further segment has twice as many as the one before.
 const FIRST: usize = 1 << 12;
 
-/// One array of slots for candidates of pairs. Any thread may write into any slot.
+/// An array of slots for candidates of pairs. Any thread may write to any slot.
 ///
-/// The report reserves N (N + 1) / 2 slots at the start. This array grows by segments, and what has been written
-/// stays where it is.
+/// The report reserves N (N + 1) / 2 slots at the start. This array grows by segments, and its
+/// contents do not move.
 pub struct Slots([OnceLock<Box<[Slot]>>; 32]);
 
 /// A candidate of a pair: the bits of its time, and its two discs.
@@ -34,9 +34,9 @@ impl Slots {
         &segment[slot + FIRST - (FIRST << k)]
     }
 
-    // Relaxed is enough: slots are read when all threads have ended the loop.
+    // Relaxed ordering is enough, because slots are read after all threads have ended the loop.
 
-    /// Writes the candidate of a pair into slot number `slot`, from 0 up.
+    /// Writes the candidate of a pair to slot number `slot`, counted from 0.
     pub fn put(&self, slot: usize, candidate: Candidate) {
         let Hit::Pair(a, b) = candidate.hit else { unreachable!("only pairs are searched for") };
         let slot = self.at(slot);
@@ -44,7 +44,7 @@ impl Slots {
         slot.discs.store(u64::from(a) << 32 | u64::from(b), Ordering::Relaxed);
     }
 
-    /// What is in the first `count` slots.
+    /// Returns the candidates in the first `count` slots.
     pub fn first(&self, count: usize) -> impl Iterator<Item = Candidate> {
         (0..count).map(|slot| {
             let slot = self.at(slot);

@@ -4,14 +4,14 @@ use std::thread;
 
 use workers::Workers;
 
-/// How the iterations of a loop are dealt out to the workers.
+/// The distribution of a loop's iterations to the workers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Schedule {
-    /// A fixed partition: equal parts, known before the loop starts. OpenMP's `static`.
+    /// A fixed partition into equal parts, known before the loop starts: OpenMP's `static`.
     Static,
-    /// A queue: a worker that is done takes the next chunk. OpenMP's `dynamic`.
+    /// A queue: a worker that has finished takes the next chunk. OpenMP's `dynamic`.
     Dynamic {
-        /// Iterations in a chunk.
+        /// Number of iterations in a chunk.
         chunk: usize,
     },
 }
@@ -21,13 +21,13 @@ pub enum Schedule {
 pub enum Team<'t> {
     /// Threads that exist and wait for work.
     Standing(&'t Workers),
-    /// As many threads, started for this one loop and ended after it. This is what OpenMP does
+    /// A number of threads that are started for this loop and ended after it. OpenMP does the same
     /// for a parallel loop inside a parallel loop.
     Fresh(usize),
 }
 
 impl Team<'_> {
-    /// How many threads.
+    /// Returns the number of threads.
     pub fn count(&self) -> usize {
         match self {
             Self::Standing(workers) => workers.count(),
@@ -35,8 +35,8 @@ impl Team<'_> {
         }
     }
 
-    /// Calls `act` once on every thread of the team, with the thread's number, and waits for all: a
-    /// fork and a join.
+    /// Calls `act` on every thread of the team, with its number, and waits for all: a fork and a
+    /// join.
     pub fn on_each(&self, act: impl Fn(usize) + Sync) {
         match self {
             Self::Standing(workers) => workers.on_each(act),

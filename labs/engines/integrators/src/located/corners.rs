@@ -1,4 +1,6 @@
-//! Where the motion of a group has a corner: a pair at the cutoff, a particle at a wall.
+//! Events: the moments at which the motion of a group has a corner.
+//!
+//! An event is a pair at the cutoff, or a particle at a wall.
 
 use common::Vec2;
 use common::soft::{CUTOFF, MASS, MIN_R};
@@ -6,10 +8,10 @@ use common::soft::{CUTOFF, MASS, MIN_R};
 use crate::rules::{Rules, Watched};
 use crate::state::State;
 
-/// Something that ends a step.
+/// An event that ends a step.
 #[derive(Clone, Copy)]
 pub(super) enum Event {
-    /// The pair with this number comes into reach or leaves it.
+    /// The pair with this number comes within the cutoff or leaves it.
     Pair(usize),
     /// A particle meets the wall at 0 or at the far end, along x or y.
     Wall { particle: usize, along_x: bool, far: bool },
@@ -19,25 +21,25 @@ pub(super) enum Event {
 pub(super) struct Corners<'a> {
     size: f64,
     pairs: &'a [(u32, u32)],
-    /// Whether each pair is in reach. Its force has the same formula on both sides of the cutoff
-    /// until the event, so that nothing has a corner.
+    /// Whether each pair exerts a force. Its force has the same formula on both sides of the cutoff
+    /// until the event, so that the motion between events has no corner.
     touching: Vec<bool>,
 }
 
 impl<'a> Corners<'a> {
-    /// The pairs `pairs` in a box of side `size`.
+    /// Makes the walls of a box of side `size` and these pairs of a group in `state`.
     pub(super) fn new(pairs: &'a [(u32, u32)], size: f64, state: &State) -> Self {
         let mut corners = Self { size, pairs, touching: vec![false; pairs.len()] };
         corners.see_contacts(state);
         corners
     }
 
-    /// Whether there is no pair.
+    /// Whether there are no pairs.
     pub(super) fn is_alone(&self) -> bool {
         self.pairs.is_empty()
     }
 
-    /// Takes the pairs within the cutoff for those that touch.
+    /// Lets exactly the pairs within the cutoff exert forces.
     pub(super) fn see_contacts(&mut self, state: &State) {
         for (touching, &(a, b)) in self.touching.iter_mut().zip(self.pairs) {
             let d = state.at[b as usize] - state.at[a as usize];
@@ -45,7 +47,7 @@ impl<'a> Corners<'a> {
         }
     }
 
-    /// Writes the accelerations by the pairs that touch into `a`.
+    /// Writes the accelerations by these pairs to `a`.
     pub(super) fn accelerations(&self, at: &[Vec2], a: &mut [Vec2]) {
         a.fill(Vec2::ZERO);
         for (&(i, j), _) in self.pairs.iter().zip(&self.touching).filter(|(_, touch)| **touch) {
@@ -58,8 +60,10 @@ impl<'a> Corners<'a> {
         }
     }
 
-    /// The first event on the way from `start` to `end`, which takes a time `h`; `at` computes the
-    /// way.
+    /// Returns the time and the event of the first event on the path from `start` to `end`, or
+    /// `None`.
+    ///
+    /// The path takes a time `h`, and `at` computes any state on it.
     pub(super) fn first_event<R: Rules>(
         &self,
         start: &State,
@@ -80,7 +84,7 @@ impl<'a> Corners<'a> {
                 t if t == h => end,
                 t => self.watch(event, &at(t)),
             });
-            // Numbers may overflow: then there is no moment.
+            // If numbers overflow, the time is not finite, and there is no event.
             if let Some(time) = found.filter(|time| time.is_finite())
                 && first.is_none_or(|(earliest, _)| time < earliest)
             {
@@ -113,7 +117,7 @@ impl<'a> Corners<'a> {
         }
     }
 
-    /// Lets an event happen: a pair's force sets in or ends, a velocity is reflected.
+    /// Carries out an event: the force of a pair begins or ends, or a velocity is reflected.
     pub(super) fn happen(&mut self, event: Event, state: &mut State) {
         match event {
             Event::Pair(k) => self.touching[k] = !self.touching[k],

@@ -1,4 +1,4 @@
-//! The way of a few particles through a step, from event to event.
+//! The path of a group of particles through a step, from event to event.
 
 use solution1::bounce;
 
@@ -6,24 +6,25 @@ use super::corners::{Corners, Event};
 use crate::rules::Rules;
 use crate::state::State;
 
-/// Larger groups are crowds: too many events to follow one by one, and they are not stopped.
+/// Greatest number of members of a group whose events are followed. A larger group has too many
+/// events.
 const MOST_MEMBERS: usize = 64;
-/// After this number of events in one step a group is not stopped any more.
+/// Number of events in a step after which a group takes the rest of the step at once.
 const MOST_EVENTS: u32 = 64;
 
 /// Particles that may touch each other.
 pub(super) struct Group<'a> {
     pub(super) state: State,
-    /// How often a particle was asked for its force.
+    /// Number of force evaluations, summed over the particles.
     pub(super) asked: u64,
-    /// Events met.
+    /// Number of events.
     pub(super) events: u64,
     size: f64,
     corners: Corners<'a>,
 }
 
 impl<'a> Group<'a> {
-    /// The particles `members` of all, and the pairs of them that could touch.
+    /// Makes a group of the particles `members` of `all`, with the pairs of them that could touch.
     pub(super) fn new(all: &State, members: &[u32], pairs: &'a [(u32, u32)], size: f64) -> Self {
         let state = State {
             at: members.iter().map(|&i| all.at[i as usize]).collect(),
@@ -33,11 +34,11 @@ impl<'a> Group<'a> {
         Self { state, asked: 0, events: 0, size, corners }
     }
 
-    /// Goes on by a time `dt`, and stops at each event on the way.
+    /// Advances the group by a time `dt`, and ends a step at each event.
     pub(super) fn advance<R: Rules>(&mut self, dt: f64) {
         let mut left = dt;
         if self.corners.is_alone() {
-            // No pair, no force: free flight.
+            // A single particle has no pairs and so no forces: it flies freely.
             self.state.at[0] += left * self.state.v[0];
         } else if self.state.at.len() > MOST_MEMBERS {
             self.state = self.step::<R>(left);
@@ -72,7 +73,8 @@ impl<'a> Group<'a> {
         corners.first_event::<R>(state, end, h, &mut |t| runge_kutta::<R>(corners, state, t, asked))
     }
 
-    /// One step of the classical Runge-Kutta method from here, not taken.
+    /// Returns the state after a step of the classical Runge-Kutta method, and leaves the group
+    /// where it is.
     fn step<R: Rules>(&mut self, h: f64) -> State {
         runge_kutta::<R>(&self.corners, &self.state, h, &mut self.asked)
     }

@@ -1,22 +1,24 @@
-//! The groups that particles form which could touch each other within a step.
+//! Groups of particles that could touch each other within a step.
 
 use common::Vec2;
 use common::soft::CUTOFF;
 use neighbour_list::{Disc, overlapping};
 
-/// Pairs that could come within the cutoff, and the groups of particles that they join.
+/// Pairs that could come within the cutoff, and the groups into which they unite particles.
 pub(super) struct Groups {
-    /// All particles, group by group, in ascending order within each.
+    /// All particles, group by group, in ascending order within each group.
     members: Vec<u32>,
-    /// Where each group's members and pairs end, with (0, 0) before the first.
+    /// The ends of each group's members and pairs, after (0, 0).
     ends: Vec<(u32, u32)>,
     /// All pairs, group by group, as indices among the group's members.
     pairs: Vec<(u32, u32)>,
 }
 
 impl Groups {
-    /// The groups of particles at positions `at` for the next `dt`, each particle no faster than its
-    /// entry of `fastest`: it sweeps at most its speed times `dt`, reflected or not.
+    /// Returns the groups of particles at positions `at` for the next `dt`.
+    ///
+    /// Each particle is no faster than its entry of `fastest`. So it stays within this speed times
+    /// `dt`, reflected or not.
     pub(super) fn new(at: &[Vec2], fastest: &[f64], dt: f64) -> Self {
         let n = at.len();
         let discs = at.iter().zip(fastest).zip(0..).map(|((at, fastest), index)| Disc {
@@ -26,7 +28,7 @@ impl Groups {
             index,
         });
         let (mut found, _) = overlapping(discs.collect());
-        // A group is called by its least member.
+        // The least member of a group identifies the group.
         let name = least_members(n, &found);
         let mut members: Vec<u32> = (0..n as u32).collect();
         members.sort_by_key(|&i| (name[i as usize], i));
@@ -49,12 +51,12 @@ impl Groups {
         Self { members, ends, pairs }
     }
 
-    /// How many groups there are; a particle that can touch no other is a group of one.
+    /// Returns the number of groups. A particle that can touch no other particle is a group of one.
     pub(super) fn len(&self) -> usize {
         self.ends.len() - 1
     }
 
-    /// Members and pairs of a group; pairs hold indices of members.
+    /// Returns the members of a group, and its pairs as indices among the members.
     pub(super) fn group(&self, k: usize) -> (&[u32], &[(u32, u32)]) {
         let from = self.ends[k];
         let to = self.ends[k + 1];
@@ -63,11 +65,13 @@ impl Groups {
 }
 
 fn reach(fastest: f64, dt: f64) -> f64 {
-    // A little more, because sums are rounded.
+    // The reach is slightly larger, because sums are rounded.
     (0.5 * CUTOFF + fastest * dt) * (1.0 + 1e-9)
 }
 
-/// The least member of each particle's group: union-find, in which no parent is greater than its child.
+/// Returns the least member of each particle's group, by union-find.
+///
+/// No parent is greater than its child.
 fn least_members(n: usize, pairs: &[[u32; 2]]) -> Vec<u32> {
     let mut parent: Vec<usize> = (0..n).collect();
     for &[a, b] in pairs {

@@ -1,9 +1,10 @@
-//! Runge-Kutta that stops where the force has a corner.
+//! A Runge-Kutta method that ends its steps where the force has a corner.
 //!
-//! Within a step in which a pair crosses the cutoff, or a particle meets a wall, the motion is not
-//! smooth and a method of fourth order is one of first or second. Here each such moment is found
-//! and the step is ended there; between two moments it is smooth. Particles that could touch within
-//! the step form a group, and only their group is stopped: groups go through the step on their own.
+//! If a pair crosses the cutoff within a step, or a particle meets a wall, the motion is not
+//! smooth, and a method of fourth order has first or second order only. This engine finds each such
+//! moment and ends the step there; between two moments the motion is smooth. Particles that could
+//! touch within the step form a group, and each group goes through the step alone. So an event ends
+//! only the step of its group.
 
 mod corners;
 mod group;
@@ -19,28 +20,29 @@ use crate::state::State;
 use group::Group;
 use groups::Groups;
 
-/// How often the speeds that are allowed for may be doubled.
+/// Number of times that the allowed speeds may be doubled.
 const MOST_TRIES: u32 = 64;
-/// Pieces of work, at most.
+/// Greatest number of pieces of work.
 const PIECES: usize = 256;
-/// Groups in a piece, at least.
+/// Least number of groups in a piece of work.
 const IN_A_PIECE: usize = 64;
 
-/// The engine that stops at contacts and walls, by the rules `R`.
+/// The engine that ends steps at contacts and walls, with the rules `R`.
 pub struct Located<R> {
     workers: Workers,
     divide: u32,
     stretch: f64,
     size: f64,
     state: State,
-    /// How often a particle was asked for its force, summed over all.
+    /// Number of force evaluations, summed over the particles.
     asked: u64,
     events: u64,
     rules: PhantomData<R>,
 }
 
 impl<R: Rules> Located<R> {
-    /// An engine for `threads` threads whose step is `stretch` official ones, done in `divide`.
+    /// Makes an engine for `threads` threads. A step is `stretch` official steps long, and is
+    /// divided into `divide`.
     pub fn new(threads: usize, divide: u32, stretch: f64) -> Self {
         Self {
             workers: Workers::if_possible(threads),
@@ -56,7 +58,8 @@ impl<R: Rules> Located<R> {
 
     fn one_step(&mut self, dt: f64) {
         let speeds: Vec<f64> = self.state.v.iter().map(|v| v.x.hypot(v.y)).collect();
-        // A force may make a particle faster than was allowed for: then it might have met more.
+        // A force may make a particle faster than its allowed speed. Such a particle might have met
+        // particles outside its group.
         let mut slack = 1.0;
         for attempt in 1..=MOST_TRIES {
             let allowed: Vec<f64> = speeds.iter().map(|v| slack * (1.25 * v + 0.1)).collect();
@@ -78,8 +81,9 @@ impl<R: Rules> Located<R> {
         }
     }
 
-    /// All groups a time `dt` later, with their numbers; none if a particle of some group is then
-    /// faster than `allowed`, unless `at_any_speed`.
+    /// Returns each group after a time `dt`, with its number.
+    ///
+    /// Returns `None` if a particle is then faster than `allowed`, unless `at_any_speed`.
     fn advance<'a>(
         &self,
         groups: &'a Groups,

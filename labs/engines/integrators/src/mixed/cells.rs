@@ -6,7 +6,7 @@ use solution1::bounce;
 
 use super::position::Position;
 
-/// A particle: its position in single precision, its velocity in double.
+/// A particle with its position in single precision and its velocity in double precision.
 #[derive(Clone, Copy)]
 pub(super) struct Body {
     pub(super) position: Position,
@@ -15,7 +15,7 @@ pub(super) struct Body {
     pub(super) id: u32,
 }
 
-/// A box of cells.
+/// A box that is divided into cells.
 #[derive(Clone, Copy)]
 pub(super) struct CellBox {
     size: f64,
@@ -23,33 +23,34 @@ pub(super) struct CellBox {
 }
 
 impl CellBox {
-    /// The cells of a box of side `size`.
+    /// Divides a box of side `size` into cells.
     pub(super) fn new(size: f64) -> Self {
         let extent = Extent { left: 0.0, bottom: 0.0, width: size, height: size };
-        // Single precision may put a pair at the cutoff a little further apart.
+        // Cells are slightly larger than the cutoff, because rounding to single precision may move
+        // the particles of a pair apart.
         Self { size, grid: Grid::new(&extent, CUTOFF * (1.0 + 1e-5)) }
     }
 
-    /// A cell's side in single precision.
+    /// Returns the side of a cell in single precision.
     pub(super) fn side(&self) -> f32 {
         single(self.grid.side())
     }
 
-    /// A particle of the scene.
+    /// Converts a particle of the scene.
     pub(super) fn enter(&self, p: &Particle) -> Body {
         let (column, x) = self.split(p.x);
         let (row, y) = self.split(p.y);
         Body { position: Position { column, row, x, y }, vx: p.vx, vy: p.vy, id: p.id }
     }
 
-    /// What [`enter`](Self::enter) was given.
+    /// Converts a particle back.
     pub(super) fn leave(&self, body: &Body) -> Particle {
         let Body { position: Position { column, row, x, y }, vx, vy, id } = *body;
         Particle { x: self.join(column, x), y: self.join(row, y), vx, vy, id }
     }
 
-    /// The particle after a kick by the acceleration (`ax`, `ay`) and a drift, both for a time
-    /// `dt`.
+    /// Returns the particle after a kick by the acceleration (`ax`, `ay`) and a drift, both for a
+    /// time `dt`.
     pub(super) fn advance(&self, body: &Body, ax: f64, ay: f64, dt: f64) -> Body {
         let Body { position: Position { column, row, x, y }, vx, vy, id } = *body;
         let (column, x, vx) = self.drift(column, x, vx + ax * dt, dt);
@@ -57,7 +58,7 @@ impl CellBox {
         Body { position: Position { column, row, x, y }, vx, vy, id }
     }
 
-    /// Moves one coordinate: (cell, position in it, velocity) after `dt`.
+    /// Moves one coordinate. Returns the cell, the position in it, and the velocity after `dt`.
     fn drift(&self, cell: u32, x: f32, v: f64, dt: f64) -> (u32, f32, f64) {
         let side = self.grid.side();
         let x = f64::from(x) + v * dt;
@@ -71,25 +72,25 @@ impl CellBox {
         (cell, x, v)
     }
 
-    /// The cell of one coordinate, and the rest.
+    /// Returns the cell of a coordinate, and the position in it.
     fn split(&self, x: f64) -> (u32, f32) {
         let side = self.grid.side();
         let cell = ((x / side) as u32).min(self.grid.columns - 1);
         (cell, single(x - f64::from(cell) * side))
     }
 
-    /// One coordinate, from the cell and the rest.
+    /// Returns the coordinate of a position in a cell.
     fn join(&self, cell: u32, x: f32) -> f64 {
-        // Rounding may put a particle at the wall beyond it.
+        // Rounding may move a particle beyond the wall.
         (f64::from(cell) * self.grid.side() + f64::from(x)).clamp(0.0, self.size)
     }
 
-    /// Sorts particles by cell, rows first.
+    /// Sorts particles by cell, row by row.
     pub(super) fn sort(&self, bodies: &mut [Body]) -> Cells {
         let columns = u64::from(self.grid.columns);
         let key =
             |body: &Body| u64::from(body.position.row) * columns + u64::from(body.position.column);
-        // Nearly sorted as they are from the last step: a merge sort sees that.
+        // Particles are nearly sorted from the last step, and a merge sort takes advantage of that.
         bodies.sort_by_key(key);
         let kind = if self.grid.is_dense(bodies.len()) {
             let mut starts = vec![0; self.grid.cells() as usize + 1];
@@ -112,7 +113,8 @@ impl CellBox {
     }
 }
 
-/// In single precision, finite even where a box is so wide that its cells are not cutoffs any more.
+/// Converts to single precision. The result is finite even in a box so wide that its cells are
+/// wider than a cutoff.
 fn single(length: f64) -> f32 {
     length.min(f64::from(f32::MAX)) as f32
 }

@@ -1,8 +1,8 @@
-//! Single precision where it suffices: positions relative to their cell.
+//! Single precision where it is enough: positions are relative to their cell.
 //!
-//! A position in a box of 10⁸ cutoffs has no digit left for the distance of two neighbours if it is
-//! held in single precision. Relative to a cell of one cutoff it has seven, wherever the cell is.
-//! Distances and forces are computed from those; sums, velocities and the move are in double.
+//! In a box of 10⁸ cutoffs, a position in single precision has no digit left for the distance of
+//! two neighbours. Relative to a cell of one cutoff it has seven digits, in every cell. Distances
+//! and forces are computed from such positions. Sums, velocities and moves are in double precision.
 
 mod cells;
 mod position;
@@ -13,10 +13,10 @@ use neighbour_list::Workers;
 use cells::{Body, CellBox};
 use position::vector;
 
-/// Particles in a piece of work, roughly.
+/// Approximate number of particles in a piece of work.
 const PIECE: usize = 1024;
 
-/// The engine whose positions are in single precision, and whose sums and velocities are in double.
+/// The engine with positions in single precision, and sums and velocities in double precision.
 pub struct Mixed {
     workers: Workers,
     divide: u32,
@@ -25,7 +25,7 @@ pub struct Mixed {
 }
 
 impl Mixed {
-    /// An engine for `threads` threads, each official step divided into `divide`.
+    /// Makes an engine for `threads` threads. Each official step is divided into `divide`.
     pub fn new(threads: usize, divide: u32) -> Self {
         Self {
             workers: Workers::if_possible(threads),
@@ -61,7 +61,7 @@ impl Mixed {
     }
 }
 
-/// The factor of the pair acceleration, in single precision; 0 beyond the cutoff.
+/// Returns the factor of the pair acceleration, in single precision; 0 beyond the cutoff.
 #[inline(always)]
 fn coefficient(r2: f32) -> f32 {
     const C: f32 = CUTOFF as f32;

@@ -1,22 +1,23 @@
 //! Positions in single precision, relative to their cell.
 
-/// Where a particle is: a cell, and the position from its lower left corner.
+/// The position of a particle: a cell, and the distance from its lower left corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Position {
     /// The cell's column.
     pub(super) column: u32,
     /// The cell's row.
     pub(super) row: u32,
-    /// From the cell's left edge, in units of length.
+    /// Distance from the cell's left edge.
     pub(super) x: f32,
-    /// From the cell's lower edge, in units of length.
+    /// Distance from the cell's lower edge.
     pub(super) y: f32,
 }
 
 // ANCHOR: vector
-/// The vector from one position to another in the same or an adjacent cell; `side` is a cell's. Differences of
-/// columns are exact, and taken before anything is multiplied: so its error does not depend on where the cells
-/// are.
+/// Returns the vector from one position to another in the same or an adjacent cell.
+///
+/// `side` is the side of a cell. Differences of columns are exact, and they are taken before the
+/// multiplication. So the error does not depend on the position of the cells in the box.
 #[inline]
 pub(super) fn vector(from: &Position, to: &Position, side: f32) -> (f32, f32) {
     let columns = to.column as i32 - from.column as i32;

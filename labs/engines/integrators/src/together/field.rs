@@ -7,10 +7,10 @@ use common::soft::CUTOFF;
 use neighbour_list::kernels::{EIGHT, Kernel, Signs, dispatch};
 use neighbour_list::{Bodies, Cells, Contacts, Extent, Grid, Sorter, Workers, collect};
 
-/// Particles in a piece of work, roughly.
+/// Approximate number of particles in a piece of work.
 const PIECE: usize = 1024;
 
-/// Computes accelerations by cells, with what it keeps from one time to the next.
+/// Computes accelerations by cells, and keeps its memory from one call to the next.
 pub(super) struct Field {
     workers: Workers,
     sorter: Sorter,
@@ -18,7 +18,7 @@ pub(super) struct Field {
 }
 
 impl Field {
-    /// A field for `threads` threads.
+    /// Makes a field for `threads` threads.
     pub(super) fn new(threads: usize) -> Self {
         Self {
             workers: Workers::if_possible(threads),
@@ -27,7 +27,7 @@ impl Field {
         }
     }
 
-    /// Writes the accelerations of particles at positions `at` into `a`, which is as long.
+    /// Writes the accelerations of particles at positions `at` to `a`, which has the same length.
     pub(super) fn accelerations(&mut self, at: &[Vec2], a: &mut [Vec2]) {
         let Self { workers, sorter, sorted } = self;
         sorted.resize(at.len());
@@ -49,7 +49,7 @@ impl Field {
     }
 }
 
-/// The accelerations of the particles in a piece of the cells.
+/// A vector kernel that computes the accelerations of the particles in a piece of the cells.
 struct Gather<'a> {
     bodies: &'a Bodies,
     cells: &'a Cells,

@@ -1,4 +1,4 @@
-//! All particles take the same step at the same time.
+//! The engine that moves all particles by the same step at the same time.
 
 mod field;
 mod system;
@@ -8,7 +8,7 @@ use common::soft::{DT, Particle, Scene, Simulation};
 use crate::state::State;
 pub use system::{Method, RungeKutta, System};
 
-/// The engine of particles that a method moves.
+/// The engine that moves particles by a method.
 pub struct Integrated<M> {
     method: M,
     divide: u32,
@@ -17,7 +17,8 @@ pub struct Integrated<M> {
 }
 
 impl<M: Method> Integrated<M> {
-    /// An engine for `threads` threads whose step is `stretch` official ones, done in `divide`.
+    /// Makes an engine for `threads` threads. A step is `stretch` official steps long, and is
+    /// divided into `divide`.
     pub fn new(threads: usize, method: M, divide: u32, stretch: f64) -> Self {
         Self { method, divide, stretch, system: System::new(threads) }
     }

@@ -1,4 +1,4 @@
-//! All particles of a box, moved at once.
+//! The particles of a box, which a method moves all at once.
 
 use std::marker::PhantomData;
 
@@ -9,7 +9,7 @@ use super::field::Field;
 use crate::rules::Rules;
 use crate::state::State;
 
-/// A way to take a step: all particles at the same time.
+/// An integration method that moves all particles at the same time.
 pub trait Method: Send {
     /// Takes one step of length `dt`, in units of time.
     fn advance(&self, system: &mut System, dt: f64);
@@ -18,7 +18,7 @@ pub trait Method: Send {
 /// The particles, their box and the forces between them.
 pub struct System {
     pub(super) state: State,
-    /// How often forces were computed.
+    /// Number of times that the forces were computed.
     pub(super) evaluations: u64,
     size: f64,
     field: Field,
@@ -26,7 +26,7 @@ pub struct System {
 }
 
 impl System {
-    /// An empty system for `threads` threads.
+    /// Makes an empty system for `threads` threads.
     pub(super) fn new(threads: usize) -> Self {
         Self {
             state: State::default(),
@@ -37,7 +37,7 @@ impl System {
         }
     }
 
-    /// Takes the particles in `state` instead, in a box of side `size`.
+    /// Replaces the particles by those in `state`, in a box of side `size`.
     pub(super) fn start(&mut self, state: State, size: f64) {
         self.a = vec![Vec2::ZERO; state.at.len()];
         self.state = state;
@@ -45,7 +45,8 @@ impl System {
         self.evaluations = 0;
     }
 
-    /// Moves all positions with their velocities for a time `dt`: x += v dt, with the walls.
+    /// Moves all positions with their velocities for a time `dt`: x += v dt, with reflection at the
+    /// walls.
     pub fn drift(&mut self, dt: f64) {
         for (at, v) in self.state.at.iter_mut().zip(&mut self.state.v) {
             (at.x, v.x) = bounce(at.x + v.x * dt, v.x, self.size);
@@ -53,8 +54,7 @@ impl System {
         }
     }
 
-    /// Lets all velocities follow the forces for a time `dt`: v += a dt, with the forces at the
-    /// positions of the particles now.
+    /// Changes all velocities by the forces at the current positions for a time `dt`: v += a dt.
     pub fn kick(&mut self, dt: f64) {
         self.field.accelerations(&self.state.at, &mut self.a);
         self.evaluations += 1;
@@ -64,8 +64,9 @@ impl System {
     }
 }
 
-/// The classical fourth-order method of Runge and Kutta, by the slopes of `R`. Its stages may lie beyond a
-/// wall; the step as a whole is reflected.
+/// The classical Runge-Kutta method of fourth order, with the slopes of `R`.
+///
+/// Its stages may be outside the walls; the step as a whole is reflected.
 pub struct RungeKutta<R>(PhantomData<R>);
 
 impl<R> Default for RungeKutta<R> {

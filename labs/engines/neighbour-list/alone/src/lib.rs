@@ -1,7 +1,8 @@
-//! The primitives of a neighbour-list engine alone, without the engine: programs that one can time.
+//! Programs that time one primitive of a neighbour-list engine without the engine.
 //!
-//! A step of each program is one pass of a loop over all particles, which stay where they are. So these programs simulate
-//! nothing. Two of them take the same time if a primitive is as fast as it can be.
+//! A step of each program is one pass of a loop over all particles, which do not move. So these
+//! programs simulate nothing. Compare the two programs of a pair: they take the same time if the
+//! primitive is as fast as it can be.
 
 use std::hint::black_box;
 use std::marker::PhantomData;
@@ -13,7 +14,7 @@ use neighbour_list_core::kernels::{
 };
 use neighbour_list_core::{Bodies, Primitives};
 
-/// Whether chance decides what is near.
+/// Whether near pairs are random or absent.
 pub const DRAWN: Parameter =
     Parameter::switch("drawn", "1: chance decides what is near; 0: nothing is", true);
 
@@ -24,7 +25,7 @@ pub fn drift<P: Primitives>(_: &Config) -> Built {
     of(|data| dispatch(Drift(data, PhantomData::<P>)), false)
 }
 
-/// Builds the program that makes the same move without walls.
+/// Builds the program that makes the same move without testing for walls.
 pub fn plain(_: &Config) -> Built {
     of(|data| dispatch(Plain(data)), false)
 }
@@ -59,38 +60,46 @@ fn is_drawn(config: &Config) -> bool {
 /// Particles that are moved by one call, as in the engines.
 const CHUNK: usize = 64;
 
-/// Passes until all pairs are at the same distances again. With fewer a processor learns the branches by heart.
+/// Number of passes until the distances of all pairs repeat. With fewer, the processor learns the
+/// branches by heart.
 const SHIFTS: usize = 512;
 
-/// The data of a loop. The particles are at rest and no force acts, so every step does the same work.
+/// The data of a loop. Particles are at rest and there are no forces, so every step does the same
+/// work.
 struct Loop {
     bodies: Bodies,
     size: f64,
-    /// No acceleration.
+    /// Zero accelerations.
     zeros: Vec<f64>,
     pairs: Vec<Pair>,
-    /// Whether chance decides which particles are near, and how many are compared.
+    /// Whether it is random which particles are near, and how many are compared.
     drawn: bool,
     passes: usize,
-    /// Number of pairs that were near and of chunks with a particle outside. So the compiler cannot leave the work out.
+    /// Number of near pairs and of chunks with a particle outside. The compiler cannot omit work
+    /// that is counted.
     found: u64,
     pass: fn(&mut Self),
 }
 
-/// [`drift`](Primitives::drift) of all particles, along x and along y.
+/// Calls [`drift`](Primitives::drift) for all particles, along x and along y.
 struct Drift<'a, P>(&'a mut Loop, PhantomData<P>);
 
-/// The same move without walls.
+/// Moves all particles without testing for walls.
 struct Plain<'a>(&'a mut Loop);
 
-/// [`collect`](Primitives::collect) for nearly each particle, of the three that follow it, or if drawn of up to six.
+/// Calls [`collect`](Primitives::collect) for nearly all particles, each with the next three
+/// particles.
+///
+/// If near pairs are random, each has the next zero to six particles instead.
 struct Collect<'a, P>(&'a mut Loop, PhantomData<P>);
 
-/// [`filter`](Primitives::filter) of a pair for nearly each particle: it and the one that follows it.
+/// Calls [`filter`](Primitives::filter) with a pair for nearly each particle: the particle and the
+/// next one.
 struct Filter<'a, P>(&'a mut Loop, PhantomData<P>);
 
 impl Loop {
-    /// Positions that differ from pass to pass: x of one particle, y of another.
+    /// Returns positions that differ from pass to pass: x of each particle with y of another
+    /// particle.
     #[inline(always)]
     fn positions(&self) -> Positions<'_> {
         let Bodies { x, y, .. } = &self.bodies;
@@ -146,7 +155,7 @@ impl<P: Primitives> Kernel for Collect<'_, P> {
         let reach = if drawn { 0.4 * self.0.size } else { 0.0 };
         let mut len = 0;
         for i in 0..n {
-            // The last digits of a position are as good as a die.
+            // The last bits of a position are as good as a die.
             let count = if drawn { positions.x[i].to_bits() as usize % 7 } else { 3 };
             let range = i + 1..(i + 1 + count).min(n);
             make_room(&mut pairs, len + range.len() + EIGHT);
@@ -166,7 +175,7 @@ impl<P: Primitives> Kernel for Filter<'_, P> {
         let mut found = 0;
         let positions = self.0.positions();
         let size = self.0.size;
-        // Of two particles anywhere in the box one pair in ten is as near as that.
+        // Among pairs of random particles in the box, one in ten is this near.
         let squared = if self.0.drawn { 0.036 * size * size } else { -1.0 };
         let pairs = &self.0.pairs[..positions.x.len().saturating_sub(1)];
         for some in pairs.chunks(ROOM) {

@@ -1,18 +1,21 @@
-//! A neighbour-list engine for soft discs, whatever primitives it is built on.
+//! A neighbour-list engine for soft discs that works with any primitives.
 //!
-//! Somebody who wants the engine takes the package `neighbour-list`, which brings fast primitives. Here
-//! they are a type parameter, [`Primitives`]: the move, the search for pairs, their filter, and how long
-//! the list lasts. Somebody who writes these, as in lab 10, gets the rest.
+//! If you want a fast engine, use the package `neighbour-list`, which adds fast primitives. Here
+//! the primitives are a type parameter, [`Primitives`]: the move, the search for pairs, their
+//! filter, and how long the list lasts. If you write your own primitives, as in lab 10, this
+//! package is the rest of the engine.
 //!
 //! - [`particles`]: particles as a structure of arrays, [`Bodies`], and their move.
-//! - [`cells`]: the [`Grid`], and sorting by cell. Neighbours in the box are then neighbours in memory.
-//! - [`kernels`]: loops for vector registers: eight positions, eight signs, forces of pairs that touch.
-//! - [`list`]: the lists in blocks, and the few particles that are too fast for them.
-//! - [`threads`]: as many threads as pay for the particles, and work cut into pieces by the scene.
+//! - [`cells`]: the [`Grid`], and sorting by cell, which makes neighbours in the box neighbours in
+//!   memory.
+//! - [`kernels`]: loops for vector registers.
+//! - [`list`]: the neighbour list in blocks, and the few particles that are too fast for it.
+//! - [`threads`]: the number of threads, and dividing work into pieces that depend on the scene
+//!   only.
 //! - [`engine`]: the engine, [`NeighbourList`].
 //!
-//! Lengths are in units of the box, times in steps, costs in nanoseconds. An index counts particles in the
-//! sorted order; sorting makes all of them invalid. Scenes are checked when they are made
+//! Lengths are in units of the box, times in steps, costs in nanoseconds. An index counts particles
+//! in the sorted order, so a sort makes all indices invalid. A scene is checked when it is made
 //! ([`common::soft::Scene`]), so nothing here fails.
 
 mod parameters;

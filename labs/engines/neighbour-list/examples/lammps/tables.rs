@@ -7,7 +7,8 @@ use lab_measure::experiment::Bound;
 use crate::compare::{Moment, PairError};
 use crate::race::Timed;
 
-/// Numbers of the states that are shown; the first state has number 0. The data file has all states.
+/// Numbers of the states that the table shows; the first state is number 0. The data file contains
+/// all states.
 const SHOWN: [u64; 6] = [0, 1, 2, 4, 10, 20];
 
 pub(crate) fn pairs(errors: &[PairError]) -> String {
@@ -40,13 +41,13 @@ pub(crate) fn moments(n: usize, moments: &[Moment]) -> String {
     )
 }
 
-/// Shows all setups of LAMMPS.
+/// Formats a table of all setups of LAMMPS.
 pub(crate) fn tried(tried: &[Timed]) -> String {
     let takes = tried.first().map_or(0, |one| one.times.takes.len());
     format!("All setups of LAMMPS, {takes} takes each\n\n{}", columns().table(tried))
 }
 
-/// Shows the best setup of each style and the programs, with the streaming bound.
+/// Formats a table of the best setup of each style and of the programs, with the streaming bound.
 pub(crate) fn times(times: &[Timed], yardstick: &[Bound]) -> String {
     let takes = times.first().map_or(0, |one| one.times.takes.len());
     let mut table = columns()

@@ -1,29 +1,31 @@
-//! A scene cut into a block of rows for each rank.
+//! A scene divided into a block of rows for each rank.
 
 use common::soft::{CUTOFF, DENSITY, DT};
 
 /// Bytes of a particle in a message.
 pub(crate) const WIRE: f64 = 40.0;
 
-/// Mean speed of the particles that cross a border in one direction, times the half that fly in that direction:
-/// components of velocities are uniform in −1 … 1.
+/// Mean speed towards a border, times the half of the particles that fly in this direction.
+///
+/// Components of velocities are uniform in −1 … 1.
 const FLOW: f64 = 0.25;
 
-/// A scene of `n` particles on `p` ranks, in rows of bins.
+/// A scene on several ranks, in rows of bins.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Blocks {
-    /// Ranks that have rows.
+    /// Number of ranks that have rows.
     pub(crate) active: f64,
-    /// Particles of the fullest rank.
+    /// Number of particles of the fullest rank.
     pub(crate) largest: f64,
-    /// Particles of a row.
+    /// Number of particles in a row.
     pub(crate) row: f64,
-    /// Particles that cross a border in a step in one direction.
+    /// Number of particles that cross a border in a step in one direction.
     pub(crate) crossing: f64,
 }
 
 impl Blocks {
-    /// Cuts the scene into rows of bins that are `bin` cutoffs high.
+    /// Divides a scene of `n` particles among `p` ranks, in rows of bins that are `bin` cutoffs
+    /// high.
     pub(crate) fn new(n: f64, p: f64, bin: f64) -> Self {
         let side = (DENSITY * n).sqrt();
         let rows = (side / (bin * CUTOFF)).floor().max(1.0);
@@ -32,17 +34,17 @@ impl Blocks {
         Self { active, largest: (rows / active).ceil() * n / rows, row: n / rows, crossing }
     }
 
-    /// Returns the neighbours of a rank that has most of them.
+    /// Returns the number of neighbours of a rank that is not at the edge.
     pub(crate) fn neighbours(&self) -> f64 {
         (self.active - 1.0).min(2.0)
     }
 
-    /// Counts the borders between blocks, each for both of its ranks.
+    /// Returns the number of borders between blocks, counted once for each of the two ranks.
     pub(crate) fn borders(&self) -> f64 {
         2.0 * (self.active - 1.0)
     }
 
-    /// Counts the particles of border rows, each once for every rank that needs it.
+    /// Returns the number of particles in border rows, counted once for every rank that needs them.
     pub(crate) fn copies(&self) -> f64 {
         self.borders() * self.row
     }

@@ -1,26 +1,34 @@
-//! The time of a step with deep ghosts, which ranks move themselves. No message is sent for an epoch of several steps.
+//! The time of a step with deep ghosts, which ranks move themselves.
+//!
+//! No message is sent during an epoch of several steps.
 
 use crate::blocks::{Blocks, WIRE};
 use crate::network::Network;
 
-/// Steps of an epoch, and the depth of its ghosts in cutoffs. Both were counted on the official scene, as means of 100
-/// steps, and are taken for all scenes, though low strips have shorter epochs.
+/// Steps of an epoch, and depth of its ghosts in cutoffs.
+///
+/// Both are means of 100 steps of the official scene. The model uses them for all scenes, though
+/// low strips have shorter epochs.
 const EPOCH: f64 = 9.1;
 const DEPTH: f64 = 12.6;
 
-/// Reductions of an epoch: one that confirms its steps, and two in every fifth for the balance.
+/// Reductions of an epoch: one that confirms its steps, and two in every fifth epoch for the
+/// balance.
 const REDUCTIONS: f64 = 1.4;
 
-/// Numbers that are reduced when the steps are confirmed: one for each step and two to plan by.
+/// Numbers in the reduction that confirms steps: one for each step, and two for the plan of the
+/// next epoch.
 const CONFIRMED: f64 = EPOCH + 2.0;
 
-/// Returns the seconds of a step of `n` particles on `p` ranks. A ghost is moved and listed, and so costs as much as a
-/// particle of the rank's own, `cost` seconds. No particle moves while messages travel.
+/// Returns the seconds of a step of `n` particles on `p` ranks.
+///
+/// A particle costs `cost` seconds. Ghosts are moved and listed, so they cost as much as the rank's
+/// own particles. No particle moves while messages travel.
 pub(crate) fn step(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
     let sides = blocks.neighbours();
     let ghosts = (sides * DEPTH * blocks.row).min(n - blocks.largest);
-    // Where strips are lower than ghosts are deep, they come from several.
+    // If strips are lower than ghosts are deep, the ghosts come from several strips.
     let height = blocks.largest / blocks.row;
     let partners = (2.0 * (DEPTH / height).ceil()).min(blocks.active - 1.0);
     let sent = WIRE * (ghosts + sides * EPOCH * blocks.crossing);
@@ -35,7 +43,7 @@ mod tests {
 
     #[test]
     fn ghosts_cost_what_own_particles_cost() {
-        // 512 strips of 138 or 139 rows, ghosts on both sides.
+        // There are 512 strips of 138 or 139 rows, with ghosts on both sides.
         let (n, p, cost) = (1e9, 512.0, 10e-9);
         let own = Blocks::new(n, p, 1.0).largest * cost;
         let redundant = step(n, p, cost, &Network::FREE) / own - 1.0;

@@ -1,7 +1,7 @@
-//! A model of ranks: messages through the root, halos, lists on ranks, and deep ghosts, on more ranks than this machine
-//! has cores.
+//! Models programs on more ranks than this machine has cores.
 //!
-//! The time of a step is computed by the LogGP model of messages. Chapters 6 and 13 of the book have the formulae.
+//! The methods are messages through the root, halos, lists on ranks, and deep ghosts. The LogGP
+//! model of messages gives the time of a step. The formulae are in chapters 6 and 13 of the book.
 
 mod blocks;
 mod deep;
@@ -24,19 +24,19 @@ use step::Method;
 
 /// Model messages through the root, halos, lists, and deep ghosts, on many ranks: computed, not measured
 ///
-/// You give the cost of a particle on one rank, in nanoseconds of a step. The cost of a message is taken from published
-/// figures of three networks, and each result is the range between them.
+/// You give the cost of a particle on one rank, in nanoseconds of a step. The cost of a message is
+/// taken from published figures of three networks, and each result is the range of the three.
 #[derive(Parser)]
 #[command(name = "model")]
 struct Options {
-    /// Nanoseconds per particle and step on one rank: through the root, with halos, with lists, and with deep ghosts;
-    /// the last one or two may be left out
+    /// Nanoseconds per particle and step on one rank: through the root, with halos, with lists, and
+    /// with deep ghosts; the last one or two may be omitted
     #[arg(long, value_name = "ROOT,HALO,STRIPS,DEEP", value_delimiter = ',', required = true)]
     cost: Vec<f64>,
-    /// Particles of the strong curve
+    /// Number of particles of the strong curve
     #[arg(short, default_value_t = 1_000_000_000, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     n: u32,
-    /// Particles per rank of the weak curve
+    /// Number of particles per rank of the weak curve
     #[arg(long, default_value_t = 1_000_000, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     per_rank: u32,
     /// Greatest number of ranks
@@ -46,20 +46,20 @@ struct Options {
     json: Json,
 }
 
-/// Curves of one method.
+/// The strong and the weak curve of one method.
 #[derive(Serialize)]
 struct Curve {
     #[serde(rename = "lab")]
     method: Method,
     name: &'static str,
-    /// Cost on one rank.
+    /// Cost of a particle and step on one rank, in nanoseconds.
     #[serde(rename = "nanoseconds_per_particle_and_step")]
     cost: f64,
     strong: Vec<Point>,
     weak: Vec<Point>,
 }
 
-/// A step on a number of ranks, by each of the networks.
+/// A step on a number of ranks, with each of the networks.
 #[derive(Serialize)]
 struct Point {
     ranks: f64,
@@ -132,14 +132,14 @@ fn print(curves: &[Curve], options: &Options) {
 }
 
 impl Point {
-    /// Writes the milliseconds of a step, from the fastest network to the slowest.
+    /// Formats the milliseconds of a step, from the fastest network to the slowest.
     fn milliseconds(&self) -> String {
         let mut seconds = self.seconds;
         seconds.sort_by(f64::total_cmp);
         format!("{} to {}", three_digits(1e3 * seconds[0]), three_digits(1e3 * seconds[2]))
     }
 
-    /// Writes the efficiency, from the least to the greatest.
+    /// Formats the efficiency, from the least to the greatest.
     fn efficiency(&self) -> String {
         let mut efficiency = self.efficiency;
         efficiency.sort_by(f64::total_cmp);

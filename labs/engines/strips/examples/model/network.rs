@@ -5,13 +5,15 @@ use std::fmt;
 use lab_kit::table::three_digits;
 use serde::Serialize;
 
-/// Costs of a message, in seconds: Alexandrov, Ionescu, Schauser and Scheiman, *LogGP: incorporating long
+/// Costs of a message, in seconds.
+///
+/// The model is from Alexandrov, Ionescu, Schauser and Scheiman, *LogGP: incorporating long
 /// messages into the LogP model*, SPAA 1995.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub(crate) struct Network {
-    /// Name, and who published the figures.
+    /// Name of the network, and who published the figures.
     pub(crate) name: &'static str,
-    /// L: the time that the first byte is under way.
+    /// L: the travel time of the first byte.
     pub(crate) latency: f64,
     /// o: the time that the processor is busy with one send or one receive.
     pub(crate) overhead: f64,
@@ -25,7 +27,7 @@ const MICRO: f64 = 1e-6;
 
 /// Published figures, from the fastest network for short messages to the slowest.
 pub(crate) const PUBLISHED: [Network; 3] = [
-    // o is the mean of what a send and a receive of one byte take.
+    // o is the mean of the times of a send and of a receive of one byte.
     Network {
         name: "Netgauge's printed example (ETH Zürich, htor.inf.ethz.ch/research/netgauge/loggp)",
         latency: 0.6128 * MICRO,
@@ -47,19 +49,19 @@ pub(crate) const PUBLISHED: [Network; 3] = [
 
 /// Seconds of an exchange with other ranks.
 pub(crate) struct Exchange {
-    /// Part in which the processor is busy.
+    /// The part that keeps the processor busy.
     pub(crate) busy: f64,
-    /// Part that passes without the processor.
+    /// The part that passes without the processor.
     pub(crate) away: f64,
 }
 
 impl Exchange {
-    /// Returns the time of an exchange beside which nothing is done.
+    /// Returns the time of an exchange during which nothing else is done.
     pub(crate) fn alone(&self) -> f64 {
         self.busy + self.away
     }
 
-    /// Returns the time of an exchange beside which the processor works for `seconds`.
+    /// Returns the time of an exchange during which the processor also works for `seconds`.
     pub(crate) fn beside(&self, seconds: f64) -> f64 {
         self.busy + (self.away - seconds).max(0.0)
     }
@@ -71,16 +73,19 @@ impl Network {
     pub(crate) const FREE: Self =
         Self { name: "", latency: 0.0, overhead: 0.0, gap: 0.0, per_byte: 0.0 };
 
-    /// Makes a network of which only half a round trip, L + 2o, and the bandwidth are known. A quarter of the half
-    /// round trip is taken for each o, and o is taken for the gap.
+    /// Makes a network from half a round trip, L + 2o, and the bandwidth, if nothing else is known.
+    ///
+    /// A quarter of the half round trip is taken for each o, and o is taken for the gap.
     const fn from_ping_pong(name: &'static str, half_round_trip: f64, bandwidth: f64) -> Self {
         let overhead = half_round_trip / 4.0;
         let latency = half_round_trip - 2.0 * overhead;
         Self { name, latency, overhead, gap: overhead, per_byte: 1.0 / bandwidth }
     }
 
-    /// Returns the time of an exchange: a rank sends a message of `bytes` bytes to each of `others` ranks and receives
-    /// a message from each, and no message waits for another.
+    /// Returns the time of an exchange in which no message waits for another.
+    ///
+    /// A rank sends a message of `bytes` bytes to each of `others` ranks and receives a message
+    /// from each.
     pub(crate) fn exchange(&self, others: f64, bytes: f64) -> Exchange {
         if others == 0.0 {
             return Exchange { busy: 0.0, away: 0.0 };
@@ -89,8 +94,10 @@ impl Network {
         Exchange { busy, away: self.latency + others * bytes * self.per_byte }
     }
 
-    /// Returns the time in which the root gets a message from each other of `ranks` ranks, or sends a message to each:
-    /// one after the other, because it has only one port. `bytes` is the length of all messages together.
+    /// Returns the time of messages between the root and each other of `ranks` ranks, one way.
+    ///
+    /// The messages follow one another, because the root has only one port. Together they have
+    /// `bytes` bytes.
     pub(crate) fn through_root(&self, ranks: f64, bytes: f64) -> f64 {
         if ranks <= 1.0 {
             return 0.0;
@@ -99,14 +106,15 @@ impl Network {
         (ranks - 1.0) * each + bytes * self.per_byte + self.latency + self.overhead
     }
 
-    /// Returns the time in which all ranks learn the sums of `numbers` numbers of each, by recursive doubling.
+    /// Returns the time in which all ranks obtain the sums of `numbers` numbers, by recursive
+    /// doubling.
     pub(crate) fn all_reduce(&self, ranks: f64, numbers: f64) -> f64 {
         let bytes = 8.0 * numbers;
         ranks.log2().ceil() * (2.0 * self.overhead + self.latency + bytes * self.per_byte)
     }
 }
 
-/// Name and costs, in two lines.
+/// Writes the name and the costs, in two lines.
 impl fmt::Display for Network {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let times = [self.latency, self.overhead, self.gap];

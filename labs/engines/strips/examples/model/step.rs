@@ -6,44 +6,46 @@ use crate::blocks::{Blocks, WIRE};
 use crate::deep;
 use crate::network::Network;
 
-/// Bytes of a ghost in a message, and of its position alone.
+/// Bytes of a ghost in a message, and bytes of its position.
 const GHOST: f64 = 24.0;
 const POSITION: f64 = 16.0;
 
-/// The part of a step that is forces, during which ghosts may travel.
+/// Share of a step that computes forces, while ghosts may travel.
 const FORCES: f64 = 0.5;
 
-/// Steps between two looks at the balance, an all-reduce each.
+/// Number of steps between two tests of the balance, each with an all-reduce.
 const REBALANCE: f64 = 50.0;
 
-/// Steps that a neighbour list lasts, and how wide ghosts are for that number, in cutoffs: counted on the
-/// official scene.
+/// Steps that a neighbour list lasts, and width of ghosts for these steps in cutoffs.
+///
+/// Both were counted on the official scene.
 const LASTS: f64 = 9.5;
 const WIDTH: f64 = 3.6;
 
-/// The part of a step that moves inner blocks, during which positions may travel.
+/// Share of a step that moves inner blocks, while positions may travel.
 const INNER: f64 = 0.5;
 
-/// Reductions of all ranks when lists are rebuilt.
+/// Number of all-reduces when lists are rebuilt.
 const REDUCTIONS: f64 = 2.0;
 
-/// How ranks exchange particles.
+/// A method to exchange particles between ranks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub(crate) enum Method {
     /// Gathers and scatters through the root.
     ThroughRoot,
     /// Messages to neighbours.
     Halo,
-    /// A neighbour list on each rank, and ghosts that last as long.
+    /// A neighbour list on each rank, and ghosts that last as long as the list.
     Strips,
-    /// A neighbour list on each rank, and ghosts so deep that no message is sent until the list is rebuilt.
+    /// A neighbour list on each rank, and ghosts so deep that no message is sent until the list is
+    /// rebuilt.
     Deep,
 }
 
 impl Method {
     pub(crate) const ALL: [Self; 4] = [Self::ThroughRoot, Self::Halo, Self::Strips, Self::Deep];
 
-    /// Returns the name of the variant with this method.
+    /// Returns the name of the variant that uses this method.
     pub(crate) fn variant(self) -> &'static str {
         match self {
             Self::ThroughRoot => "through-root",
@@ -53,7 +55,9 @@ impl Method {
         }
     }
 
-    /// Returns the seconds of a step of `n` particles on `p` ranks, if a particle takes `cost` seconds on one rank.
+    /// Returns the seconds of a step of `n` particles on `p` ranks.
+    ///
+    /// A particle takes `cost` seconds on one rank.
     pub(crate) fn step(self, n: f64, p: f64, cost: f64, network: &Network) -> f64 {
         match self {
             Self::ThroughRoot => through_root(n, p, cost, network),
@@ -64,19 +68,23 @@ impl Method {
     }
 }
 
-/// Returns the time with two gathers and a scatter, each of counts first: six times the root talks to all ranks.
+/// Returns the time of two gathers and a scatter, each after its counts.
+///
+/// So the root exchanges messages with all ranks six times.
 fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 2.0);
     let crossing = blocks.borders() * blocks.crossing;
     let counts = 3.0 * network.through_root(p, 4.0 * (p - 1.0));
     let leavers = network.through_root(p, WIRE * crossing);
     let copies = network.through_root(p, WIRE * blocks.copies());
-    // A leaver goes to its new rank and, as a ghost, back to its old one.
+    // A leaver goes to its new rank and, as a ghost, back to its old rank.
     let back = network.through_root(p, WIRE * (blocks.copies() + 2.0 * crossing));
     blocks.largest * cost + counts + leavers + copies + back
 }
 
-/// Returns the time with ghosts while the interior is computed, movers, and a sum over all ranks.
+/// Returns the time with ghosts that travel while the interior is computed.
+///
+/// Movers and a sum over all ranks follow.
 fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
     let neighbours = blocks.neighbours();
@@ -88,8 +96,9 @@ fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     blocks.largest * cost + counts + ghosts + movers + sums
 }
 
-/// Returns the time with positions while inner blocks move, and a word of all ranks; every few steps movers, and ghosts
-/// that are chosen again.
+/// Returns the time of an exchange of positions while inner blocks move, and of an all-reduce.
+///
+/// Every few steps movers are sent and ghosts are chosen again.
 fn strips(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
     let neighbours = blocks.neighbours();
@@ -106,7 +115,7 @@ mod tests {
     use super::*;
     use crate::network::PUBLISHED;
 
-    /// A network on which a step takes as long as it sends bytes.
+    /// A network on which the seconds of a step are the number of bytes.
     const BYTES: Network = Network { per_byte: 1.0, ..Network::FREE };
 
     #[test]
@@ -123,20 +132,20 @@ mod tests {
     fn a_free_network_leaves_the_largest_block() {
         for method in [Method::ThroughRoot, Method::Halo, Method::Strips] {
             let step = method.step(1e9, 1024.0, 30e-9, &Network::FREE);
-            // Blocks are whole rows, about 35 through the root.
+            // Blocks are whole rows, about 35 with the root's method.
             let fair = 1e9 / 1024.0 * 30e-9;
             assert!((fair..1.02 * fair).contains(&step), "{method:?}: {step} s, fair {fair} s");
         }
     }
 
-    /// Twice the ranks on the same scene send twice the messages through the root.
+    /// On the same scene, twice the ranks send twice the bytes through the root.
     #[test]
     fn the_roots_cost_grows_with_the_ranks() {
         let [half, all] =
             [512.0, 1024.0].map(|p| Method::ThroughRoot.step(1e9, p, 0.0, &PUBLISHED[0]));
         let ratio = all / half;
         assert!((1.98..2.01).contains(&ratio), "{ratio}");
-        // It grows with p √n: four times the particles are twice the bytes.
+        // The bytes grow with p √n, so four times the particles send twice the bytes.
         let [few, many] = [1e8, 4e8].map(|n| Method::ThroughRoot.step(n, 64.0, 0.0, &BYTES));
         assert!((many / few - 2.0).abs() < 0.01);
     }
@@ -146,12 +155,13 @@ mod tests {
         let scenes = [(1e8, 64.0), (4e8, 64.0), (1e8, 512.0)];
         let [few, many, spread] = scenes.map(|(n, p)| Method::Halo.step(n, p, 0.0, &BYTES));
         assert!((many / few - 2.0).abs() < 0.01);
-        // But for the sums over all ranks.
+        // The sums over all ranks are not the same.
         assert!((spread / few - 1.0).abs() < 1e-3);
     }
 
-    /// `cargo lab traffic` counted the bytes on two ranks, mean of both (book/data/lab5-traffic.json,
-    /// lab6-traffic.json, lab13-traffic.json and lab13-deep-traffic.json).
+    /// `cargo lab traffic` counted the bytes on two ranks; the numbers are means of both ranks
+    /// (book/data/lab5-traffic.json, lab6-traffic.json, lab13-traffic.json and
+    /// lab13-deep-traffic.json).
     #[test]
     fn bytes_are_those_that_are_counted() {
         for (method, n, counted) in [
@@ -166,7 +176,8 @@ mod tests {
             (Method::ThroughRoot, 1e5, 10_635.0),
         ] {
             let bytes = method.step(n, 2.0, 0.0, &BYTES);
-            // All of both ranks passes the root, also the half that begins or ends there.
+            // The data of both ranks pass through the root, even the half that begins or ends
+            // there.
             let model = if method == Method::ThroughRoot { bytes / 4.0 } else { bytes };
             let off = model / counted - 1.0;
             assert!(off.abs() < 0.1, "{method:?}, n = {n}: {model:.0} bytes, counted {counted}");
@@ -180,8 +191,9 @@ mod tests {
         assert!(many > few);
     }
 
-    /// Only latency counts here: the positions, the word of all ranks and a list's share of its six exchanges and
-    /// reductions in each step, against one exchange and 1.4 reductions an epoch.
+    /// Only latency counts here. A step of `Strips` has the positions, an all-reduce, and a share
+    /// of the list's six exchanges and reductions. An epoch of `Deep` has one exchange and 1.4
+    /// reductions.
     #[test]
     fn latency_is_paid_once_an_epoch() {
         let slow = Network { latency: 1e-3, ..Network::FREE };
@@ -191,8 +203,9 @@ mod tests {
         }
     }
 
-    /// Two ranks share their memory, where messages cost little. The costs on one rank are given: the chapter's
-    /// table (book/data/lab13-deep-*.json; one rank: lab13-deep-one.json and lab13-ranks-*.json).
+    /// Two ranks share their memory, so messages are cheap. The costs on one rank are from the
+    /// chapter's table (book/data/lab13-deep-*.json; one rank: lab13-deep-one.json and
+    /// lab13-ranks-*.json).
     #[test]
     fn two_ranks_take_a_sixth_less_than_the_model_says_at_most() {
         for (n, strips_on_one, deep_on_one, measured) in

@@ -1,4 +1,6 @@
-//! The third step to groups: members and pairs in the order of the computation.
+//! The third step of grouping: puts members and pairs into the order in which groups are computed.
+//!
+//! The drawing in [`grouper`](super::grouper) shows this step as "lay out".
 
 use neighbour_list::Bodies;
 use neighbour_list::kernels::Pair;
@@ -7,22 +9,22 @@ use super::numbering::Numbering;
 use super::slots::{Groups, SMALL};
 use super::union::{NO_GROUP, Union};
 
-/// A group that is no crowd.
+/// The crowd of a group that is not a crowd.
 const NO_CROWD: u32 = u32::MAX;
 
-/// The memory of this step.
+/// The working memory of this step.
 #[derive(Default)]
 pub(super) struct Arrangement {
-    /// All members as numbers, group by group.
+    /// The numbers of all members, group by group.
     members: Vec<u32>,
-    /// For each number its index among the members of its crowd.
+    /// For each number, its index among the members of its crowd.
     local: Vec<u32>,
-    /// For each group the crowd that it becomes.
+    /// For each group, the crowd that it becomes, or [`NO_CROWD`].
     crowd_of: Vec<u32>,
 }
 
 impl Arrangement {
-    /// Writes all groups to `groups`, with their members by id.
+    /// Writes all groups to `groups`, each with its members in the order of their ids.
     pub(super) fn lay_out(
         &mut self,
         bodies: &Bodies,
@@ -39,7 +41,7 @@ impl Arrangement {
             let members = &mut self.members[start..end as usize];
             start = end as usize;
             members.sort_unstable_by_key(|&number| bodies.id[particle(number) as usize]);
-            // A couple here is one whose pair was found twice.
+            // The particles of a group of two are here only if their pair was found twice.
             let small = SMALL[1..].iter().position(|size| *size == members.len());
             if let Some(k) = small.filter(|_| group >= union.crowds) {
                 groups.small[k + 1].extend(members.iter().map(|&number| particle(number)));
@@ -58,7 +60,7 @@ impl Arrangement {
         self.lay_out_pairs(numbering, union, groups);
     }
 
-    /// Brings the members of each group together, and returns where each group ends.
+    /// Sorts the members by group, and returns the end of each group.
     fn bring_together(&mut self, union: &Union, count: usize) -> Vec<u32> {
         let mut next = running_starts(&union.sizes);
         self.members.resize(count, 0);
@@ -91,7 +93,7 @@ impl Arrangement {
         sort_pairs(groups, &next);
     }
 
-    /// The crowd of a pair, if it is in one.
+    /// Returns the crowd of a pair, or `None` if the pair is in no crowd.
     fn crowd(&self, union: &Union, pair: &Pair) -> Option<usize> {
         let group = union.group(pair[0]);
         let crowd = if group == NO_GROUP { NO_CROWD } else { self.crowd_of[group as usize] };
@@ -99,7 +101,7 @@ impl Arrangement {
     }
 }
 
-/// Sorts the pairs of each crowd, which end at `ends`, and drops duplicates.
+/// Sorts the pairs of each crowd and removes duplicates. The pairs of the crowds end at `ends`.
 fn sort_pairs(groups: &mut Groups, ends: &[u32]) {
     let mut start = 0;
     let mut kept = 0;
@@ -119,7 +121,8 @@ fn sort_pairs(groups: &mut Groups, ends: &[u32]) {
     groups.pairs.truncate(kept);
 }
 
-/// The starts of several runs of these lengths, one behind the other.
+/// Returns the starts of several runs that follow one another; `lengths` are the lengths of the
+/// runs.
 fn running_starts(lengths: &[u32]) -> Vec<u32> {
     let mut start = 0;
     let mut starts = Vec::with_capacity(lengths.len());

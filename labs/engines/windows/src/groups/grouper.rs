@@ -1,19 +1,19 @@
-//! From pairs to groups, in three steps.
+//! Makes groups from pairs, in three steps.
 //!
-//! Here particles 10 to 19 are in these pairs; particle 15 may reach a wall.
+//! In this example particles 10 to 19 are in the pairs below, and particle 15 may reach a wall:
 //!
 //! ```text
 //! pairs:    10─11    12─13─14    15─16    17─18─19─17
 //!
 //! number    10─11 touch no other particle: a couple, which is done.     particle  15  12  13  14  16  17  18  19
-//!           All others have numbers, particle 15 the least.             number     0   1   2   3   4   5   6   7
+//!           All others get numbers; particle 15 gets the least.         number     0   1   2   3   4   5   6   7
 //!
 //! unite     Each number is in the group of the least number that it     number     0   1   2   3   4   5   6   7
 //!           reaches by pairs. Groups count from 0 in this order.        group      0   1   1   1   0   2   2   2
 //!
 //! lay out   By id, group by group: groups of two, three and four        couples    10 11
-//!           without a particle at a wall side by side, other groups     threes     12 13 14   17 18 19
-//!           as crowds with their pairs.                                 crowd      15 16, with the pair 0─1
+//!           without a particle near a wall are computed side by side;   threes     12 13 14   17 18 19
+//!           all other groups are crowds, stored with their pairs.       crowd      15 16, with the pair 0─1
 //! ```
 
 use neighbour_list::Bodies;
@@ -26,18 +26,18 @@ use super::task::Task;
 use super::union::{NO_GROUP, Union};
 use crate::rules::Rules;
 
-/// The memory of the three steps, and the pairs that are left over.
+/// The working memory of the three steps, and the pairs that are left over.
 #[derive(Default)]
 pub(crate) struct Grouper {
     numbering: Numbering,
     union: Union,
     arrangement: Arrangement,
-    /// All pairs of groups that a particle in `elsewhere` belongs to, to be grouped across bands.
+    /// All pairs of groups with a particle in `elsewhere`. They are grouped later, across bands.
     pub(crate) deferred: Vec<Pair>,
 }
 
 impl Grouper {
-    /// Groups the particles of a task.
+    /// Groups the particles of a task and writes the groups to `groups`.
     pub(crate) fn group<R: Rules>(
         &mut self,
         bodies: &Bodies,

@@ -1,4 +1,7 @@
-//! Groups that are computed at the same time.
+//! Groups of particles that may touch one another in a window, and running them through it.
+//!
+//! [`Grouper`] makes groups from pairs, `slots` stores them, and `run` computes them. Groups of
+//! two, three and four run side by side in vector registers (`together`).
 
 mod arrangement;
 mod grouper;
@@ -15,31 +18,32 @@ pub(crate) use task::Task;
 
 use common::soft::Particle;
 
-/// The slot of a particle that flies freely.
+/// The slot of a particle in free flight, which is in no group.
 pub(crate) const FREE: u32 = u32::MAX;
 
-/// Groups and what became of them.
+/// Groups that were computed together, and their result.
 #[derive(Default)]
 pub(crate) struct Batch {
     pub(crate) groups: Groups,
     pub(crate) record: Record,
-    /// The number of its first slot.
+    /// The number of the batch's first slot.
     pub(crate) first: usize,
-    /// How many of its members are in no earlier batch.
+    /// Number of members that are in no earlier batch.
     pub(crate) new: usize,
-    /// The greatest deviation of its members.
+    /// The greatest deviation of a member from its reference path.
     pub(crate) greatest_deviation: f64,
 }
 
 impl Batch {
-    /// Where the member in slot `p` is at last, and with which id.
+    /// Returns the member in slot `p`, which has this `id`, at the end of the run.
     pub(crate) fn end(&self, p: usize, id: u32) -> Particle {
         let Record { x, y, vx, vy, .. } = &self.record;
         Particle { x: x[p], y: y[p], vx: vx[p], vy: vy[p], id }
     }
 
-    /// Writes down the slot of each member and its deviation; both arrays are of all
-    /// particles from number `first` on.
+    /// Records the slot and the deviation of each member.
+    ///
+    /// Both arrays have an element for each particle, beginning with particle `first`.
     pub(crate) fn note(
         &mut self,
         flag: u32,

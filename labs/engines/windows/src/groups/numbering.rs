@@ -1,35 +1,41 @@
-//! The first step to groups: numbers for the particles, from 0 on, in the order of the task.
+//! The first step of grouping: numbers the particles from 0 on, in the order of the task.
+//!
+//! The drawing in [`grouper`](super::grouper) shows this step as "number".
 
 use neighbour_list::kernels::Pair;
 
 use super::task::Task;
 
-/// A particle without a number.
+/// The number of a particle that has no number.
 const NONE: u32 = u32::MAX;
 
-/// Numbers from 0 on for all particles of a task that are not simply in a couple.
+/// Numbers from 0 on for all particles of a task, except for those of couples.
 #[derive(Default)]
 pub(super) struct Numbering {
-    /// For each particle of the task's range the number of its pairs, up to 255.
+    /// For each particle of the task's range, the number of its pairs, at most 255.
     degree: Vec<u8>,
-    /// For each of them its number, if it has one.
+    /// For each particle of the task's range, its number, or [`NONE`].
     number: Vec<u32>,
     /// The particle of each number.
     pub(super) particles: Vec<u32>,
-    /// The numbers below this one are those of particles in pairs that are grouped elsewhere.
+    /// The number of particles in pairs that are grouped elsewhere. These particles have the lowest
+    /// numbers.
     pub(super) elsewhere: u32,
-    /// The numbers below this one are those of particles whose group is a crowd, or is grouped elsewhere.
+    /// The end of the numbers of particles whose group is a crowd or is grouped elsewhere.
     pub(super) alone: u32,
-    /// The pairs that are no couples, as numbers of particles.
+    /// The pairs that are not couples, as pairs of numbers.
     pub(super) pairs: Vec<Pair>,
 }
 
 impl Numbering {
-    /// Numbers the particles of a task, and writes its couples to `couples`: pairs whose particles are in no other pair.
+    /// Numbers the particles of a task, and writes its couples to `couples`.
+    ///
+    /// A couple is a pair whose particles are in no other pair.
     pub(super) fn number(&mut self, task: &Task<'_>, couples: &mut Vec<u32>) {
         let first = task.range.start as u32;
         self.begin(task);
-        // Numbered first, so that the least number of a group tells whether it is grouped elsewhere.
+        // These particles come first, so that the least number of a group shows whether it is
+        // grouped elsewhere.
         self.number_all(task.elsewhere, first);
         self.elsewhere = self.particles.len() as u32;
         self.number_all(task.alone, first);
@@ -62,7 +68,7 @@ impl Numbering {
         }
     }
 
-    /// Numbers these particles, none of which is in a couple.
+    /// Numbers these particles and ensures that none of them counts as part of a couple.
     fn number_all(&mut self, particles: &[u32], first: u32) {
         for &i in particles {
             self.degree[(i - first) as usize] = u8::MAX;
@@ -70,7 +76,7 @@ impl Numbering {
         }
     }
 
-    /// The number of a particle. A particle without a number gets the next one.
+    /// Returns the number of a particle. A particle without a number gets the next one.
     fn number_of(&mut self, i: u32, first: u32) -> u32 {
         let number = &mut self.number[(i - first) as usize];
         if *number == NONE {

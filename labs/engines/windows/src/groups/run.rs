@@ -1,4 +1,4 @@
-//! Running groups through a window.
+//! Runs groups through a window.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -15,7 +15,7 @@ use crate::path::Path;
 use crate::rules::Rules;
 use crate::span::Span;
 
-/// What running a group needs for itself.
+/// The working memory for a group.
 #[derive(Default)]
 pub(crate) struct Scratch {
     ax: Vec<f64>,
@@ -24,9 +24,12 @@ pub(crate) struct Scratch {
 }
 
 impl Group<'_> {
-    /// Runs a group of any size through the steps of `span`, with its walls, and writes its members to `out`. Members
-    /// come by ascending id and pairs are ascending: then every particle sums its neighbours by ascending id, as all
-    /// pairs do, and the bits are theirs. `observers`, if any, see one step each.
+    /// Runs a group of any size through the steps of `span`, with its walls, and writes its members
+    /// to `out`.
+    ///
+    /// Members are in the order of their ids, and pairs ascend. So every particle sums over its
+    /// neighbours by ascending id, as all-pairs programs do, and the bits are the same.
+    /// `observers` is empty or has an observer for each step.
     fn run<R: Rules, O: Observer>(
         &self,
         start: &Bodies,
@@ -101,7 +104,7 @@ impl Group<'_> {
         }
     }
 
-    /// Runs the group by itself, in slots from 0 on of `record`.
+    /// Runs only this group, and writes to the slots from 0 on of `record`.
     pub(crate) fn run_alone<R: Rules, O: Observer>(
         &self,
         start: &Bodies,
@@ -117,7 +120,7 @@ impl Group<'_> {
 }
 
 impl Groups {
-    /// Takes all groups through the steps of `span`.
+    /// Runs all groups through the steps of `span`.
     pub(crate) fn run<R: Rules>(&self, bodies: &Bodies, span: &Span, record: &mut Record) {
         record.resize(self.slots(), span.steps);
         let rules = PhantomData::<R>;
@@ -131,8 +134,10 @@ impl Groups {
         }
     }
 
-    /// Runs all groups once more for observers; `is_theirs` says whether the group with a
-    /// given member is not computed elsewhere by now.
+    /// Runs all groups again for observers.
+    ///
+    /// `is_theirs` is given a member of a group and returns whether this batch is the last that
+    /// computed the group.
     pub(crate) fn observe<R: Rules, O: Observer>(
         &self,
         bodies: &Bodies,
@@ -150,7 +155,7 @@ impl Groups {
     }
 }
 
-/// Runs all small groups.
+/// A vector kernel that runs all small groups.
 struct RunSmall<'a, R> {
     groups: &'a Groups,
     bodies: &'a Bodies,
@@ -171,7 +176,7 @@ impl<R: Rules> NullaryFnOnce for RunSmall<'_, R> {
 }
 
 impl<R: Rules> RunSmall<'_, R> {
-    /// Runs those of size `M`, number `k` of all sizes.
+    /// Runs the groups of size `M`, which have index `k` among the sizes.
     #[inline(always)]
     fn of_size<const M: usize>(&mut self, k: usize) {
         let first = self.groups.begins()[k];
@@ -184,7 +189,7 @@ impl<R: Rules> RunSmall<'_, R> {
         }
     }
 
-    /// Runs the groups of `size` whose first members have these slots one after another, with walls.
+    /// Runs groups of `size` with walls, one after another. Their first members have these slots.
     #[inline(never)]
     fn apart(&mut self, slots: Range<usize>, size: usize) {
         let Self { groups, bodies, span, record, .. } = self;

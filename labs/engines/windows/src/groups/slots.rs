@@ -1,50 +1,59 @@
-//! Groups of particles that touch no particle outside, and where running them takes them.
+//! Storage for groups, and for the result of running them.
 
 use std::ops::Range;
 
 use neighbour_list::kernels::Pair;
 
-/// Small groups computed side by side.
+/// Number of small groups that are computed side by side.
 pub(crate) const LANES: usize = 16;
 
-/// Sizes of small groups; any other group is a crowd.
+/// Sizes of small groups. Every other group is a crowd.
 pub(crate) const SMALL: [usize; 3] = [2, 3, 4];
 
-/// Groups of particles that may touch each other in a window, and no other. Each can be computed on
-/// its own from the window's start to its end, in any order, by any thread.
+/// Groups of particles that may touch one another in a window, but no particle outside their group.
 ///
-/// Every member has a slot. Slots of small groups stand in blocks of sixteen groups: the first
-/// members of all, the second members of all, and so on; in the last block some may stay empty. Behind them are those
-/// of crowds.
+/// So each group can be computed alone from the start of the window to its end, in any order and by
+/// any thread. Every member has a slot. Here are one block of sixteen couples (a, b, …), one of
+/// sixteen threes, and the crowds:
+///
+/// ```text
+/// slot    0           16          32          48          64          80
+///         a₀ b₀ … p₀  a₁ b₁ … p₁  a₀ b₀ … p₀  a₁ b₁ … p₁  a₂ b₂ … p₂  crowd 0, crowd 1, …
+///         couples                 threes
+/// ```
+///
+/// In the last block of a size some slots may be empty.
 #[derive(Default)]
 pub(crate) struct Groups {
-    /// For each size the members of all small groups, one group after another, by id within each. They are indices in
-    /// the sorted order.
+    /// For each size the members of all small groups, as indices in the sorted order.
+    ///
+    /// The groups follow one another; within a group members are in the order of their ids.
     pub(crate) small: [Vec<u32>; SMALL.len()],
-    /// The same of the crowds.
+    /// The members of all crowds, in the same form.
     pub(crate) members: Vec<u32>,
-    /// Where each of these crowds ends in `members`.
+    /// The end of each crowd in `members`.
     pub(crate) ends: Vec<u32>,
-    /// Their pairs: numbers within the crowd, the lower id first, ascending.
+    /// The pairs of all crowds, as indices among the members of the crowd, ascending, the lower id
+    /// first.
     pub(crate) pairs: Vec<Pair>,
-    /// Where the pairs of each crowd end in `pairs`.
+    /// The end of each crowd's pairs in `pairs`.
     pub(crate) pair_ends: Vec<u32>,
     /// The crowd of each of `members`.
     pub(crate) crowd_of: Vec<u32>,
 }
 
-/// One of the groups.
+/// A group, borrowed from [`Groups`].
 pub(crate) struct Group<'a> {
-    /// Its members.
+    /// The members, as indices in the sorted order.
     pub(crate) members: &'a [u32],
-    /// Which pairs of them are computed, by their numbers among the members.
+    /// The pairs that are computed, as indices among the members.
     pub(crate) pairs: &'a [Pair],
-    /// The slots of its block, which is computed together: of sixteen small groups, or of one crowd.
+    /// The slots of the block that is computed together: sixteen small groups or one crowd.
     pub(crate) block: Range<usize>,
 }
 
 impl Groups {
-    /// Forgets all groups.
+    /// Removes all groups.
     pub(crate) fn clear(&mut self) {
         self.small.iter_mut().for_each(Vec::clear);
         self.members.clear();
@@ -54,7 +63,7 @@ impl Groups {
         self.crowd_of.clear();
     }
 
-    /// Where the slots of small groups of each size begin, and at last those of crowds.
+    /// Returns the first slot of each size of small groups, and finally the first slot of crowds.
     pub(crate) fn begins(&self) -> [usize; SMALL.len() + 1] {
         let mut begins = [0; SMALL.len() + 1];
         for (k, (size, small)) in SMALL.iter().zip(&self.small).enumerate() {
@@ -63,22 +72,22 @@ impl Groups {
         begins
     }
 
-    /// Where the slots of crowds begin.
+    /// Returns the first slot of crowds.
     pub(crate) fn crowds_begin(&self) -> usize {
         self.begins()[SMALL.len()]
     }
 
-    /// How many slots there are.
+    /// Returns the number of slots.
     pub(crate) fn slots(&self) -> usize {
         self.crowds_begin() + self.members.len()
     }
 
-    /// How many members all groups have.
+    /// Returns the number of members of all groups.
     pub(crate) fn member_count(&self) -> usize {
         self.small.iter().chain([&self.members]).map(Vec::len).sum()
     }
 
-    /// Crowd `g`.
+    /// Returns crowd `g`.
     pub(crate) fn crowd(&self, g: usize) -> Group<'_> {
         let range = part(&self.ends, g);
         let begin = self.crowds_begin();
@@ -86,7 +95,7 @@ impl Groups {
         Group { members: &self.members[range], pairs: &self.pairs[part(&self.pair_ends, g)], block }
     }
 
-    /// Visits every member: its slot, its index in the sorted order.
+    /// Calls `visit` with the slot of every member and its index in the sorted order.
     pub(crate) fn for_each_member(&self, mut visit: impl FnMut(usize, u32)) {
         let begins = self.begins();
         for (s, size) in SMALL.into_iter().enumerate() {
@@ -102,7 +111,7 @@ impl Groups {
         }
     }
 
-    /// The group that slot `p` belongs to.
+    /// Returns the group of slot `p`.
     pub(crate) fn group(&self, p: usize) -> Group<'_> {
         const PAIRS: [&[Pair]; SMALL.len()] = [
             &[[0, 1]],
@@ -125,7 +134,7 @@ impl Groups {
 }
 
 impl Group<'_> {
-    /// Whether the pair of particles `i` and `k` is computed.
+    /// Whether the group computes the pair of particles `i` and `k`.
     pub(crate) fn computes(&self, i: u32, k: u32) -> bool {
         let [Some(a), Some(b)] = [i, k].map(|index| self.members.iter().position(|&m| m == index))
         else {
@@ -135,23 +144,23 @@ impl Group<'_> {
     }
 }
 
-/// The part of several, one after another, that is number `k`; `ends` says where each ends.
+/// Returns the range of the k-th of several parts that follow one another and end at `ends`.
 fn part(ends: &[u32], k: usize) -> Range<usize> {
     let start = k.checked_sub(1).map_or(0, |before| ends[before] as usize);
     start..ends[k] as usize
 }
 
-/// Where the members of groups are after some steps, and how far they were off their reference
-/// paths meanwhile.
+/// The members of groups after the window, and how far they were off their reference paths.
 #[derive(Clone, Default)]
 pub(crate) struct Record {
     pub(crate) x: Vec<f64>,
     pub(crate) y: Vec<f64>,
     pub(crate) vx: Vec<f64>,
     pub(crate) vy: Vec<f64>,
-    /// The greatest deviation, beyond the path's own spread.
+    /// The greatest deviation from the reference path, beyond the path's spread; a length.
     pub(crate) deviation: Vec<f64>,
-    /// How far off along x and y after each step but the last: block by block, in it step by step, in it slot by slot.
+    /// Distance off the path along x and y after each step but the last: by block, then by step,
+    /// then by slot.
     off: Vec<[f32; 2]>,
     steps: usize,
 }
@@ -176,7 +185,7 @@ impl Record {
         self.off.resize(n * self.steps, [0.0; 2]);
     }
 
-    /// The slots of a block.
+    /// Returns the part of the record with the slots of a block.
     pub(crate) fn slice(&mut self, block: Range<usize>) -> Slice<'_> {
         Slice {
             x: &mut self.x[block.clone()],
@@ -188,8 +197,10 @@ impl Record {
         }
     }
 
-    /// How far the member in slot `p` of a block was off its reference path after `step` steps, at least
-    /// one and not all of them.
+    /// Returns how far the member in slot `p` of a block was off its reference path after `step`
+    /// steps.
+    ///
+    /// `step` is at least 1 and less than the number of steps.
     #[inline]
     pub(crate) fn off(&self, block: &Range<usize>, p: usize, step: usize) -> [f64; 2] {
         let entry = block.start * self.steps + (step - 1) * block.len() + p - block.start;

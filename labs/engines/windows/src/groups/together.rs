@@ -1,4 +1,4 @@
-//! Small groups, sixteen of a size side by side.
+//! Runs small groups of the same size, sixteen side by side.
 
 use common::soft::CUTOFF;
 use neighbour_list::Bodies;
@@ -7,11 +7,15 @@ use neighbour_list::kernels::{coefficient, larger};
 use super::slots::{LANES, Slice};
 use crate::span::Span;
 
-/// Runs up to sixteen groups of `M` through the steps of `span`, side by side and without a branch, and
-/// writes their members to `out`: the first of each group, the second of each, and so on. Returns
-/// whether none of them left the box; if one did, what is written is of no use.
+/// Runs up to sixteen groups of `M` members through the steps of `span`, side by side and without a
+/// branch.
 ///
-/// Members come by ascending id, and every pair of a group is computed, in contact or not: adding
+/// The members are written to `out`: the first member of each group, then the second of each, and
+/// so on. Returns whether all of them stayed in the box. If one did not, the result is not valid.
+///
+/// Members are in the order of their ids. Every pair of a group is computed, in contact or not,
+/// because adding zero changes no bit. If there are fewer than sixteen groups, the last one is
+/// computed several times.
 /// nothing changes no bit. Where there are fewer, the last is computed again.
 #[inline(always)]
 pub(crate) fn run_together<const M: usize>(
@@ -64,7 +68,7 @@ pub(crate) fn run_together<const M: usize>(
                 outside[l] |= u64::from(!inside);
             }
         }
-        // Where a window ends, the next one looks for itself.
+        // The last step needs no record, because the next window searches again.
         for m in (0..M).filter(|_| step < steps) {
             let off = &mut out.off[((step as usize - 1) * M + m) * LANES..][..LANES];
             for l in 0..LANES {

@@ -1,4 +1,6 @@
-//! The second step to groups: union-find.
+//! The second step of grouping: union-find over the numbers of particles.
+//!
+//! The drawing in [`grouper`](super::grouper) shows this step as "unite".
 
 use super::numbering::Numbering;
 use crate::rules::Rules;
@@ -6,21 +8,22 @@ use crate::rules::Rules;
 /// The group of a number that is grouped elsewhere.
 pub(super) const NO_GROUP: u32 = u32::MAX;
 
-/// The groups that pairs of numbers join.
+/// The groups into which pairs unite numbers.
 #[derive(Default)]
 pub(super) struct Union {
-    /// For each number a number of its group that is not greater; for the least of a group the least itself.
+    /// For each number, a number of its group that is not greater; the least number of a group has
+    /// itself.
     parent: Vec<u32>,
-    /// For each number its group.
+    /// For each number, its group, or [`NO_GROUP`].
     group: Vec<u32>,
     /// The number of members of each group. Groups are in the order of their least numbers.
     pub(super) sizes: Vec<u32>,
-    /// The groups below this one are crowds, whatever their size.
+    /// The number of groups that are crowds whatever their size. These groups come first.
     pub(super) crowds: usize,
 }
 
 impl Union {
-    /// Joins the numbers of all pairs.
+    /// Unites the numbers of all pairs.
     pub(super) fn unite<R: Rules>(&mut self, numbering: &Numbering) {
         let count = numbering.particles.len() as u32;
         self.parent.clear();
@@ -49,7 +52,7 @@ impl Union {
         }
     }
 
-    /// The group of a number.
+    /// Returns the group of a number, or [`NO_GROUP`].
     pub(super) fn group(&self, number: u32) -> u32 {
         self.group[number as usize]
     }

@@ -1,4 +1,4 @@
-//! The engine that reads the scene first.
+//! The engine that plans for the scene before it steps.
 
 mod plan;
 
@@ -16,26 +16,27 @@ use crate::search::Layout;
 use crate::span::Span;
 use crate::window::{Window, WindowCounts};
 
-/// Windows of several steps after which there is a new plan.
+/// Number of windows after which the engine makes a new plan.
 const WINDOWS: u64 = 16;
-/// Steps of a list after which there is one.
+/// Number of steps with a list after which the engine makes a new plan.
 const STEPS: u64 = 256;
 
-/// The engine: it reads the scene, plans, and goes through it by windows or by a list.
+/// The engine: it surveys the scene, plans, and advances the scene by windows or by a list.
 ///
-/// `R` are the rules of its windows, `O` what watches each step; what nobody watches is compiled away.
+/// `R` are the rules of its windows, and `O` observes each step. Observations that `O` ignores cost
+/// nothing.
 pub struct Planned<R, O> {
     crew: Crew,
-    /// The number of steps that was asked for, or 0 for the planner's choice.
+    /// Number of steps in a window that the user chose, or 0 for the planner's choice.
     fixed_steps: u32,
-    /// Steps that an official step is divided into.
+    /// Number of small steps in an official step.
     divide: u32,
     size: f64,
     window: Window,
     plain: NeighbourList<O>,
     plan: Plan,
     counts: WindowCounts,
-    /// Steps into the window.
+    /// Number of steps of the open window that have been taken.
     into: u32,
     span: Span,
     observers: Vec<O>,
@@ -48,8 +49,10 @@ pub struct Planned<R, O> {
 }
 
 impl<R: Rules, O: Observer> Planned<R, O> {
-    /// An engine for these threads with windows of `steps` steps, 0 for the planner's choice, and
-    /// each official step divided into `divide`.
+    /// Makes an engine that runs on `crew`, with windows of `steps` steps, or 0 for the planner's
+    /// choice.
+    ///
+    /// Each official step is divided into `divide` small steps.
     pub fn new(crew: impl Into<Crew>, steps: u32, divide: u32) -> Self {
         let crew = crew.into();
         Self {
@@ -73,7 +76,7 @@ impl<R: Rules, O: Observer> Planned<R, O> {
         }
     }
 
-    /// Makes the plan for the particles as the last window left them.
+    /// Makes a plan for the particles at the end of the last window.
     fn replan(&mut self) {
         self.adopt(plan::<R>(&self.window.bodies, self.fixed_steps, self.divide));
         if self.plan.strategy == Strategy::List {
@@ -82,8 +85,8 @@ impl<R: Rules, O: Observer> Planned<R, O> {
         }
     }
 
-    /// Makes the plan for the particles as the plain list left them; if it is still the choice, it
-    /// goes on undisturbed.
+    /// Makes a plan for the particles of the neighbour list. If the plan is a list again, the list
+    /// continues.
     fn reconsider(&mut self) {
         self.adopt(plan::<R>(self.plain.bodies(), self.fixed_steps, self.divide));
         if self.plan.strategy != Strategy::List {
@@ -100,7 +103,7 @@ impl<R: Rules, O: Observer> Planned<R, O> {
         self.plan = plan;
     }
 
-    /// Takes the particles through the next window, if the plan has windows.
+    /// Opens the next window, if the plan is to use windows.
     fn open(&mut self, workers: &Workers) {
         self.window.close::<R>(&self.span, workers);
         self.span.steps = 0;
@@ -132,7 +135,7 @@ impl<R: Rules, O: Observer> Planned<R, O> {
                 return;
             }
             if steps == 1 {
-                // All particles touch each other, even within one step: no window pays.
+                // Even in one step too many particles touch, so no window pays.
                 self.plan.strategy = Strategy::List;
                 self.plain.start(self.window.bodies.clone(), self.size);
                 return;
@@ -142,7 +145,7 @@ impl<R: Rules, O: Observer> Planned<R, O> {
         }
     }
 
-    /// Whether the next step is in the window that is open.
+    /// Whether the open window contains the next step.
     fn is_computed(&self) -> bool {
         self.plan.strategy != Strategy::List && self.into < self.span.steps
     }
@@ -190,7 +193,7 @@ impl<R: Rules, O: Observer> Simulation for Planned<R, O> {
         self.seen.replace(None);
         let workers = self.crew.workers().clone();
         let mut left = steps;
-        // These need no threads.
+        // These steps are computed already and need no threads.
         while left > 0 && self.is_computed() {
             self.official_step(&workers);
             left -= 1;

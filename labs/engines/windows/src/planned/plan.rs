@@ -1,4 +1,4 @@
-//! What a scene does not need.
+//! The planner: it decides whether windows or a list are cheaper for a scene.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -9,35 +9,37 @@ use neighbour_list::{Bodies, Extent, Grid};
 
 use crate::rules::Rules;
 
-/// How to go through the scene.
+/// The way to advance a scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Strategy {
-    /// A neighbour list: most particles have neighbours.
+    /// A neighbour list, because most particles have neighbours.
     #[default]
     List,
-    /// Windows of several steps: most fly freely.
+    /// Windows of several steps, because most particles fly freely.
     Windows {
-        /// Steps in a window.
+        /// Number of official steps in a window.
         steps: u32,
     },
 }
 
-/// What the planner decided, and from which numbers.
+/// The planner's decision, and the numbers that led to it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Plan {
-    /// How to go.
+    /// The chosen strategy.
     pub strategy: Strategy,
-    /// How much closer than its free flight a pair may come that is not computed, in length.
+    /// Pairs whose free flights come within the cutoff plus this length are computed.
     pub margin: f64,
     /// The speed of the fastest particle.
     pub fastest: f64,
-    /// Particles in the area of a cutoff disc, where the mean particle is.
+    /// Number of particles in the area of a cutoff disc around the mean particle.
     pub neighbours: f64,
-    /// The same per area.
+    /// Number of particles per area around the mean particle.
     pub density: f64,
 }
 
-/// Reads the scene and decides. `fixed` steps for a window, or 0 to choose; each step is divided
+/// Surveys the particles and decides how to advance them.
+///
+/// A window has `fixed` steps, or as many as the rules choose if `fixed` is 0. Each step is divided
 /// into `divide`.
 pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     let extent = Extent::of(bodies);
@@ -46,7 +48,8 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     let mean = Sample::of(bodies, 4096).mean();
     let fastest = bodies.fastest();
     let steps = if fixed > 0 { fixed } else { divided(R::window_length(density, mean), divide) };
-    // The list of a window looks as far as the fastest goes; lab 10's leaves that one out.
+    // The list of a window allows for the fastest particle; the list of lab 10 treats it as an
+    // outlier.
     let far = CUTOFF + 2.0 * fastest * f64::from(steps) * DT;
     let alone = neighbours <= company(divide) && far * far * density <= FULL;
     let strategy = if fixed > 0 || alone { Strategy::Windows { steps } } else { Strategy::List };
@@ -54,36 +57,41 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     Plan { strategy, margin, fastest, neighbours, density }
 }
 
-/// Particles in the area of a cutoff disc from which on a list is cheaper than windows, measured on
-/// the machine of the book.
+/// Number of particles in the area of a cutoff disc above which a list is cheaper than windows.
+///
+/// It was measured on the machine of the book.
 const COMPANY: f64 = 0.12;
-/// The most particles in a square that is as wide as the list of a window looks.
+/// Greatest number of particles in a square as wide as the reach of a window's list.
 const FULL: f64 = 20.0;
-/// How close free flights come that are computed at once, beyond the cutoff and in cutoffs.
+/// Distance beyond the cutoff within which pairs of free flights are computed at once, in cutoffs.
 const MARGIN: f64 = 0.05;
-/// The same where steps are small and windows short: there a force bends a path by less.
+/// The margin for divided steps: windows are short then, and a force bends a path less.
 const SMALL_MARGIN: f64 = 0.02;
 
-/// How long a window should be in which groups take `divide` small steps for each of its `steps`.
+/// Returns the best number of official steps in a window, if groups take `divide` small steps for
+/// each.
 ///
-/// Opening a window costs the same however it is divided, but the time that goes into groups grows
-/// with the number of particles in them, so with its length, and with `divide`. The sum of both costs
-/// per step is least at a length like one over the root of the second; but to open a window for a
-/// single step does not pay.
+/// Opening a window costs the same for every length. The time for groups grows with the number of
+/// particles in them, and so with the window's length, and with `divide`. The sum of both costs per
+/// step is least at a length proportional to 1 / √`divide`. Opening a window for a single step does
+/// not pay.
 fn divided(steps: u32, divide: u32) -> u32 {
     let length = f64::from(steps) / f64::from(divide.max(1)).sqrt();
     (length as u32).max(steps.min(2))
 }
 
-/// As `COMPANY`, if each step is divided into `divide`. Small steps for all cost nearly as many times
-/// as much, small steps of groups do not; measured for two to twenty of them.
+/// Returns `COMPANY` for steps that are divided into `divide`.
+///
+/// Small steps of all particles cost nearly `divide` times as much, and small steps of groups do
+/// not. The numbers were measured for `divide` from 2 to 20.
 fn company(divide: u32) -> f64 {
     (COMPANY + 0.25 * f64::from(divide.max(1) - 1)).min(1.2)
 }
 
-/// Particles per area, where the mean particle is: other particles in its cell of four cutoffs.
-/// Particles in the order of a crystal shun each other's cells, so it is at least what an even
-/// spread would have.
+/// Returns the number of particles per area around the mean particle.
+///
+/// It counts other particles in the same cell, four cutoffs wide. In a regular lattice there are
+/// fewer of them, so the result is at least the density of the whole scene.
 fn density(bodies: &Bodies, extent: &Extent) -> f64 {
     let grid = Grid::new(extent, 4.0 * CUTOFF);
     let around = occupancy(bodies, &grid) / (grid.side() * grid.side());
@@ -91,7 +99,7 @@ fn density(bodies: &Bodies, extent: &Extent) -> f64 {
     around.max(even)
 }
 
-/// Other particles in its own cell, for the mean particle.
+/// Returns the number of other particles in the cell of the mean particle.
 fn occupancy(bodies: &Bodies, grid: &Grid) -> f64 {
     let columns = u64::from(grid.columns);
     let key =

@@ -1,4 +1,4 @@
-//! Which of the listed pairs come near each other in free flight.
+//! Finds the listed pairs that come near each other in free flight.
 
 use std::marker::PhantomData;
 
@@ -11,11 +11,10 @@ use super::Found;
 use super::layout::Layout;
 use crate::rules::Rules;
 
-/// Sorts pairs into those whose free flights come near each other, those that are to be watched, and
-/// the rest.
+/// A vector kernel that sorts pairs into close pairs, pairs to be watched, and the rest.
 ///
-/// Which they are is hard to guess, so there is no branch: each pair is written down, and the next
-/// one overwrites it if it is too far off.
+/// The processor cannot predict the kind of a pair, so there is no branch. Every pair is written
+/// down, and the next pair overwrites it if its free flights stay too far apart.
 pub(crate) struct Approach<'a, R> {
     pub(crate) pairs: [&'a [Pair]; 2],
     pub(crate) bodies: &'a Bodies,
@@ -44,7 +43,7 @@ impl<R: Rules> NullaryFnOnce for Approach<'_, R> {
         let within = (CUTOFF + layout.skin(1.0)).powi(2) * (1.0 + 1e-9);
         let mut near_now = [[0; 2]; ROOM];
         for some in pairs.into_iter().flat_map(|pairs| pairs.chunks(ROOM)) {
-            // Most are out by their distance alone.
+            // Their distance alone excludes most pairs.
             let len = filter(some, bodies.positions(), within, &mut near_now);
             let some = &near_now[..len];
             for (k, pair) in some.iter().enumerate() {
@@ -60,7 +59,8 @@ impl<R: Rules> NullaryFnOnce for Approach<'_, R> {
             let mut closes = 0;
             let mut asides = 0;
             for (pair, &closest) in some.iter().zip(&closest) {
-                // Never beyond the end, and this way the compiler knows.
+                // The mask never changes the index. It shows the compiler that the index is in
+                // bounds.
                 close[closes & (ROOM - 1)] = *pair;
                 closes += usize::from(closest <= near);
                 watched[asides & (ROOM - 1)] = *pair;

@@ -1,4 +1,4 @@
-//! How a window is laid out.
+//! The dimensions of a window: its steps, and the distances that a search depends on.
 
 use std::f64::consts::PI;
 
@@ -7,40 +7,42 @@ use neighbour_list::{LISTED, REBUILD, TESTED};
 
 use crate::span::Span;
 
-/// How a window is laid out.
+/// The dimensions of a window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Layout {
     pub(crate) span: Span,
     /// Pairs whose reference paths come within cutoff + `margin` are computed.
     pub(crate) margin: f64,
-    /// How far the fastest particle goes in the window.
+    /// The distance that the fastest particle goes in the window.
     pub(crate) reach: f64,
 }
 
 impl Layout {
-    /// How close reference paths come that are computed.
+    /// Returns the distance within which reference paths make a pair that is computed.
     pub(crate) fn near(&self) -> f64 {
         let margin = if self.span.steps == 1 { 0.0 } else { self.margin };
         CUTOFF + self.span.rounding() + margin
     }
 
-    /// How close they come that are computed or watched.
+    /// Returns the distance within which reference paths make a pair that is computed or watched.
     pub(crate) fn watched(&self) -> f64 {
         self.near() + ASIDE
     }
 
-    /// How far beyond the cutoff a list has to look that has all these pairs in `windows` such windows.
+    /// Returns the skin of a list that contains all these pairs for `windows` such windows.
     pub(crate) fn skin(&self, windows: f64) -> f64 {
         self.watched() - CUTOFF + 2.0 * windows * self.reach
     }
 
-    /// How far both of a pair may be off their paths together without touching unseen.
+    /// Returns how far both particles of an unwatched pair may be off their paths together without
+    /// touching.
     pub(crate) fn slack(&self) -> f64 {
         self.margin + ASIDE
     }
 
-    /// For how many windows a list should last, where there are `density` particles per area: it costs
-    /// to build one, and to look through a long one.
+    /// Returns the number of windows that a list should last, for `density` particles per area.
+    ///
+    /// A short list must be built often, and a long one costs more in every window.
     pub(crate) fn lasting(&self, density: f64) -> f64 {
         let cost = |windows: f64| {
             let area = (CUTOFF + self.skin(windows)).powi(2) * density;
@@ -51,7 +53,7 @@ impl Layout {
     }
 }
 
-/// How much further apart than pairs that are computed those may stay that are watched.
+/// The distance beyond [`Layout::near`] within which pairs are watched.
 const ASIDE: f64 = 0.1 * CUTOFF;
-/// The most windows that a list is made for.
+/// The greatest number of windows that a list is made for.
 const LONGEST: u32 = 16;

@@ -8,22 +8,25 @@ use neighbour_list::{Bodies, EIGHT, Workers};
 
 use super::layout::Layout;
 
-/// The pairs that may come near each other in a window, and where the particles stood when they were
+/// The pairs that may come near each other in a window, and the positions for which they were
 /// listed.
 #[derive(Default)]
 pub(crate) struct Listed {
     pub(crate) list: Neighbours,
     x: Vec<f64>,
     y: Vec<f64>,
-    /// How far the one has gone since that has gone furthest.
+    /// The greatest distance of a particle from its position in the list.
     pub(crate) moved: f64,
-    /// The particles that may reach a wall before the list has expired, in sorted order.
+    /// The particles that may reach a wall before the list expires, in sorted order.
     by_walls: Vec<u32>,
 }
 
 impl Listed {
-    /// Sorts `bodies` and lists their pairs, unless the list still has every pair of the window.
-    /// `density`: particles per area. Returns how many pairs were looked at.
+    /// Sorts `bodies` and lists their pairs, unless the list still contains every pair of the
+    /// window.
+    ///
+    /// `density` is the number of particles per area. Returns the number of pairs that were tested,
+    /// or `None` if the list was kept.
     pub(crate) fn renew(
         &mut self,
         bodies: &mut Bodies,
@@ -51,14 +54,14 @@ impl Listed {
         Some(tested)
     }
 
-    /// The particles of `range` that may reach a wall before the list has expired.
+    /// Returns the particles of `range` that may reach a wall before the list expires.
     pub(crate) fn by_walls(&self, range: &Range<usize>) -> &[u32] {
         let before = |end| self.by_walls.partition_point(|&i| (i as usize) < end);
         &self.by_walls[before(range.start)..before(range.end)]
     }
 }
 
-/// How far one of `bodies` is from where it stood at (`x`, `y`), at most.
+/// Returns the greatest distance of a particle from its former position in (`x`, `y`).
 fn farthest(bodies: &Bodies, x: &[f64], y: &[f64]) -> f64 {
     let mut most = [0.0; EIGHT];
     let now = bodies.x.chunks(EIGHT).zip(bodies.y.chunks(EIGHT));
@@ -72,7 +75,7 @@ fn farthest(bodies: &Bodies, x: &[f64], y: &[f64]) -> f64 {
     most.into_iter().fold(0.0, f64::max).sqrt()
 }
 
-/// How far each of up to eight coordinates is off.
+/// Returns the differences of up to eight coordinates; missing ones are 0.
 #[inline(always)]
 fn off(now: &[f64], then: &[f64]) -> [f64; EIGHT] {
     std::array::from_fn(|l| if l < now.len() { now[l] - then[l] } else { 0.0 })

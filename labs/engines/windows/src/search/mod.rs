@@ -1,4 +1,8 @@
-//! Which particles could meet within a window.
+//! The search for particles that could meet within a window.
+//!
+//! [`Listed`] is a list of pairs for several windows. `approach` selects the pairs of one window
+//! from it, and [`Search::at_wall`] adds the pairs of particles that may reach a wall. The
+//! distances are in [`Layout`].
 
 mod approach;
 mod layout;
@@ -17,18 +21,18 @@ use approach::Approach;
 pub(crate) use layout::Layout;
 pub(crate) use listed::Listed;
 
-/// What a search finds.
+/// The result of a search.
 #[derive(Default)]
 pub(crate) struct Found {
-    /// Pairs that are to be computed, some perhaps more than once.
+    /// Pairs that are to be computed. A pair may occur more than once.
     pub(crate) close: Vec<Pair>,
-    /// Pairs that come nearly as near.
+    /// Pairs that come nearly as close. They are checked after the window.
     pub(crate) watched: Vec<Pair>,
-    /// How many were looked at.
+    /// Number of pairs that were tested.
     pub(crate) tested: u64,
 }
 
-/// A window's particles, and a list of the pairs that may come near each other in it.
+/// The particles of a window, and a list of the pairs that may come near each other in it.
 #[derive(Clone, Copy)]
 pub(crate) struct Search<'a> {
     pub(crate) bodies: &'a Bodies,
@@ -37,8 +41,9 @@ pub(crate) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Finds the listed pairs of a block whose free flights come near each other. Pairs with a
-    /// particle that may reach a wall are not all among them.
+    /// Finds the listed pairs of a block whose free flights come near each other.
+    ///
+    /// The result may lack pairs with a particle that may reach a wall.
     pub(crate) fn flights<R: Rules>(&self, block: &Block, found: &mut Found) {
         let Self { bodies, layout, .. } = *self;
         let Pairs { inside, across, .. } = block.pairs();
@@ -58,9 +63,10 @@ impl Search<'_> {
         *tested += self.around::<R>(i, slack, |_| slack, |k| close.push([i.min(k), i.max(k)]));
     }
 
-    /// Visits the particles that may touch particle `i` in the window if that and particle k leave
-    /// their reference paths by `slack(k)` together, at most by `most`. Returns how many were
-    /// looked at.
+    /// Calls `visit` with every particle k that may touch particle `i` in the window.
+    ///
+    /// The two particles may leave their reference paths by `slack(k)` together, which is at most
+    /// `most`. Returns the number of pairs that were tested.
     pub(crate) fn around<R: Rules>(
         &self,
         i: u32,
@@ -72,7 +78,7 @@ impl Search<'_> {
         let Some(cells) = &listed.list.cells else { return 0 };
         let path = span.path::<R>(&bodies.get(i as usize));
         let time = span.forces();
-        // The cells know where a particle stood when it was listed.
+        // The cells are those of the positions for which the particles were listed.
         let pad = CUTOFF + path.spread + most + span.rounding() + reach + listed.moved;
         let far = CUTOFF + path.spread + most + span.rounding() + 2.0 * reach;
         let dx = path.wx * time;

@@ -1,4 +1,4 @@
-//! A band of cells: the piece of a window that one thread works on.
+//! A band of cells: the part of a window that one thread computes.
 
 use std::ops::Range;
 
@@ -10,34 +10,35 @@ use crate::groups::{Batch, FREE, Grouper, Task};
 use crate::rules::Rules;
 use crate::search::{Found, Layout, Search};
 
-/// Cells that follow each other in memory, and what happens among their particles.
+/// Consecutive cells, the pairs found in them, and the groups of their particles.
 #[derive(Default)]
 pub(crate) struct Band {
-    /// The particles in its cells.
+    /// The particles in the band's cells.
     pub(crate) particles: Range<usize>,
-    /// Pairs that one of these particles found. Both of a close one are in the band.
+    /// Pairs that a search from the band's particles found. Both particles of a close pair are in
+    /// the band.
     pub(crate) found: Found,
     /// Close pairs with a particle of another band.
     pub(crate) across: Vec<Pair>,
     /// Particles that may reach a wall.
     pub(crate) walls: Vec<u32>,
     grouper: Grouper,
-    /// The groups that lie in the band.
+    /// The groups whose members are all in the band.
     pub(crate) batch: Batch,
 }
 
 /// A band's part of the window's arrays.
 pub(crate) struct Part<'a> {
-    /// The band's particles that are in pairs across its borders.
+    /// The band's particles that are in pairs with other bands.
     pub(crate) elsewhere: &'a [u32],
-    /// The slot of each of the band's particles, [`FREE`] for a free one.
+    /// The slot of each of the band's particles, or [`FREE`].
     pub(crate) slots: &'a mut [u32],
-    /// How far each of them is off its path.
+    /// The deviation of each of the band's particles from its path.
     pub(crate) deviation: &'a mut [f64],
 }
 
 impl<'a> Part<'a> {
-    /// Takes away the part of the first particles, and returns it.
+    /// Removes the part with the first particles, and returns it.
     pub(crate) fn split_off(&mut self, particles: &Range<usize>) -> Self {
         let count = self.elsewhere.partition_point(|&i| (i as usize) < particles.end);
         let (elsewhere, rest) = self.elsewhere.split_at(count);
@@ -51,7 +52,7 @@ impl<'a> Part<'a> {
 }
 
 impl Band {
-    /// Finds all pairs that the band's particles have with particles behind them.
+    /// Finds all pairs of the band's particles with particles that come later in the sorted order.
     pub(crate) fn search<R: Rules>(&mut self, search: &Search<'_>, block: &Block) {
         let Search { bodies, listed, layout: Layout { span, .. } } = *search;
         let Self { particles, found, across, walls, .. } = self;
@@ -65,7 +66,7 @@ impl Band {
         if span.steps > 1 {
             walls.iter().for_each(|&i| search.at_wall::<R>(i, found));
         }
-        // Pairs with a particle of another band are set aside.
+        // Pairs with a particle of another band are grouped after the bands.
         across.clear();
         found.close.retain(|pair| {
             let here = pair.iter().all(|&i| particles.contains(&(i as usize)));
@@ -76,7 +77,7 @@ impl Band {
         });
     }
 
-    /// Computes all groups that lie in the band.
+    /// Computes all groups whose members are in the band.
     pub(crate) fn run<R: Rules>(&mut self, bodies: &Bodies, layout: &Layout, part: Part<'_>) {
         let Part { elsewhere, slots, deviation } = part;
         let first = self.particles.start;
@@ -94,7 +95,7 @@ impl Band {
         self.batch.note(0, first, slots, deviation);
     }
 
-    /// The pairs of groups that reach beyond the band.
+    /// Returns the pairs of groups that reach beyond the band.
     pub(crate) fn deferred(&self) -> &[Pair] {
         &self.grouper.deferred
     }

@@ -1,4 +1,4 @@
-//! Where a window takes its particles: at its end, or at any step for an observer.
+//! The particles at the end of a window, or after any of its steps for an observer.
 
 use std::marker::PhantomData;
 
@@ -12,7 +12,7 @@ use crate::groups::Batch;
 use crate::rules::Rules;
 use crate::span::Span;
 
-/// The free flight of a piece.
+/// A vector kernel that moves a band's particles in free flight along one axis.
 struct Fly<'a, R> {
     x: &'a mut [f64],
     v: &'a [f64],
@@ -30,7 +30,7 @@ impl<R: Rules> NullaryFnOnce for Fly<'_, R> {
 }
 
 impl Window {
-    /// The particles after `steps` ≤ the window's steps; nothing is changed.
+    /// Returns the particles after `steps` ≤ the window's steps, and changes nothing.
     pub(crate) fn after<R: Rules>(&self, span: &Span, steps: u32) -> Bodies {
         let mut bodies = self.bodies.clone();
         R::fly(&mut bodies.x, &bodies.vx, steps, span.dt);
@@ -40,7 +40,7 @@ impl Window {
             let mut now = Batch::default();
             batch.groups.run::<R>(&self.bodies, &Span { steps, ..*span }, &mut now.record);
             batch.groups.for_each_member(|slot, i| {
-                // A group that was repaired lives on in a later batch.
+                // A group that was repaired is in a later batch.
                 if self.slot(i).is_some_and(|(last, _)| std::ptr::eq(last, batch)) {
                     let i = i as usize;
                     bodies.set(i, now.end(slot, self.bodies.id[i]));
@@ -50,7 +50,7 @@ impl Window {
         bodies
     }
 
-    /// What an observer sees in each step of the window.
+    /// Returns the observations of each step of the window.
     pub(crate) fn observe<R: Rules, O: Observer>(&self, span: &Span) -> Vec<O> {
         let mut observers = vec![O::default(); span.steps as usize];
         for batch in self.bands.iter().map(|band| &band.batch).chain(&self.late) {
@@ -61,7 +61,7 @@ impl Window {
         observers
     }
 
-    /// Ends the window: all particles are where its last step takes them.
+    /// Ends the window: moves all particles to the end of its last step.
     pub(crate) fn close<R: Rules>(&mut self, span: &Span, workers: &Workers) {
         if span.steps == 0 {
             return;
@@ -82,7 +82,7 @@ impl Window {
                 vy[i] = record.vy[slot];
             });
         });
-        // A group that was repaired lives on in a later batch.
+        // A group that was repaired is in a later batch.
         let bodies = &mut self.bodies;
         for batch in &self.late {
             batch.groups.for_each_member(|slot, i| {

@@ -1,4 +1,5 @@
-//! Which batch computes a particle, and which pairs touched though no group computes them.
+//! Finds the batch that computes a particle, and tests whether a pair touched without being
+//! computed.
 
 use common::soft::CUTOFF;
 use neighbour_list::kernels::Pair;
@@ -9,7 +10,8 @@ use crate::rules::Rules;
 use crate::span::Span;
 
 impl Window {
-    /// The batch that computes a particle that is not free, and its slot there.
+    /// Returns the batch that computes a particle, and its slot there; `None` if the particle flies
+    /// freely.
     #[inline]
     pub(crate) fn slot(&self, i: u32) -> Option<(&Batch, usize)> {
         let slot = self.slots[i as usize];
@@ -25,12 +27,12 @@ impl Window {
         Some((batch, slot - batch.first))
     }
 
-    /// Whether the two are a pair of one group.
+    /// Whether a group computes the pair.
     pub(crate) fn computes(&self, [i, k]: Pair) -> bool {
         self.slot(i).is_some_and(|(batch, p)| batch.groups.group(p).computes(i, k))
     }
 
-    /// Whether a pair that is computed nowhere was in contact at any step.
+    /// Whether a pair that no group computes was in contact after any step.
     pub(crate) fn touched<R: Rules>(&self, pair: Pair, span: &Span) -> bool {
         let [a, b] = pair.map(|i| span.path::<R>(&self.bodies.get(i as usize)));
         let blocks = pair.map(|i| {
@@ -46,7 +48,7 @@ impl Window {
             let [[ax, ay], [bx, by]] = off;
             let dx = b.x + b.wx * time + bx - a.x - a.wx * time - ax;
             let dy = b.y + b.wy * time + by - a.y - a.wy * time - ay;
-            // The distances off are rounded to single precision.
+            // The recorded distances are rounded to single precision.
             let lost = 2.4e-7 * off.as_flattened().iter().map(|off| off.abs()).sum::<f64>();
             let near = CUTOFF + lost + span.rounding();
             dx * dx + dy * dy <= near * near

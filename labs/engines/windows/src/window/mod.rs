@@ -1,4 +1,7 @@
-//! Windows of several steps, and what they count.
+//! Windows of several steps: opening, verification, repair and end.
+//!
+//! `opening` is the place to start. It lets every `band` search and compute its groups; `verify`
+//! finds the pairs that were missed; `ending` moves the particles to the end of the window.
 
 mod band;
 mod ending;
@@ -10,31 +13,33 @@ pub(crate) use opening::Window;
 
 use neighbour_list::engine;
 
-/// What windows count.
+/// Counters of windows.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct WindowCounts {
-    /// Windows.
+    /// Number of windows.
     pub(crate) windows: u64,
-    /// Lists built for windows.
+    /// Number of lists that were built for windows.
     pub(crate) lists: u64,
-    /// Pairs looked at.
+    /// Number of pairs that were tested.
     pub(crate) tests: u64,
-    /// Particles that flew freely through a window.
+    /// Number of particles that flew freely through a window.
     pub(crate) flown: u64,
-    /// Particles moved, one for each step of a particle in a group and one for each window of a
-    /// free one.
+    /// Number of moves: one for each step of a particle in a group, and one for each window of a
+    /// free particle.
     pub(crate) touched: u64,
-    /// Particles computed again.
+    /// Number of particles that were computed again.
     pub(crate) repaired: u64,
-    /// Windows redone with half the steps.
+    /// Number of windows that were repeated with half the steps.
     pub(crate) redone: u64,
-    /// Particles that might have reached a wall.
+    /// Number of particles that might have reached a wall.
     pub(crate) walls: u64,
 }
 
 impl WindowCounts {
-    /// With names, for a run of `n` particles through `steps` steps, some of them by the `plain`
-    /// list.
+    /// Returns the counters with their names.
+    ///
+    /// `n` is the number of particles and `steps` the number of steps. `plain` counts the steps
+    /// with a neighbour list.
     pub(crate) fn shown(
         &self,
         n: usize,

@@ -1,4 +1,4 @@
-//! A window of several steps: free particles fly, groups are computed on their own.
+//! Opens a window: computes the groups of each band, then groups across bands, then repairs.
 
 use neighbour_list::kernels::Pair;
 use neighbour_list::list::Block;
@@ -10,37 +10,39 @@ use crate::groups::{Batch, FREE, Grouper, Task};
 use crate::rules::Rules;
 use crate::search::{Layout, Listed, Search};
 
-/// In a slot: it is in a batch that was computed after the bands.
+/// The bit of a slot number that marks a batch computed after the bands.
 pub(crate) const LATE: u32 = 1 << 31;
-/// Repairs of a window before it is redone with fewer steps.
+/// Number of repairs of a window before it is repeated with fewer steps.
 const REPAIRS: usize = 12;
 
-/// The window that the engine is in.
+/// The current window of the engine.
 #[derive(Default)]
 pub(crate) struct Window {
-    /// All particles as they were when the window began, sorted by cell.
+    /// All particles at the start of the window, sorted by cell.
     pub(crate) bodies: Bodies,
     listed: Listed,
     grouper: Grouper,
     pub(crate) bands: Vec<Band>,
-    /// Groups across bands, and then the ones that were computed again.
+    /// Batches of groups across bands, and of groups that were computed again.
     pub(crate) late: Vec<Batch>,
     /// Batches of earlier windows, kept for their memory.
     idle: Vec<Batch>,
     /// The slot of each particle, or [`FREE`].
     pub(crate) slots: Vec<u32>,
-    /// How far each particle is off its path, 0 for the free.
+    /// The deviation of each particle from its path; 0 for free particles.
     pub(crate) deviation: Vec<f64>,
 }
 
 impl Window {
-    /// Before the first window.
+    /// Returns the state before the first window.
     pub(crate) fn of(bodies: Bodies) -> Self {
         Self { bodies, ..Self::default() }
     }
 
-    /// Sorts the particles and takes them through a window. False if margins kept breaking: then
-    /// the particles are still where they were, and a shorter window should be tried.
+    /// Sorts the particles and computes a window.
+    ///
+    /// Returns false if margins broke again after every repair. The particles are then unchanged,
+    /// and the caller should try a shorter window.
     pub(crate) fn open<R: Rules>(
         &mut self,
         layout: &Layout,
@@ -78,7 +80,7 @@ impl Window {
         false
     }
 
-    /// Has every band search, and returns the pairs that are in no band.
+    /// Searches every band, and returns the close pairs of particles in two bands.
     fn find<R: Rules>(
         &mut self,
         layout: &Layout,
@@ -104,7 +106,7 @@ impl Window {
         across
     }
 
-    /// Computes all groups that lie in one band.
+    /// Computes the groups whose members are all in one band.
     fn run_bands<R: Rules>(&mut self, layout: &Layout, across: &[Pair], workers: &Workers) {
         let n = self.bodies.len();
         self.idle.append(&mut self.late);
@@ -126,8 +128,7 @@ impl Window {
         });
     }
 
-    /// Groups `pairs` and computes them as a batch of their own. Returns how many particles
-    /// they are.
+    /// Groups `pairs` and computes them as another batch. Returns the number of its members.
     fn run_late<R: Rules>(&mut self, pairs: &[Pair], layout: &Layout) -> usize {
         let alone = self.walls_in::<R>(pairs, layout);
         let task = Task { range: 0..self.bodies.len(), pairs, alone: &alone, elsewhere: &[] };
@@ -142,18 +143,18 @@ impl Window {
         members
     }
 
-    /// How many particles are in groups.
+    /// Returns the number of particles in groups.
     fn computed(&self) -> usize {
         self.bands.iter().map(|band| &band.batch).chain(&self.late).map(|batch| batch.new).sum()
     }
 
-    /// The greatest deviation of all particles.
+    /// Returns the greatest deviation of all particles.
     pub(crate) fn greatest_deviation(&self) -> f64 {
         let bands = self.bands.iter().map(|band| &band.batch);
         bands.chain(&self.late).map(|batch| batch.greatest_deviation).fold(0.0, f64::max)
     }
 
-    /// The particles among `pairs` that may reach a wall.
+    /// Returns the particles among `pairs` that may reach a wall.
     fn walls_in<R: Rules>(&self, pairs: &[Pair], layout: &Layout) -> Vec<u32> {
         let bodies = &self.bodies;
         let meets = |&i: &u32| {

@@ -1,4 +1,4 @@
-//! Whether particles met that the search had not expected to meet.
+//! Finds the pairs that met although the search did not expect them to meet.
 
 use neighbour_list::Workers;
 use neighbour_list::kernels::Pair;
@@ -11,14 +11,17 @@ use crate::rules::Rules;
 use crate::search::{Layout, Search};
 
 impl Window {
-    /// Pairs that no group computed and that touched after all, because a force bent a path.
+    /// Returns the pairs that touched, because a force bent a path, although no group computed
+    /// them.
     ///
-    /// A pair that is computed nowhere was further apart than cutoff + margin on its reference
-    /// paths, so it can have touched only if one of the two was off by half the margin or more, and
-    /// then all particles near that one are looked at.
-    /// Where that may have been near enough we compare where both really were, step by step. If all
-    /// other particles were checked already, only the members of the `last` batch are, each for
-    /// both of its pair.
+    /// The reference paths of such a pair were further apart than cutoff + margin. So it can have
+    /// touched only if one of its particles was off its path by at least half the margin. All
+    /// particles near that particle are tested. If the distance could have been small enough, the
+    /// actual positions are compared, step by step.
+    ///
+    /// With `last`, only the members of the last batch have changed since the pairs were verified.
+    /// So only these members are tested, and the other particle of a pair may be the one that was
+    /// off further.
     pub(crate) fn verify<R: Rules>(
         &self,
         search: &Search<'_>,
@@ -43,7 +46,7 @@ impl Window {
         broken
     }
 
-    /// The watched pairs that touched.
+    /// Returns the watched pairs that touched.
     fn broken_watched<R: Rules>(&self, layout: &Layout, workers: &Workers) -> Vec<Pair> {
         let is_broken = |pair: &Pair| {
             let [a, b] = pair.map(|i| self.deviation[i as usize]);
@@ -57,8 +60,11 @@ impl Window {
         broken.concat()
     }
 
-    /// The pairs of members of `batch` with particles that are off their paths by no more than the
-    /// member, or by no more than `other`. Returns how many were looked at, too.
+    /// Returns the pairs of members of `batch` that touched, and the number of pairs that were
+    /// tested.
+    ///
+    /// The other particle of a pair is off its path by no more than the member, or by no more than
+    /// `other`.
     fn broken<R: Rules>(&self, batch: &Batch, other: f64, search: &Search<'_>) -> (Vec<Pair>, u64) {
         let Search { layout, .. } = search;
         let mut broken = Vec::new();
@@ -79,7 +85,7 @@ impl Window {
         (broken, tests)
     }
 
-    /// The pairs of all groups that `broken` pairs join, and these.
+    /// Returns the `broken` pairs and the pairs of all groups that they unite.
     pub(crate) fn with_their_groups(&self, broken: Vec<Pair>) -> Vec<Pair> {
         let mut particles: Vec<u32> = broken.iter().flatten().copied().collect();
         particles.sort_unstable();
@@ -89,7 +95,7 @@ impl Window {
         for i in particles {
             let Some((batch, p)) = self.slot(i) else { continue };
             let group = batch.groups.group(p);
-            // A particle is in one group only: its first member names it.
+            // A particle is in one group only, so a group's first member identifies the group.
             if !known.insert(group.members[0]) {
                 continue;
             }

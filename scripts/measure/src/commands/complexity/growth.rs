@@ -1,14 +1,16 @@
-//! The chart of growth.
+//! The chart of growth for `cargo lab complexity`.
 
 use super::line::Line;
 use crate::chart::{Axis, Chart, Kind, Series};
 use crate::published::{self, HARD_STEPS, SOFT_STEPS};
 
-/// Greatest slope of programs that are told apart by the time of a particle.
+/// Greatest slope for which the chart shows the time per particle.
 const NEARLY_LINEAR: f64 = 1.5;
 
-/// Draws the time of a particle if the time of all programs grows nearly as n, else the time of a run. The course
-/// reports are beside them. Of several numbers of workers only the greatest is drawn.
+/// Draws the time per particle if all programs are nearly linear in n, otherwise the time of a run.
+///
+/// The chart includes the tables of the course reports. If there are several numbers of workers,
+/// only the greatest is drawn.
 pub(super) fn chart(lines: &[Line]) -> Chart {
     let most = lines.iter().map(|line| line.workers).max().unwrap_or(1);
     let lines: Vec<&Line> = lines.iter().filter(|line| line.workers == most).collect();
@@ -36,13 +38,14 @@ pub(super) fn chart(lines: &[Line]) -> Chart {
     if each { chart } else { chart.with_all(guides(&all)) }
 }
 
-/// Converts (n, seconds of a run) to the nanoseconds of a particle in one of `steps` steps, if they are given.
+/// Converts (n, seconds of a run) to nanoseconds per particle and step, if the number of `steps` is
+/// given.
 fn shown(runs: impl Iterator<Item = (f64, f64)>, steps: Option<f64>) -> Vec<(f64, f64)> {
     let value = |n: f64, seconds: f64| steps.map_or(seconds, |steps| 1e9 * seconds / steps / n);
     runs.map(|(n, seconds)| (n, value(n, seconds))).collect()
 }
 
-/// Names the tables of the course reports that belong beside these lines.
+/// Names the tables of the course reports that the chart includes.
 fn beside(hard: bool, parallel: bool) -> &'static [&'static str] {
     match (hard, parallel) {
         (true, _) => &["cs3210-openmp-growth", "cs3210-cuda-growth", "cs3210-mpi-growth"],
@@ -51,8 +54,9 @@ fn beside(hard: bool, parallel: bool) -> &'static [&'static str] {
     }
 }
 
-/// Makes lines of slope 1 and 2 through the lower left corner of the measured points, as far as the points go to
-/// the right and upwards.
+/// Makes lines of slope 1 and 2 through the lower left corner of the measured points.
+///
+/// The lines end where the points end, to the right or upwards.
 fn guides(points: &[(f64, f64)]) -> [Series; 2] {
     let mut first = f64::INFINITY;
     let mut low = f64::INFINITY;

@@ -1,4 +1,4 @@
-//! Times of one program over all sizes, and the slope of the line through them.
+//! Times of a program for all sizes, and the slope of the line through them.
 
 use anyhow::Result;
 use lab_kit::program::Program;
@@ -12,7 +12,7 @@ use crate::experiment::{Timing, Timings};
 use crate::job::Job;
 use crate::runner::Runner;
 
-/// Times of one program over all sizes.
+/// Times of a program for all sizes.
 #[derive(Deserialize, Serialize)]
 pub(super) struct Line {
     pub(super) program: Program,
@@ -28,12 +28,12 @@ pub(super) struct Line {
 pub(super) struct Point {
     #[serde(flatten)]
     pub(super) timing: Timing,
-    /// Pairs looked at in a step; `None` where the program does not count them.
+    /// Number of pairs tested in a step; `None` if the program does not count them.
     pair_tests_per_step: Option<f64>,
 }
 
 impl Line {
-    /// Fits slopes to times, and counts the pairs in short runs of their own.
+    /// Fits slopes to the times, and counts the pairs in separate short runs.
     pub(super) fn new(runner: &Runner, timings: &[Timing]) -> Result<Self> {
         let Job { program, workers, .. } = timings[0].job.clone();
         let mut points = Vec::new();
@@ -94,7 +94,8 @@ impl Line {
             .table(&self.points)
     }
 
-    /// Returns the slope of `y` from the scene before; `None` for the first scene, and where there is no `y`.
+    /// Returns the slope of `y` from the scene before; `None` for the first scene, or if a scene
+    /// has no `y`.
     fn slope_to(&self, point: &Point, y: fn(&Point) -> Option<f64>) -> Option<String> {
         let at = self.points.iter().position(|other| std::ptr::eq(other, point))?;
         let before = self.points.get(at.checked_sub(1)?)?;
@@ -109,7 +110,10 @@ impl Point {
     }
 }
 
-/// Counts the pairs looked at in a step: the average of some steps, because the start, a lattice, is no typical scene.
+/// Counts the pairs that are tested in a step.
+///
+/// The count is an average over some steps, because the start, a lattice, is not typical of the
+/// scene.
 fn pair_tests(runner: &Runner, job: &Job) -> Result<Option<f64>> {
     let few = job.steps.min(100);
     let statistics = !job.program.is_hard();

@@ -22,9 +22,9 @@ use line::Line;
 
 /// Measure how the time grows with the number of particles, and grade it
 ///
-/// Times a variant on scenes that double in size and fits a line through the points on
-/// logarithmic axes: its slope is the exponent of n. The pairs that the program looks at are
-/// counted as well, which no noise disturbs. A slope below 1.3 by time earns the full grade.
+/// Times a variant on scenes that double in size, and fits a line through the points on logarithmic
+/// axes. The slope of the line is the exponent of n. The command also counts the pairs that the
+/// program tests, which do not depend on noise. A slope of the time below 1.3 earns the full grade.
 #[derive(Args)]
 pub struct Options {
     #[command(flatten)]
@@ -46,7 +46,7 @@ pub struct Options {
     pub(super) files: Files,
 }
 
-/// All numbers.
+/// All results of the command.
 #[derive(Deserialize, Serialize)]
 pub struct Results {
     lines: Vec<Line>,
@@ -59,7 +59,7 @@ impl Options {
     }
 }
 
-/// Measures, prints, writes.
+/// Measures, and prints and writes the results.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let hard = options.subject.package()?.is_hard();
     let from = options.from;

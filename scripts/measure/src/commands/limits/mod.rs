@@ -1,4 +1,4 @@
-//! `cargo lab limits`: the distance of programs from the least times that their counts allow.
+//! `cargo lab limits`: how close programs are to the least times that their counts allow.
 
 mod rows;
 mod takes;
@@ -23,26 +23,27 @@ use takes::{Counted, Take};
 
 /// Say how far programs are from what their counts allow
 ///
-/// Takes what 'cargo lab count --json' wrote, measures in seconds what an instruction, a mispredicted branch and a
-/// miss cost on this machine, and times the programs that were counted, from the step on from which they were: with
-/// one worker, and with one for each core where they can. The least time is that of the instructions, as many at
-/// once as the core can, or that of streaming as many lines as miss the first-level cache, if that is longer.
+/// Reads the files of 'cargo lab count --json'. Measures the cost, on this machine, of an
+/// instruction, a mispredicted branch and a miss. Times the programs over the steps that were
+/// counted: with one worker, and with one for each core if they can use several. The least time is
+/// the time of the instructions, at the core's greatest rate, or the time of streaming the lines
+/// that miss the first-level cache, whichever is longer.
 #[derive(Args)]
 pub struct Options {
     /// Files that 'cargo lab count --json' wrote
     #[arg(required = true, value_name = "COUNTS")]
     counts: Vec<PathBuf>,
-    /// Time steps that are timed
+    /// Number of time steps that are timed
     #[arg(long, default_value_t = 100, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     steps: u64,
-    /// How often each run is repeated; the shortest counts
+    /// Number of takes of each run; the shortest one counts
     #[arg(long, default_value_t = 4, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     rounds: u16,
     #[command(flatten)]
     pub(in crate::commands) files: Files,
 }
 
-/// All numbers.
+/// All results of the command.
 #[derive(Deserialize, Serialize)]
 pub struct Results {
     costs: Costs,
@@ -59,7 +60,7 @@ impl Options {
     }
 }
 
-/// Measures, prints, writes.
+/// Measures, and prints and writes the results.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut counted = Vec::new();
     let mut caches = None;
@@ -88,7 +89,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Whether more workers share a program's work, by the facts of its lab.
+/// Whether more workers share a program's work, according to its lab.
 fn shares_work(kit: &Kit, program: &Program) -> Result<bool> {
     let variants = kit.facts(program.lab)?.variants;
     let facts = variants.iter().find(|facts| Some(&facts.name) == program.variant.as_ref());
@@ -96,7 +97,8 @@ fn shares_work(kit: &Kit, program: &Program) -> Result<bool> {
 }
 
 impl Results {
-    /// Draws work per byte and per nanosecond: a mark for each program, below the most that the machine allows.
+    /// Draws work per byte and per nanosecond: a mark for each program, below the machine's
+    /// maximum.
     fn roof(&self, title: &str, what: &str, peak: f64, work: fn(&Row) -> Option<f64>) -> Chart {
         let mut chart = Chart::new(
             title,

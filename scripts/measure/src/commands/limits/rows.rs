@@ -1,4 +1,4 @@
-//! The distance of a program from its least time, and the table of all.
+//! The least time and the measured time of each program, and their table.
 
 use anyhow::Result;
 use lab_kit::program::Program;
@@ -12,8 +12,11 @@ use crate::columns::Columns;
 use crate::job::{Job, RunOutput};
 use crate::runner::Runner;
 
-/// Multiplications, additions, divisions and roots that the formulas need: for the distance of two particles, for the
-/// force on one of them, and for a particle's move.
+/// Floating-point operations (multiplications, additions, divisions and roots) that the formulas
+/// need.
+///
+/// They are for the distance of two particles, for the force on one of them, and for the move of a
+/// particle.
 const DISTANCE: f64 = 5.0;
 const FORCE: f64 = 9.0;
 const MOVE: f64 = 8.0;
@@ -22,19 +25,19 @@ const MOVE: f64 = 8.0;
 pub(super) struct Row {
     pub(super) program: Program,
     pub(super) n: usize,
-    /// Nanoseconds per particle and step: measured, by the counts, and the least by the counts.
+    /// Nanoseconds per particle and step: measured, by each count, and the least by all counts.
     pub(super) time: f64,
     bounds: Bounds,
     least: f64,
-    /// The least time as a part of the time, and the bound that holds the program.
+    /// The least time as a share of the time, and the bound that limits the program.
     reached: f64,
     held_by: String,
     /// Nanoseconds of streaming a particle once.
     pub(super) streaming: f64,
     pub(super) instructions: f64,
-    /// Bytes that come into the first-level cache.
+    /// Bytes that are loaded into the first-level cache, per particle and step.
     pub(super) bytes: f64,
-    /// Operations of floating point; `None` where no pairs are counted.
+    /// Floating-point operations per particle and step; `None` if pairs are not counted.
     pub(super) operations: Option<f64>,
     all_cores: Option<Shared>,
 }
@@ -43,9 +46,9 @@ pub(super) struct Row {
 #[derive(Deserialize, Serialize)]
 pub(super) struct Shared {
     pub(super) time: f64,
-    /// An even share of one worker's time, as a part of the time.
+    /// An equal share of one worker's time, as a share of the time.
     reached: f64,
-    /// Parts of the time, mean of the workers; `None` where they are not counted.
+    /// Shares of the time, as means of the workers; `None` if they are not counted.
     waiting: Option<f64>,
     messages: Option<f64>,
 }
@@ -84,8 +87,9 @@ impl Row {
     }
 }
 
-/// Returns the operations of floating point per particle and step that the formulas need for the pairs that a run
-/// counts.
+/// Returns the floating-point operations per particle and step that the formulas need.
+///
+/// They follow from a run's counts of pairs.
 fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
     if job.program.discs != Discs::Soft {
         return Ok(None);
@@ -100,7 +104,7 @@ fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
 impl Shared {
     fn new(runner: &Runner, run: &Counted, time: f64, alone: f64) -> Result<Self> {
         let job = run.job(machine::cores(), run.after + run.row.job.steps);
-        // Ranks say what they do if they record it, and not all can.
+        // Ranks report their waiting if they record events, and not all programs can.
         let recorded = job.program.has_ranks().then(|| Job { events: true, ..job.clone() });
         let recorded = recorded.and_then(|job| runner.run(&job).ok());
         let output = recorded.map_or_else(|| runner.run(&job), Ok)?;
@@ -114,7 +118,8 @@ impl Shared {
     }
 }
 
-/// Adds up the counters of seconds whose names contain `what`; `None` if there is none.
+/// Adds up the counters of seconds whose names contain `what`; `None` if there are no such
+/// counters.
 fn counted_seconds(output: &RunOutput, what: &str) -> Option<f64> {
     let counters = output.counters.iter();
     let of = counters.filter(|(name, _)| name.contains(what) && name.contains("[s]"));

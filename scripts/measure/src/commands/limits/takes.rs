@@ -12,22 +12,22 @@ use crate::runner::Runner;
 pub(super) struct Counted {
     pub(super) row: count::Row,
     pub(super) after: u64,
-    /// Whether more workers share its work.
+    /// Whether more workers share the program's work.
     pub(super) shared: bool,
 }
 
-/// Seconds of a run until counting begins, and in all.
+/// Seconds of a run until counting began, and of the whole run.
 #[derive(Clone, Copy)]
 pub(super) struct Stretch {
     until: f64,
     in_all: f64,
 }
 
-/// Runs of a program in one round.
+/// The runs of a program in one round.
 #[derive(Clone, Copy)]
 pub(super) struct Take {
     pub(super) alone: Stretch,
-    /// The same with a worker for each core; `None` where they do not share the work.
+    /// The run with a worker for each core; `None` if workers do not share the work.
     pub(super) on_all: Option<Stretch>,
     pub(super) streaming: f64,
 }

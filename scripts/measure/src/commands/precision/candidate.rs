@@ -1,4 +1,4 @@
-//! Ways to compute the scene: programs, each with its divisions of the official step.
+//! Candidates for the comparison: programs, each with a division of the official step.
 
 use std::sync::Arc;
 
@@ -15,16 +15,16 @@ use crate::job::{Job, RunOutput};
 use crate::runner::Runner;
 use crate::scene;
 
-/// Official steps until the error is taken.
+/// Number of official steps until the error is measured.
 pub(super) const STEPS: u64 = 100;
 
-/// Official steps until the energy is taken.
+/// Number of official steps until the energy is measured.
 const LATE: u64 = 2000;
 
-/// Finest division that is followed until the late time: a finer one would take minutes.
+/// Finest division for which the energy is measured. A finer one would take minutes.
 const MOST_DIVIDED: u32 = 10;
 
-/// Particles of the scene whose energy is followed.
+/// Number of particles in the scene whose energy is measured.
 const FEW: u64 = 500;
 
 /// A program, and the number of steps into which it divides an official step.
@@ -35,7 +35,8 @@ pub(super) struct Candidate {
     pub(super) energy_drift: Option<f64>,
 }
 
-/// Tries a variant that can divide its steps with each of `divisions`, unless its parameter says how often.
+/// Makes a candidate for each of `divisions`, or only one if the program's parameter fixes the
+/// division.
 pub(super) fn candidates(program: Program, known: &Known, divisions: &[u32]) -> Vec<Candidate> {
     let Some(parameter) = ["divide", "substeps"].into_iter().find(|name| known.has(name)) else {
         return vec![Candidate { program, divide: 1, energy_drift: None }];
@@ -57,14 +58,15 @@ impl Candidate {
         self.program.to_string()
     }
 
-    /// Makes a job of some official steps on one worker. The first step is always written, then steps at equal
-    /// intervals: the last step is among them.
+    /// Makes a job of some official steps on one worker.
+    ///
+    /// The first step is always written, then steps at equal intervals, the last step among them.
     pub(super) fn job(&self, scene: &Arc<Scene>, steps: u64) -> Job {
         let job = Job::new(self.program.clone(), scene::Scene::Given(Arc::clone(scene)));
         Job { steps, every: Some((steps - 1).max(1)), ..job }
     }
 
-    /// Compares the ends of its runs with the reference; `None` if there are no runs.
+    /// Compares the ends of the candidate's runs with the reference; `None` if there are no runs.
     pub(super) fn point(&self, runs: &[RunOutput], reference: &Reference) -> Option<Point> {
         let last = runs.last()?;
         Some(Point {
@@ -79,22 +81,24 @@ impl Candidate {
         })
     }
 
-    /// Counts the force evaluations of a particle in a whole run, on average. A particle that flies freely needs none.
+    /// Returns the mean number of force evaluations of a particle in a run. A particle that flies
+    /// freely needs none.
     fn evaluations(&self, RunOutput { counters, .. }: &RunOutput) -> f64 {
         if let Some(counted) = counters.get("force evaluations") {
             return *counted;
         }
-        // An engine with windows touches every particle once in each; all else is work in groups, which
-        // may go on beyond the last step to the end of its window.
+        // An engine with windows touches every particle once in each window. The other counts are
+        // work in groups, which may continue beyond the last step to the end of its window.
         let touched = counters.get("particles touched per particle and step");
         if let (Some(touched), Some(windows)) = (touched, counters.get("windows")) {
             return touched * STEPS as f64 - windows;
         }
-        // Every particle needs one in a step, if nothing else is counted.
+        // Without a counter, every particle needs one evaluation in each step.
         STEPS as f64 * f64::from(self.divide)
     }
 
-    /// Measures the greatest relative change of energy until t = 1, over seeds 1, 2, …; `None` if there are none.
+    /// Measures the greatest relative change of energy until t = 1, over seeds 1, 2, …; `None`
+    /// without seeds.
     pub(super) fn drift(&self, runner: &Runner, seeds: u32) -> Result<Option<f64>> {
         let mut greatest: Option<f64> = None;
         for seed in (1..=seeds).take_while(|_| self.divide <= MOST_DIVIDED) {
@@ -112,7 +116,7 @@ impl Candidate {
 mod tests {
     use super::*;
 
-    /// Tries a program that has these parameters, at two divisions.
+    /// Makes candidates of a program with these parameters, at two divisions.
     fn tried(program: &str, parameters: &str) -> Vec<String> {
         let known = format!(r#"{{"name": "sorted", "parameters": [{parameters}]}}"#);
         let known: Known = serde_json::from_str(&known).unwrap();

@@ -5,7 +5,7 @@ use crate::chart::{Axis, Chart, Kind, Series};
 use crate::columns::Columns;
 use lab_kit::Lab;
 
-/// Shows one n as a table.
+/// Formats the results for one n as a table.
 pub(super) fn table(group: &Group) -> String {
     let table = Columns::of("* on the Pareto front", |point: &Point| {
         format!("{} {}", if point.on_front { "*" } else { " " }, point.program)
@@ -24,8 +24,10 @@ pub(super) fn table(group: &Group) -> String {
     )
 }
 
-/// Draws error against seconds: a line for each variant that divides its step. The programs of a lab that does not
-/// divide take the official step, and differ in the time: they are marks, grey if none of the lab is on the front.
+/// Draws error against seconds, with a line for each variant that divides its step.
+///
+/// The programs of a lab that does not divide its steps take the official step, and differ only in
+/// time. They are marks, which are grey if no program of the lab is on the front.
 pub(super) fn chart(group: &Group) -> Chart {
     let mut labs: Vec<Lab> = group.points.iter().map(|point| point.program.lab).collect();
     labs.sort();
@@ -76,7 +78,7 @@ fn costs(points: &[&Point]) -> Vec<(f64, f64)> {
     points.iter().map(|point| (point.rms_error, point.seconds.min)).collect()
 }
 
-/// Lists numbers of labs in short: `1–6, 13`.
+/// Formats numbers of labs briefly: `1–6, 13`.
 fn listed(labs: &[Lab]) -> String {
     let numbers: Vec<u32> = labs.iter().filter_map(|lab| lab.to_string().parse().ok()).collect();
     let mut runs = Vec::new();

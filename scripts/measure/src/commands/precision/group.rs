@@ -1,11 +1,11 @@
-//! Run times and errors of all programs at one n.
+//! Run times and errors of all programs for one n.
 
 use lab_kit::program::Program;
 use serde::{Deserialize, Serialize};
 
 use crate::clock::Times;
 
-/// Points at one n, and the reference's own error.
+/// The points for one n, and the error of the reference.
 #[derive(Deserialize, Serialize)]
 pub(crate) struct Group {
     pub(super) n: u64,
@@ -13,7 +13,7 @@ pub(crate) struct Group {
     pub(super) points: Vec<Point>,
 }
 
-/// Time and error of a program at one n.
+/// Time and error of a program for one n.
 #[derive(Deserialize, Serialize)]
 pub(crate) struct Point {
     pub(super) program: Program,
@@ -23,9 +23,11 @@ pub(crate) struct Point {
     pub(super) rms_error: f64,
     pub(super) seconds: Times,
     pub(super) force_evaluations: f64,
-    /// Greatest |ΔE/E| at t = 1 over the seeds; `None` if it was not asked for.
+    /// Greatest |ΔE/E| at t = 1 over the seeds; `None` if it was not measured.
     pub(super) energy_drift: Option<f64>,
-    /// Whether it lies on the Pareto front: no other is as good in both seconds and error, and better in one.
+    /// Whether the point is on the Pareto front.
+    ///
+    /// No other point is then as good in seconds and error, and better in one of them.
     pub(super) on_front: bool,
 }
 
@@ -40,7 +42,8 @@ impl Group {
     }
 }
 
-/// Says of each point (cost, error) whether it lies on the Pareto front. A point that is not finite is never on it.
+/// Returns for each point (cost, error) whether it is on the Pareto front. A point that is not
+/// finite never is.
 fn front(points: &[(f64, f64)]) -> Vec<bool> {
     let is_on = |p: &(f64, f64)| is_finite(p) && !points.iter().any(|other| beats(other, p));
     points.iter().map(is_on).collect()

@@ -1,8 +1,8 @@
 //! `cargo lab precision`: run time against error.
 //!
-//! A time means little without the error that it buys. Every variant of every lab with soft
-//! discs, and every integrator at several steps, runs the same scene; its end is compared with
-//! the exact motion, that of [`oracle::reference`].
+//! A time means little without its error. Every variant of every lab with soft discs, and every
+//! integrator at several steps, runs the same scene. Its end is compared with the exact motion
+//! ([`oracle::reference`]).
 
 mod candidate;
 mod diagram;
@@ -27,23 +27,24 @@ use group::Group;
 
 /// Measure run time against error: every variant, integrator and time step of the soft discs
 ///
-/// Of all solutions, or of the programs named: cargo lab precision lab12:pefrl solution12:pefrl -n 500.
-/// The error is the rms distance from the exact positions at t = 0.05, 100 official steps. The exact
-/// motion is computed with located contacts and walls. All run on one thread and take turns.
+/// Measures all solutions, or the programs that you name: cargo lab precision lab12:pefrl
+/// solution12:pefrl -n 500. The error is the rms distance from the exact positions at t = 0.05,
+/// which is 100 official steps. The exact motion is computed with located contacts and walls. All
+/// programs run on one thread and take turns.
 #[derive(Args)]
 pub struct Options {
     #[command(flatten)]
     programs: SoftPrograms,
-    /// A small scene and few steps, to see that it works
+    /// Use a small scene and few steps, to see that the command works
     #[arg(long)]
     quick: bool,
     /// Numbers of particles, separated by commas
     #[arg(short, value_name = "N", value_delimiter = ',', default_values_t = [500, 5000], value_parser = clap::value_parser!(u64).range(1..))]
     n: Vec<u64>,
-    /// How often each program runs
+    /// Number of takes of each program
     #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     rounds: u16,
-    /// Seeds over which the energy's drift at t = 1 is taken; 0 for none
+    /// Number of seeds for the energy drift at t = 1; 0 skips it
     #[arg(long, default_value_t = 3, value_name = "SEEDS", value_parser = clap::value_parser!(u32).range(..=100))]
     seeds: u32,
     #[command(flatten)]
@@ -56,7 +57,7 @@ impl Options {
     }
 }
 
-/// Measures, prints, writes.
+/// Measures, and prints and writes the results.
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let mut divisions = vec![1, 2, 5, 10, 20, 50];
     if options.quick {

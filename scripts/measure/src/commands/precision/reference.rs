@@ -1,4 +1,4 @@
-//! The exact end of a scene, with its own error.
+//! The exact end of a scene, with an estimate of its error.
 
 use anyhow::{Result, anyhow};
 use common::soft::{Particle, Scene};
@@ -8,14 +8,14 @@ use oracle::reference::{Fineness, exact};
 pub struct Reference {
     /// The particles, in id order.
     pub end: Vec<Particle>,
-    /// Distance (rms) between two computations of the state.
+    /// Distance (rms) between two computations of the state, with different steps.
     pub error: f64,
 }
 
 /// Computes the reference of a scene at `time`, twice with different steps.
 ///
 /// # Errors
-/// The exact motion cannot be followed.
+/// The exact motion cannot be computed.
 pub fn of(scene: &Scene, time: f64) -> Result<Reference> {
     let end = exact(scene, time, Fineness::FINE).map_err(|e| anyhow!(e))?;
     let check = exact(scene, time, Fineness::CHECK).map_err(|e| anyhow!(e))?;

@@ -1,4 +1,4 @@
-//! Counters of a strong scaling, and the parts of a step by what they counted.
+//! Counters of strong scaling, and the parts of a step that they measure.
 
 use std::collections::BTreeSet;
 
@@ -9,7 +9,8 @@ use crate::chart::{Axis, Chart, Kind, Series};
 use crate::columns::Columns;
 use lab_kit::table::Table;
 
-/// Makes a row for each run that counts anything, a column for each counter; `None` if nothing is counted.
+/// Makes a row for each run with counters and a column for each counter; `None` if no run has
+/// counters.
 pub(super) fn table(curves: &[Curve]) -> Option<Table> {
     let names = counter_names(curves);
     let mut rows = Vec::new();
@@ -25,10 +26,10 @@ pub(super) fn table(curves: &[Curve]) -> Option<Table> {
     (!names.is_empty()).then(|| columns.table(&rows))
 }
 
-/// Draws a counter against the workers.
+/// Draws a counter against the number of workers.
 ///
 /// # Errors
-/// No program counts it, or the name fits several counters.
+/// No program has the counter, or several counters contain the name.
 pub(super) fn chart(curves: &[Curve], n: usize, name: &str) -> Result<Chart> {
     let counter = &counter_named(curves, name)?;
     let workers = curves.iter().flat_map(|curve| &curve.strong).map(|point| point.workers as f64);
@@ -48,10 +49,10 @@ pub(super) fn chart(curves: &[Curve], n: usize, name: &str) -> Result<Chart> {
     Ok(chart)
 }
 
-/// Finds the one counter whose name contains `name`.
+/// Finds the only counter whose name contains `name`.
 ///
 /// # Errors
-/// No program counts it, or the name fits several counters.
+/// No program has the counter, or several counters contain the name.
 fn counter_named(curves: &[Curve], name: &str) -> Result<String> {
     let names = counter_names(curves);
     let fitting: Vec<&String> = names.iter().filter(|known| known.contains(name)).collect();
@@ -70,16 +71,17 @@ fn counter_names(curves: &[Curve]) -> Vec<String> {
     names.into_iter().cloned().collect()
 }
 
-/// Parts of a step of every run of the strong scaling, in milliseconds, as the mean of its workers.
+/// Parts of a step for every run of the strong scaling, in milliseconds, as means of the workers.
 pub(super) struct Breakdown {
-    /// Names of the parts on the command line; the last part is the rest of the step.
+    /// Names of the parts on the command line, and finally the rest of the step.
     parts: Vec<String>,
-    /// A run, by variant and workers, and its parts.
+    /// The name of each run, by variant and workers, and its parts.
     rows: Vec<(String, Vec<f64>)>,
 }
 
 impl Breakdown {
-    /// Finds the parts by the counters that `names` fit; a program that counts none of them is left out.
+    /// Finds the counters whose names contain `names`. A program without any of these counters is
+    /// omitted.
     ///
     /// # Errors
     /// A name fits no counter, or several.
@@ -118,7 +120,9 @@ impl Breakdown {
 }
 
 impl Point {
-    /// Returns the milliseconds of a step in each counter, and those of the rest; `None` if it counts none of them.
+    /// Returns the milliseconds of a step in each counter and in the rest.
+    ///
+    /// Returns `None` if the run has no such counter.
     fn parts(&self, counters: &[String]) -> Option<Vec<f64>> {
         counters.iter().find(|name| self.timing.counters.contains_key(*name))?;
         let mut parts = Vec::new();

@@ -1,4 +1,4 @@
-//! One variant's times over the numbers of workers, and their grade.
+//! The times of a variant for several numbers of workers, and their grade.
 
 use crate::autograder::{averages, efficiency_grade, scaling_grade};
 use crate::clock::Span;
@@ -7,8 +7,10 @@ use lab_kit::machine::cores;
 use lab_kit::program::Program;
 use serde::{Deserialize, Serialize};
 
-/// A variant's strong and weak scaling. Its grade counts the numbers of workers for which this machine has cores;
-/// `None` without any.
+/// A variant's strong and weak scaling.
+///
+/// The grade uses the numbers of workers that this machine has cores for. It is `None` if there are
+/// none.
 #[derive(Deserialize, Serialize)]
 pub(super) struct Curve {
     pub(super) program: Program,
@@ -17,36 +19,38 @@ pub(super) struct Curve {
     pub(super) average_strong_efficiency: Option<f64>,
     pub(super) average_weak_efficiency: Option<f64>,
     grade: Option<f64>,
-    /// The grade by the shortest takes, and by the medians.
+    /// The grades by the shortest takes and by the medians.
     #[serde(skip)]
     pub(super) grades: Option<Span>,
 }
 
-/// One number of workers.
+/// The run with one number of workers.
 #[derive(Deserialize, Serialize)]
 pub(super) struct Point {
     pub(super) workers: usize,
     #[serde(flatten)]
     pub(super) timing: Timing,
-    /// Efficiency against the serial program, by the shortest takes.
+    /// Efficiency relative to the serial program, by the shortest takes.
     pub(super) efficiency: f64,
     #[serde(skip)]
     efficiencies: Option<Span>,
-    /// Efficiency against the variant's own one worker.
+    /// Efficiency relative to the same variant with one worker.
     pub(super) own_efficiency: f64,
-    /// Whether the point counts for the grade: more workers than cores are only shown.
+    /// Whether the point counts for the grade. Points with more workers than cores do not.
     pub(super) graded: bool,
 }
 
 /// Runs of a program on some scenes.
 pub(super) struct Runs<'m> {
-    /// The serial program's run.
+    /// The run of the serial program.
     pub(super) serial: Option<&'m Timing>,
-    /// Runs by the number of workers.
+    /// The runs by number of workers.
     pub(super) all: Vec<(usize, &'m Timing)>,
 }
 
-/// Efficiency by the seconds of one worker, the number of workers, and the seconds of all.
+/// A function that computes an efficiency.
+///
+/// Its arguments are the seconds of one worker, the number of workers, and the seconds of all.
 type Efficiency = fn(f64, usize, f64) -> f64;
 
 impl Curve {
@@ -71,25 +75,25 @@ impl Curve {
         }
     }
 
-    /// Returns the average strong efficiency as marks count it: one worker alone shows nothing of scaling.
+    /// Returns the average strong efficiency for marks, without the point of one worker.
     pub(super) fn strong_for_marks(&self) -> Option<f64> {
         Some(mean(&self.strong, 2)?.min)
     }
 
-    /// Returns the average weak efficiency as marks count it.
+    /// Returns the average weak efficiency for marks, without the point of one worker.
     pub(super) fn weak_for_marks(&self) -> Option<f64> {
         Some(mean(&self.weak, 2)?.min)
     }
 }
 
-/// Averages the graded points of `least` or more workers.
+/// Averages the graded points with `least` or more workers.
 fn mean(points: &[Point], least: usize) -> Option<Span> {
     let graded = points.iter().filter(|point| point.graded && point.workers >= least);
     averages(&graded.filter_map(|point| point.efficiencies).collect::<Vec<_>>())
 }
 
 impl Runs<'_> {
-    /// Makes a point of each number of workers.
+    /// Makes a point for each number of workers.
     pub(super) fn points(&self, efficiency: Efficiency) -> Vec<Point> {
         let own = self.all.iter().find(|(workers, _)| *workers == 1).map(|(_, timing)| *timing);
         let mut points = Vec::new();
@@ -109,7 +113,7 @@ impl Runs<'_> {
     }
 }
 
-/// Computes the efficiency of a run against a run of one worker.
+/// Computes the efficiency of a run relative to a run of one worker.
 fn against(one: Option<&Timing>, p: usize, all: &Timing, efficiency: Efficiency) -> Option<Span> {
     let one = one?.times.span(1.0);
     let all = all.times.span(1.0);

@@ -1,4 +1,4 @@
-//! `cargo lab scaling`: the speed-up by more workers.
+//! `cargo lab scaling`: the speed-up with more workers.
 
 mod counters;
 mod curve;
@@ -29,9 +29,9 @@ use strong_weak::Plan;
 
 /// Measure what more threads, or ranks, bring, and grade it
 ///
-/// Strong scaling keeps the scene and adds workers; weak scaling lets the scene grow with them.
-/// The grade compares with the kit's best serial program, and counts only as
-/// many workers as this machine has cores. Each variant is compared with its own one worker too.
+/// Strong scaling keeps the scene and adds workers; in weak scaling the scene grows with the number
+/// of workers. The grade compares with the kit's best serial program, and uses numbers of workers
+/// up to the number of cores. Each variant is also compared with the same variant on one worker.
 #[derive(Args)]
 #[command(mut_arg("seconds", |seconds| seconds.default_value("90")))]
 pub struct Options {
@@ -40,8 +40,8 @@ pub struct Options {
     /// Number of particles of the strong scaling [default: 100000; 10000 hard discs]
     #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     n: Option<u32>,
-    /// Particles per worker of the weak scaling [default: n shared among the cores; none for hard discs, whose
-    /// square grows with them]
+    /// Number of particles per worker of the weak scaling [default: n divided by the cores; none
+    /// for hard discs, whose square grows with them]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     per_worker: Option<u32>,
     /// Numbers of workers, separated by commas [default: 1, 2, 4, … up to the cores]
@@ -49,10 +49,10 @@ pub struct Options {
     workers: Vec<u16>,
     #[command(flatten)]
     effort: Effort,
-    /// Draw this counter too, summed over the workers of the strong scaling, such as 'moving'
+    /// Also draw this counter, summed over the workers of the strong scaling, such as 'moving'
     #[arg(long, value_name = "NAME")]
     counter: Option<String>,
-    /// Show where the time of a step goes in the strong scaling: counters of seconds, summed over the
+    /// Show the parts of a step in the strong scaling: counters of seconds, summed over the
     /// workers, such as 'forces,moving,waiting', or 'compute,communicate,wait' of ranks
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     breakdown: Vec<String>,
@@ -96,7 +96,7 @@ impl Options {
     }
 }
 
-/// Measures, prints, writes.
+/// Measures, and prints and writes the results.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     ensure!(
@@ -126,7 +126,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Finds the best serial program for the problem of this lab, if the kit has it.
+/// Finds the best serial program for the problem of this lab; `None` if the kit does not have one.
 fn serial_program(kit: &Kit, package: &Program) -> Result<Option<Program>> {
     for lab in kit.solutions() {
         let facts = kit.facts(lab)?;
@@ -199,7 +199,7 @@ fn verdict(curve: &Curve) -> String {
     text
 }
 
-/// Returns the words that add a weak efficiency; empty if there is none.
+/// Returns a text with the weak efficiency; empty if there is none.
 fn and_weak(efficiency: Option<f64>) -> String {
     efficiency.map_or_else(String::new, |weak| format!(", weak {weak:.2}"))
 }

@@ -1,4 +1,4 @@
-//! The numbers of a scaling measurement, and their charts.
+//! The results of a scaling measurement, and their charts.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,7 +7,7 @@ use crate::chart::{Axis, Chart, Kind, Series};
 use crate::experiment::{Bound, Timing};
 use crate::published::{self, Scaling};
 
-/// All numbers.
+/// All results of the command.
 #[derive(Deserialize, Serialize)]
 pub(crate) struct Results {
     pub(super) serial: Vec<Timing>,
@@ -16,7 +16,7 @@ pub(crate) struct Results {
 }
 
 impl Results {
-    /// Returns the particles of the strong scaling.
+    /// Returns the number of particles of the strong scaling.
     pub(super) fn n(&self) -> usize {
         self.strong().next().map_or(0, |point| point.timing.job.scene.n())
     }
@@ -25,7 +25,7 @@ impl Results {
         self.curves.iter().flat_map(|curve| &curve.strong)
     }
 
-    /// Draws speed-up, strong efficiency and, where there is one, weak efficiency, side by side.
+    /// Draws speed-up, strong efficiency and, if it was measured, weak efficiency, side by side.
     pub(super) fn charts(&self) -> Vec<Chart> {
         let best = self.serial.first().map(|timing| timing.job.program.to_string());
         let title = format!("Speed-up over {}", best.unwrap_or_default());
@@ -42,7 +42,8 @@ impl Results {
         charts
     }
 
-    /// Draws a line of each curve against the number of workers, with those of the reports and the ideal.
+    /// Draws a line for each curve against the number of workers, with the lines of the reports and
+    /// the ideal.
     fn chart(
         &self,
         title: String,
@@ -80,8 +81,10 @@ impl Results {
             .shaded_beyond(self.beyond_the_cores(), "more than cores")
     }
 
-    /// Separates the curves. Nobody tells apart more than a few lines: of many, those that are less than half as
-    /// efficient as the best are a crowd.
+    /// Separates the curves with a name from the others.
+    ///
+    /// A reader cannot distinguish more than a few lines. If there are many, those with less than
+    /// half the best efficiency have no name.
     fn named_and_crowd(&self) -> (Vec<&Curve>, Vec<&Curve>) {
         const FEW: usize = 6;
         let efficiencies = self.curves.iter().filter_map(|curve| curve.average_strong_efficiency);
@@ -92,7 +95,8 @@ impl Results {
         })
     }
 
-    /// Finds the reports that measured the same programs; or the report whose program was of the same kind.
+    /// Finds the reports that measured the same programs, or else the report with a program of the
+    /// same kind.
     fn reports(&self) -> Vec<&'static Scaling> {
         let variants = self.curves.iter().filter_map(|curve| curve.program.variant.as_deref());
         let reports = published::scalings_of(&variants.collect::<Vec<_>>());
@@ -109,7 +113,8 @@ impl Results {
         })]
     }
 
-    /// Returns a value between the greatest number of workers that has its cores and the next one.
+    /// Returns a value between the greatest number of workers that has enough cores and the next
+    /// number.
     fn beyond_the_cores(&self) -> Option<f64> {
         let within = self.strong().filter(|point| point.graded).map(|point| point.workers).max()?;
         Some(within as f64 * 2_f64.sqrt())
@@ -128,7 +133,8 @@ fn weak(curve: &Curve) -> Vec<(f64, f64)> {
     curve.weak.iter().map(|point| (point.workers as f64, point.efficiency)).collect()
 }
 
-/// Returns those of the values that are powers of two, where labels have room; or all, if none is.
+/// Returns the values that are powers of two, because labels need room, or all values if no value
+/// is.
 fn powers_of_two(values: &[f64]) -> Vec<f64> {
     let powers: Vec<f64> = values.iter().copied().filter(|v| v.log2().fract() == 0.0).collect();
     if powers.is_empty() { values.to_vec() } else { powers }

@@ -1,4 +1,4 @@
-//! The scenes and workers of a measurement of scaling.
+//! The plan of a scaling measurement: its scenes and numbers of workers.
 
 use lab_kit::program::Program;
 
@@ -8,22 +8,24 @@ use crate::experiment::{Timing, Timings};
 use crate::job::Job;
 use crate::scene::Scene;
 
-/// The scenes and workers of a measurement.
+/// The scenes and numbers of workers of a measurement.
 pub(super) struct Plan {
-    /// Program that t₁ is taken from.
+    /// The serial program, whose time is t₁.
     pub(super) serial: Program,
     pub(super) programs: Vec<Program>,
     pub(super) workers: Vec<usize>,
     pub(super) strong: Scene,
-    /// Scene of the weak scaling, for one worker. Hard discs have one only if it is asked for: where all pairs are
-    /// looked at, p times the discs are p² times the work.
+    /// Scene of the weak scaling, for one worker.
+    ///
+    /// For hard discs it is `None` unless the user asks for it: if all pairs are tested, p times
+    /// the discs are p² times the work.
     pub(super) weak: Option<Scene>,
     /// Whether ranks record their activities.
     pub(super) events: bool,
 }
 
 impl Plan {
-    /// Makes every run once: where the strong and the weak scene meet, they share it.
+    /// Returns every run once. A run that strong and weak scaling share is in the list only once.
     pub(super) fn jobs(&self) -> Vec<Job> {
         let mut jobs = vec![self.strong_job(&self.serial, 1)];
         jobs.extend(self.weak_job(&self.serial, 1));
@@ -47,13 +49,13 @@ impl Plan {
         Job { workers, events, ..Job::new(program.clone(), self.strong.clone()) }
     }
 
-    /// Makes a run of the weak scaling, if there is one.
+    /// Returns a run of the weak scaling; `None` without a scene for it.
     fn weak_job(&self, program: &Program, workers: usize) -> Option<Job> {
         let scene = self.weak.clone()?.times(workers);
         Some(Job { scene, ..self.strong_job(program, workers) })
     }
 
-    /// Makes a curve of each program.
+    /// Returns a curve for each program.
     pub(super) fn curves(&self, timings: &Timings) -> Vec<Curve> {
         let mut curves = Vec::new();
         for program in &self.programs {

@@ -1,4 +1,4 @@
-//! The tables, and the chart of pairs that meet.
+//! The tables, and the chart of head-on pairs.
 
 use lab_kit::table::Table;
 
@@ -14,7 +14,7 @@ What a column shows, how much of it passes, and the section of the chapter
 'Accurate' that explains more:
 ";
 
-/// Shows all tables, the meaning of their marks, and the failures.
+/// Formats all tables, the meaning of their marks, and the failures.
 pub(super) fn tables(trials: &[Trial], rows: &[Row]) -> String {
     let columns = trials.iter().flat_map(|trial| &trial.columns);
     let mut table = Table::new(std::iter::once("").chain(columns.map(|column| column.head)));
@@ -91,7 +91,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Shows the answers to bad inputs: the first program's words, and the programs that did not refuse.
+/// Formats the answers to bad inputs: a message for each, and the programs that accepted the input.
 fn refusals(rows: &[Row]) -> String {
     let mut table = Table::new(["bad input", "refused by", &format!("{:<36}", "what was said")]);
     let mut faults = String::new();
@@ -115,14 +115,15 @@ fn refusals(rows: &[Row]) -> String {
 
 /// A line of the chart.
 struct Line {
-    /// The first program that has it.
+    /// The first program with this line.
     name: String,
-    /// Number of other programs that have it.
+    /// Number of other programs with this line.
     others: usize,
     points: Vec<(f64, f64)>,
 }
 
-/// Draws the energy that pairs gain when they meet head on. Programs that take the same step share a line.
+/// Draws the energy that pairs gain in a head-on collision. Programs that take the same step share
+/// a line.
 pub(super) fn chart(rows: &[Pairs]) -> Chart {
     let mut lines: Vec<Line> = Vec::new();
     for row in rows {

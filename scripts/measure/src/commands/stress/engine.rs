@@ -1,4 +1,4 @@
-//! A program of a lab under stress.
+//! A program of a lab that is under stress.
 
 use std::sync::Arc;
 
@@ -12,17 +12,17 @@ use crate::job::Job;
 use crate::runner::Runner;
 use crate::scene;
 
-/// A task of a program.
+/// A task for a program.
 pub(super) struct Asked<'a> {
     pub(super) scene: &'a Scene,
     pub(super) steps: u64,
-    /// States are wanted after steps 1, 1 + every, 1 + 2 every, …
+    /// Number of steps between two states. The first state is the one after step 1.
     pub(super) every: u64,
     /// Length of a step in official steps.
     pub(super) stretch: f64,
 }
 
-/// States that were asked for; `None` if the program cannot do the task, because its step is built in.
+/// The states; `None` if the program cannot do the task, because its step is fixed.
 pub(super) type Answer = Result<Option<Vec<Vec<Particle>>>>;
 
 /// A variant of a lab's program.
@@ -37,30 +37,30 @@ impl Lab<'_> {
         self.program.to_string()
     }
 
-    /// Returns the method by which it says that it goes through time.
+    /// Returns the method that the program claims to use.
     pub(super) fn method(&self) -> Method {
         Method::of(self.program.variant.as_deref().unwrap_or_default())
     }
 
-    /// Runs a scene.
+    /// Runs a scene and returns its states.
     pub(super) fn run(&self, asked: &Asked) -> Answer {
         let Some(job) = self.job(asked) else { return Ok(None) };
         Ok(Some(self.runner.run(&job)?.frames))
     }
 
-    /// Makes the job of a task; `None` if the program's step is built in.
+    /// Makes the job of a task; `None` if the program's step is fixed.
     fn job(&self, asked: &Asked) -> Option<Job> {
         let scene = scene::Scene::Given(Arc::new(asked.scene.clone()));
         let mut job = Job::new(self.program.clone(), scene);
         job.steps = asked.steps;
         job.every = Some(asked.every);
-        // Two that wait for each other a million times would measure the machine's load.
+        // Two workers that wait for each other a million times would measure the machine's load.
         job.workers = if asked.steps > 5_000 { 1 } else { 2 };
         if self.known.has("stretch") {
             job.program.parameters.push(("stretch".into(), asked.stretch));
         } else if self.known.has("substeps") {
-            // Free flight does not know how long a step is. About ten small steps for a long one are
-            // fewer for each official one.
+            // Free flight does not depend on the length of a step. About ten small steps in a long
+            // step are fewer for each official step.
             job.program.parameters.push(("substeps".into(), (10.0 / asked.stretch).floor()));
             job.steps = (asked.steps as f64 * asked.stretch) as u64;
             job.every = Some((asked.every as f64 * asked.stretch) as u64);

@@ -1,4 +1,4 @@
-//! Bad inputs: a program must refuse each with one line that says what is wrong.
+//! Bad inputs: a program must refuse each with one line that names the fault.
 
 use std::fs;
 use std::path::Path;
@@ -12,10 +12,11 @@ use super::engine::Lab;
 
 use Give::{Scene, Words};
 
-/// Longest time until a program has refused an input.
+/// Longest time in which a program must refuse an input.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// An input to refuse: its name, the way in which it is given, and a word of the answer.
+/// An input that must be refused: its name, how it is given, and a word that the answer must
+/// contain.
 pub(super) struct Bad(&'static str, Give, &'static str);
 
 enum Give {
@@ -30,7 +31,7 @@ enum Give {
 pub(super) struct Input {
     pub(super) input: &'static str,
     pub(super) refused: bool,
-    /// The program's words if it refused the input, else its mistake.
+    /// The program's message if it refused the input, otherwise its mistake.
     pub(super) said: String,
 }
 
@@ -72,7 +73,7 @@ impl Bad {
         let Self(name, give, word) = self;
         let mut program = lab.program.clone();
         if let Words(_) = give {
-            // They may choose a variant themselves.
+            // The words may choose a variant themselves.
             program.variant = None;
             program.parameters.clear();
         }
@@ -95,9 +96,10 @@ impl Bad {
     }
 }
 
-/// Judges an exit code and the words on the error stream. Returns the words of a good answer; an error is the mistake.
+/// Judges an exit code and the error output. Returns the message of a good answer; an error
+/// describes the mistake.
 fn judged(word: &str, code: Option<i32>, stderr: &str, folder: &Path) -> Result<String, String> {
-    // A launcher of several ranks adds its own words below.
+    // With several ranks, the launcher adds messages below.
     let line = stderr.lines().find(|line| line.starts_with("error: "));
     match (code, line) {
         (None, _) => Err("no answer, or ended by a signal".into()),

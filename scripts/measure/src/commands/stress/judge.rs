@@ -1,4 +1,4 @@
-//! The verdict about a figure: it passes, is the method's own limit, or shows a mistake.
+//! The verdict about a figure: it passes, it is a limit of the method, or it shows a mistake.
 
 use serde::Serialize;
 
@@ -13,7 +13,7 @@ pub(super) struct Cell {
     pub(super) trial: &'static str,
     pub(super) column: &'static str,
     pub(super) steps: u64,
-    /// The figure; `None` if nothing was found.
+    /// The figure; `None` if nothing was measured.
     pub(super) figure: Option<f64>,
     #[serde(flatten)]
     pub(super) verdict: Verdict,
@@ -23,20 +23,20 @@ pub(super) struct Cell {
 #[serde(tag = "verdict", content = "why", rename_all = "lowercase")]
 pub(super) enum Verdict {
     Passes,
-    /// As bad as the method is, and no worse: the section that explains it.
+    /// As bad as the method allows, and no worse. The text is the section that explains the limit.
     Limit(&'static str),
     /// The reason why the program cannot do this.
     Unable(&'static str),
     Fails(String),
 }
 
-/// Cells of a trial's columns, and what happened to pairs that met.
+/// The cells of a trial, and the results of head-on pairs.
 pub(super) struct Judged {
     pub(super) cells: Vec<Cell>,
     pub(super) met: Vec<Met>,
 }
 
-/// Sets `run`, which says that it goes through time by `method`, to a trial.
+/// Runs a trial with `run`, which claims to use `method`, and judges it.
 pub(super) fn judge(method: Method, run: impl Fn(&Asked) -> Answer, trial: &Trial) -> Judged {
     let observed = match observe(method, run, trial) {
         Ok(observed) => observed,
@@ -58,7 +58,7 @@ pub(super) fn judge(method: Method, run: impl Fn(&Asked) -> Answer, trial: &Tria
     Judged { cells, met: observed.met }
 }
 
-/// Runs all scenes of a trial. An error is the verdict if nothing can be observed.
+/// Runs all scenes of a trial. If nothing can be measured, the error is the verdict.
 fn observe(
     method: Method,
     run: impl Fn(&Asked) -> Answer,
@@ -72,7 +72,7 @@ fn observe(
             Ok(None) => return Err(Verdict::Unable("its step is built in")),
             Err(why) => return Err(Verdict::Fails(format!("{why:#}"))),
         };
-        // Every observed step, the first and the last among them.
+        // There must be a frame for every observed step, the first and the last among them.
         if frames.len() as u64 != (steps - 1) / every + 1 {
             return Err(Verdict::Fails(format!("it showed {} states", frames.len())));
         }

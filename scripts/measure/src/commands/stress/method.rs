@@ -1,26 +1,29 @@
-//! The step of a program by the oracle: its model takes the official step, and its exact
-//! motion is near to the step of every better method where a step is short for what happens in it.
+//! The expected step of a program, according to the oracle.
+//!
+//! The oracle's model takes the official step. Its exact motion is close to the step of every
+//! better method, if the step is short compared with the events in it.
 
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use oracle::Model;
 use oracle::reference::{Fineness, exact};
 
-/// The way in which a variant goes through time.
+/// The integration method of a variant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Method {
     /// The official step.
     Official,
     /// The official step with distances in single precision.
     SinglePrecision,
-    /// A step nearer to the exact motion than the official step.
+    /// A step that is closer to the exact motion than the official step.
     Better,
 }
 
-/// The end of a particle's step, and the sum of |a_ij| that acted on it.
+/// A particle at the end of a step, and the sum of |a_ij| that acted on it.
 pub(super) type Expected = (Particle, f64);
 
-/// Greatest error of a step: |Δx| ≤ position · (1 + 100 dt² |a|), and the velocity likewise; and a share of the effect of
-/// the force.
+/// Greatest error of a step: |Δx| ≤ position · (1 + 100 dt² |a|), and likewise for the velocity.
+///
+/// A share of the effect of the force is added to both bounds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Allowed {
     position: f64,
@@ -29,7 +32,7 @@ pub(super) struct Allowed {
 }
 
 impl Method {
-    /// Returns the method of a variant; a lab that does not choose takes the official step.
+    /// Returns the method of a variant. An unknown variant takes the official step.
     pub(super) fn of(variant: &str) -> Self {
         match variant {
             "mixed" => Self::SinglePrecision,
@@ -38,22 +41,23 @@ impl Method {
         }
     }
 
-    /// Returns the error that rounding and the method may make.
+    /// Returns the error that rounding and the method may cause.
     pub(super) fn allowed(self) -> Allowed {
         match self {
             Self::Official => Allowed { position: 1e-13, velocity: 1e-12, of_force: 0.0 },
-            // Seven digits of a cutoff, and a force whose slope is a million.
+            // A position has seven digits of a cutoff, and the slope of the force is a million.
             Self::SinglePrecision => Allowed { position: 3e-7, velocity: 3e-4, of_force: 0.0 },
-            // A contact that ends just after the start of a step may act for half of it.
+            // A contact that ends just after the start of a step may act for half of the step.
             Self::Better => Allowed { position: 1e-9, velocity: 1e-6, of_force: 0.55 },
         }
     }
 
-    /// Returns the ends of one step, in id order; `None` for particles whose end is unknown.
+    /// Returns the expected ends of one step, in id order; `None` for particles whose end is
+    /// unknown.
     pub(super) fn step(self, size: f64, before: &[Particle]) -> Vec<Option<Expected>> {
         let (official, magnitudes) = modelled(size, before);
         let expected = match self {
-            // Seven digits of a position are few where the force is steep.
+            // Seven digits of a position are too few if the force is steep.
             Self::SinglePrecision if magnitudes.iter().any(|a| steep(*a)) => None,
             Self::Better => better(size, before, &magnitudes),
             _ => Some(official.into_iter().zip(magnitudes).map(Some).collect()),
@@ -63,8 +67,10 @@ impl Method {
 }
 
 impl Allowed {
-    /// Returns the greater distance of both coordinates from the expected ones; `None` if the particle is further off than
-    /// allowed. `a` is the sum of |a_ij|.
+    /// Returns the greater distance of a coordinate from its expected value; `None` if the error is
+    /// not allowed.
+    ///
+    /// `a` is the sum of |a_ij|.
     pub(super) fn distance(
         self,
         size: f64,
@@ -73,7 +79,7 @@ impl Allowed {
         a: f64,
     ) -> Option<f64> {
         let speed = expected.vx.abs().max(expected.vy.abs()) + DT * a;
-        // What rounding takes of a long way, and of a coordinate far from the corner.
+        // Rounding of a long path, and of a coordinate far from the corner.
         let digits = 1e-15 * (size + DT * speed);
         let [shift, change] = [DT * DT * a, DT * a];
         let position = self.position * (1.0 + 100.0 * shift) + digits + self.of_force * shift;
@@ -85,7 +91,7 @@ impl Allowed {
             (found.y, found.vy, expected.y, expected.vy),
         ] {
             let off = (x - x_there).abs();
-            // A particle that ends on a wall may have been turned round already, or not yet.
+            // A particle that ends on a wall may have been reflected already or not.
             let at_wall = x_there <= position || size - x_there <= position;
             let turned = at_wall && (v + v_there).abs() <= velocity;
             if off > position || ((v - v_there).abs() > velocity && !turned) {
@@ -113,9 +119,10 @@ fn way(p: &Particle) -> f64 {
     p.vx.hypot(p.vy) * DT
 }
 
-/// Returns the exact motion for a step; `None` where no step of this length can be near to it.
+/// Returns the exact motion for a step; `None` if no method with steps of this length can be close
+/// to it.
 fn better(size: f64, before: &[Particle], at_start: &[f64]) -> Option<Vec<Option<Expected>>> {
-    // No events are followed of particles that cross the box in a step.
+    // The exact motion does not follow the events of particles that cross the box in a step.
     if before.iter().any(|p| way(p) > 2.0 * CUTOFF) || at_start.iter().any(|a| steep(*a)) {
         return None;
     }

@@ -1,4 +1,4 @@
-//! Programs with a known mistake: each must fail, and the method itself must not.
+//! Tests with known mistakes: each mistake must fail, and the correct method must pass.
 
 use common::soft::{CUTOFF, DT, Particle};
 use oracle::Model;
@@ -8,7 +8,7 @@ use super::judge::{Cell, Judged, Verdict, judge};
 use super::method::Method;
 use super::trials::short;
 
-/// A change of the state after a step, by the state before it.
+/// A change of the state after a step. The second argument is the state before the step.
 type Mistake = fn(&Asked, &[Particle], &mut [Particle]);
 
 /// No mistake.
@@ -42,7 +42,7 @@ fn a_pair_that_was_thrown_back_to_a_wall_did_not_pass() {
     assert!(met.iter().any(|met| met.worst > 1e6), "no particle was thrown");
 }
 
-/// Judges a program that says that it goes through time by `says`, in all short trials.
+/// Judges a program that claims to use the method `says`, in all short trials.
 fn cells(says: Method, mistake: Mistake) -> Vec<Cell> {
     let trials = short(4);
     trials.iter().flat_map(|trial| judge(says, |asked| run(mistake, asked), trial).cells).collect()
@@ -67,7 +67,7 @@ fn the_method_itself_passes_or_shows_its_limits() {
     }
 }
 
-/// Moves each particle to its exact end, where that is known.
+/// Moves each particle to its exact end, if that is known.
 fn exactly(asked: &Asked, before: &[Particle], after: &mut [Particle]) {
     let exact = Method::Better.step(asked.scene.size(), before);
     for (p, expected) in after.iter_mut().zip(exact) {
@@ -141,7 +141,7 @@ fn a_mistake_after_every_step_is_caught() {
     }
 }
 
-/// Lets a particle that touches a particle of the next bin fly on as if alone.
+/// Lets a particle that touches a particle of the next bin fly on without force.
 fn miss_across_edges(asked: &Asked, before: &[Particle], after: &mut [Particle]) {
     let size = asked.scene.size();
     for (i, p) in before.iter().enumerate() {

@@ -1,9 +1,9 @@
-//! `cargo lab stress`: scenes that are hard on a program.
+//! `cargo lab stress`: scenes that are hard for a program.
 //!
-//! Energy alone says little: a step that is too long gains energy in a correct program too. So each
-//! step of a program is compared with the oracle's step, see [`method`]. A bad figure of a
-//! program that follows its method is a limit of the method, and the chapter has a section about it;
-//! everything else is a failure.
+//! The energy alone shows little, because a correct program also gains energy if its step is too
+//! long. So each step of a program is compared with the oracle's step, see [`method`]. If a program
+//! follows its method, a bad figure is a limit of the method, and the chapter has a section about
+//! it. All other bad figures are failures.
 
 mod cells;
 mod engine;
@@ -37,14 +37,14 @@ const LIMIT: Duration = Duration::from_secs(120);
 
 /// Set programs to scenes that are hard on them: close, fast, crowded, far out, absurd
 ///
-/// Every variant of every soft-disc lab, or of the programs named, such as lab2 or lab4:queues. A
-/// cell passes, or shows a limit of the method that the chapter 'Accurate' explains, or fails. The
-/// exit code is 1 if any fails.
+/// Tests every variant of every soft-disc lab, or the programs that you name, such as lab2 or
+/// lab4:queues. A cell passes, or shows a limit of the method that the chapter 'Accurate' explains,
+/// or fails. The exit code is 1 if any cell fails.
 #[derive(Args)]
 pub struct Options {
     #[command(flatten)]
     programs: SoftPrograms,
-    /// Fewer phases, steps and particles, and no labs with ranks
+    /// Use fewer phases, steps and particles, and no labs with ranks
     #[arg(long)]
     quick: bool,
     #[command(flatten)]
@@ -57,7 +57,7 @@ impl Options {
     }
 }
 
-/// Runs, prints, writes.
+/// Runs the trials, and prints and writes the results.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let packages = options.programs.packages(kit, options.quick)?;
     let mut runner = Runner::build(kit, &packages)?;

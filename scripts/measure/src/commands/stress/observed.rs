@@ -1,4 +1,4 @@
-//! Observations of a program in the scenes of a trial, and the figures that they give.
+//! Measurements of a program in the scenes of a trial, and the figures for the table.
 
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use oracle::energy;
@@ -8,28 +8,28 @@ use super::method::Method;
 use super::scenes::SPEEDS;
 use super::trials::{Observable, Trial};
 
-/// Observations of a program in a trial.
+/// Measurements of a program in a trial.
 #[derive(Default)]
 pub(super) struct Observed {
-    /// Last states of the scenes.
+    /// The last state of each scene.
     ends: Vec<Vec<Particle>>,
-    /// Pairs that met head on.
+    /// The results of head-on pairs.
     pub(super) met: Vec<Met>,
-    /// Greatest distance from the end of a step by the method.
+    /// Greatest distance of a particle from the method's end of a step.
     off: f64,
-    /// The first step that is not the method's.
+    /// A description of the first step that differs from the method's.
     pub(super) wrong: Option<String>,
 }
 
-/// Pairs of one speed that met head on.
+/// The results of head-on pairs of one speed.
 #[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub(super) struct Met {
     #[serde(rename = "relative_speed")]
     pub(super) speed: u32,
-    /// Worst change of a pair's energy, as a share of it.
+    /// Greatest change of a pair's energy, as a share of the energy.
     #[serde(rename = "worst_gain")]
     pub(super) worst: f64,
-    /// Mean change of a pair's energy.
+    /// Mean change of a pair's energy, as a share of the energy.
     #[serde(rename = "mean_gain")]
     pub(super) mean: f64,
     /// Share of the pairs that passed through each other.
@@ -41,7 +41,7 @@ impl Observed {
     /// Adds the states of a scene.
     ///
     /// # Errors
-    /// A state is one that no method may reach: the words say which.
+    /// A state is not possible with any method; the text describes it.
     pub(super) fn add(
         &mut self,
         method: Method,
@@ -85,7 +85,7 @@ impl Observed {
         }
     }
 
-    /// Returns the worst change of a pair's energy at these speeds.
+    /// Returns the greatest change of a pair's energy at these speeds.
     fn worst(&self, from: u32, to: u32) -> f64 {
         let of = self.met.iter().filter(|met| (from..=to).contains(&met.speed));
         of.map(|met| met.worst.abs()).fold(0.0, f64::max)
@@ -100,7 +100,7 @@ fn state(p: &Particle) -> String {
     format!("({}, {}), velocity ({}, {})", p.x, p.y, p.vx, p.vy)
 }
 
-/// Refuses a state that no method may reach.
+/// Checks that a state is possible with some method.
 fn expect_sound(scene: &Scene, frame: &[Particle]) -> Result<(), String> {
     let size = scene.size();
     for (id, p) in frame.iter().enumerate() {
@@ -117,8 +117,9 @@ fn expect_sound(scene: &Scene, frame: &[Particle]) -> Result<(), String> {
     Ok(())
 }
 
-/// Compares each step with that of the method from the program's own state before it. Returns the greatest distance;
-/// an error says which step is wrong.
+/// Compares each step with the method's step from the same state. Returns the greatest distance.
+///
+/// An error describes the step that differs.
 fn follow(method: Method, scene: &Scene, frames: &[Vec<Particle>]) -> Result<f64, String> {
     let allowed = method.allowed();
     let mut worst: f64 = 0.0;
@@ -141,7 +142,7 @@ fn follow(method: Method, scene: &Scene, frames: &[Vec<Particle>]) -> Result<f64
     Ok(worst)
 }
 
-/// Observes the pairs of a head-on scene, speed by speed, in `frames` that are `dt` apart.
+/// Measures the pairs of a head-on scene, speed by speed. The `frames` are `dt` apart.
 fn pairs_met(scene: &Scene, frames: &[Vec<Particle>], phases: u32, dt: f64) -> Vec<Met> {
     let Some(end) = frames.last() else { return Vec::new() };
     let mut met = Vec::new();
@@ -163,8 +164,9 @@ fn pairs_met(scene: &Scene, frames: &[Vec<Particle>], phases: u32, dt: f64) -> V
     met
 }
 
-/// Whether a pair in the middle of the box changed sides before either could have been at a wall:
-/// a particle that is thrown back hard enough changes sides there.
+/// Whether a pair in the middle of the box changed sides before either particle could reach a wall.
+///
+/// A particle that is thrown back fast enough changes sides at the wall.
 fn passed(frames: &[Vec<Particle>], first: usize, size: f64, dt: f64) -> bool {
     let mut way = 0.0;
     for frame in frames {
@@ -180,7 +182,8 @@ fn passed(frames: &[Vec<Particle>], first: usize, size: f64, dt: f64) -> bool {
     false
 }
 
-/// Measures how far apart the ends of two scenes are that differ in their starts by an offset only.
+/// Returns the greatest difference between the ends of two scenes whose starts differ by an offset
+/// only.
 fn shift(scenes: &[Scene], ends: &[Vec<Particle>]) -> f64 {
     let [far, near] = [0, 1].map(|scene| scenes[scene].particles()[0]);
     let offset = ((far.x - near.x).round(), (far.y - near.y).round());

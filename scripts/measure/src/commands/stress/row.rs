@@ -1,4 +1,4 @@
-//! The findings about one program.
+//! The results of one program.
 
 use anyhow::Result;
 use lab_kit::program::Program;
@@ -10,7 +10,7 @@ use super::judge::{Cell, Verdict, judge};
 use super::observed::Met;
 use super::trials::Trial;
 
-/// Findings about a program.
+/// The results of a program.
 #[derive(Serialize)]
 pub(super) struct Row {
     pub(super) program: Program,
@@ -21,7 +21,7 @@ pub(super) struct Row {
     pub(super) inputs: Vec<Input>,
 }
 
-/// A row as far as the figure shows it.
+/// The part of a row that the figure needs.
 #[derive(Deserialize)]
 pub(crate) struct Pairs {
     pub(super) program: Program,
@@ -30,7 +30,7 @@ pub(crate) struct Pairs {
 }
 
 impl Row {
-    /// Sets a program to all trials and bad inputs.
+    /// Runs all trials and bad inputs with a program.
     pub(super) fn of(lab: &Lab, trials: &[Trial]) -> Result<Self> {
         let mut cells = Vec::new();
         let mut met = Vec::new();

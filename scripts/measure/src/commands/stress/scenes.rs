@@ -1,9 +1,9 @@
-//! Scenes that are hard on a program.
+//! Scenes that are hard for a program.
 
 use common::soft::{CUTOFF, MIN_R, Particle, Scene};
 use oracle::scenes;
 
-/// Relative speeds of pairs that meet head on.
+/// Relative speeds of head-on pairs.
 pub(super) const SPEEDS: std::ops::RangeInclusive<u32> = 1..=20;
 
 fn scene(size: f64, particles: Vec<Particle>) -> Scene {
@@ -14,8 +14,9 @@ fn at(x: f64, y: f64, vx: f64, vy: f64) -> Particle {
     Particle { x, y, vx, vy, id: 0 }
 }
 
-/// Makes a pair for each speed and phase, each in a row of its own. A phase is the part of a step after which the
-/// two come into reach.
+/// Makes a head-on pair for each speed and phase, each in a separate row.
+///
+/// A phase is the part of a step after which the two particles come within the cutoff.
 pub(super) fn head_on(phases: u32) -> Scene {
     let rows = SPEEDS.count() as u32 * phases;
     let pitch = 3.0 * CUTOFF;
@@ -34,8 +35,11 @@ pub(super) fn head_on(phases: u32) -> Scene {
     scene(size, particles)
 }
 
-/// Makes two, three and ten particles at exactly one position, at rest or moving together: no force acts on them. Other
-/// pairs are an ulp, or much less, apart.
+/// Makes two, three and ten particles at the same position without relative motion.
+///
+/// They are at rest or move together, so there is no force.
+///
+/// Other pairs are an ulp, or much less, apart.
 pub(super) fn one_position() -> Scene {
     let mut particles = Vec::new();
     for (k, count) in [2, 3, 10].into_iter().enumerate() {
@@ -50,7 +54,7 @@ pub(super) fn one_position() -> Scene {
     scene(0.7, particles)
 }
 
-/// Makes pairs closer than the least distance of the force, and around it by an ulp.
+/// Makes pairs closer than the least distance of the force, and pairs an ulp below and above it.
 pub(super) fn very_close() -> Scene {
     let mut particles = Vec::new();
     let around = [MIN_R.next_down(), MIN_R, MIN_R.next_up()];
@@ -66,7 +70,8 @@ pub(super) fn very_close() -> Scene {
     scene(1.0, particles)
 }
 
-/// Makes the dense scene with one particle at a speed of a hundred, ten thousand, a million, a billion.
+/// Makes the dense scene with one particle at a speed of a hundred, ten thousand, a million, a
+/// billion.
 pub(super) fn fast() -> Vec<Scene> {
     let dense = scenes::dense();
     let mut all = Vec::new();
@@ -79,7 +84,7 @@ pub(super) fn fast() -> Vec<Scene> {
     all
 }
 
-/// Makes scenes of which only one good thing can be said: they are finite.
+/// Makes absurd scenes, which are only required to have finite numbers.
 pub(super) fn absurd() -> Vec<Scene> {
     let mut all = Vec::new();
     for (size, v) in [
@@ -97,8 +102,10 @@ pub(super) fn absurd() -> Vec<Scene> {
     all
 }
 
-/// Makes particles on every wall and corner and an ulp beside them, in every direction, alone and touching another
-/// particle.
+/// Makes particles on every wall and corner and an ulp beside them, with velocities in every
+/// direction.
+///
+/// Some of them are alone, and some touch another particle.
 pub(super) fn walls() -> Scene {
     let size: f64 = 1.0;
     let low = [0.0, 5e-324, 1e-300, 1e-17, 1e-9];
@@ -112,7 +119,7 @@ pub(super) fn walls() -> Scene {
             particles.push(at(x, along, vx, vy));
             particles.push(at(along, x, vy, vx));
         }
-        // One in touch with a neighbour along the wall, and one a step inside.
+        // One particle touches a neighbour along the wall, and one is a step inside.
         particles.push(at(x, 0.95, 0.1, 0.0));
         particles.push(at(x, 0.957, -0.1, 0.0));
     }
@@ -124,7 +131,8 @@ pub(super) fn walls() -> Scene {
     scene(size, particles)
 }
 
-/// Makes pairs at a cutoff, an ulp less and an ulp more across every edge and corner of bins, and on them.
+/// Makes pairs at a cutoff, an ulp less and an ulp more: across every edge and corner of bins, and
+/// on them.
 pub(super) fn edges() -> Scene {
     let size = 30.0 * CUTOFF;
     let mut particles = Vec::new();
@@ -149,11 +157,12 @@ pub(super) fn edges() -> Scene {
     scene(size, particles)
 }
 
-/// Makes the same twenty-five particles, a little too close together, in a box of side `size` near its far corner,
-/// and in a small box.
+/// Makes the same twenty-five particles, slightly too close together, in two boxes.
+///
+/// One box has side `size`, with the particles near its far corner; the other box is small.
 pub(super) fn shifted(size: f64) -> Vec<Scene> {
     let small = 0.5;
-    // Both boxes' walls are far away.
+    // The particles are far from the walls of both boxes.
     let offset = (size - small).floor();
     vec![scene(size, moved(offset)), scene(small, moved(0.0))]
 }

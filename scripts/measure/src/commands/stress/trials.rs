@@ -1,4 +1,4 @@
-//! The trials of programs, and what is observed in each.
+//! The trials of programs, and the measurement in each trial.
 
 use common::soft::{CUTOFF, Scene};
 use oracle::scenes::crowd;
@@ -7,34 +7,36 @@ use super::scenes::{absurd, edges, fast, head_on, one_position, shifted, very_cl
 
 use Observable::{Energy, HeadOn, Inside, Off, Shifted};
 
-/// Scenes to which programs are set, and the columns that they fill.
+/// Scenes for the programs, and the columns for the results.
 #[derive(Clone)]
 pub(super) struct Trial {
     pub(super) name: &'static str,
-    /// One or more scenes; figures are those of the worst.
+    /// One or more scenes. A figure is the worst of all scenes.
     pub(super) scenes: Vec<Scene>,
     pub(super) steps: u64,
-    /// Steps between two observed states; each step is compared with the method's if this is 1.
+    /// Number of steps between two observed states. If it is 1, each step is compared with the
+    /// method's step.
     pub(super) every: u64,
-    /// Length of a step in official steps; every program can do 1.
+    /// Length of a step in official steps. Every program supports 1.
     pub(super) stretch: f64,
     pub(super) observable: Observable,
     pub(super) columns: Vec<Column>,
 }
 
-/// An observation.
+/// The quantity that a trial measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Observable {
-    /// Pairs (2k, 2k + 1) that meet head on, sorted by speed: the energy that they gain, and whether
-    /// they pass through each other.
+    /// Pairs (2k, 2k + 1) that collide head-on, sorted by speed.
+    ///
+    /// The trial measures the energy that they gain, and whether they pass through each other.
     HeadOn { phases: u32 },
-    /// Relative change of all energy.
+    /// Relative change of the total energy.
     Energy,
-    /// Distance from the method's end of a step, in cutoffs.
+    /// Distance of particles from the method's end of a step, in cutoffs.
     Off,
-    /// Distance of the ends of the first scene's particles from those of the second scene, in cutoffs, without the offset.
+    /// Difference between the ends of the two scenes' particles without the offset, in cutoffs.
     Shifted,
-    /// Nothing but that all particles stay finite and inside.
+    /// Nothing, except that all particles stay finite and inside the box.
     Inside,
 }
 
@@ -44,8 +46,9 @@ pub(super) struct Column {
     pub(super) head: &'static str,
     /// Greatest figure that passes.
     pub(super) good: f64,
-    /// Section of the chapter that explains a greater figure as a limit of the method; `None` if there
-    /// is no excuse.
+    /// Section of the chapter that explains a greater figure as a limit of the method.
+    ///
+    /// It is `None` if a greater figure is a failure.
     pub(super) section: Option<&'static str>,
 }
 
@@ -78,7 +81,7 @@ impl Trial {
         Self { name, scenes, steps, every: 1, stretch: 1.0, observable, columns }
     }
 
-    /// Makes a trial of the official scene in which the energy of the last state is observed.
+    /// Makes a trial of the official scene that measures the energy of the last state.
     fn long(name: &'static str, n: u64, steps: u64, stretch: f64, column: Column) -> Self {
         let scene = Scene::official(n, 1).expect("a scene");
         let trial = Self::new(name, vec![scene], steps, Energy, &[column]);
@@ -86,7 +89,7 @@ impl Trial {
     }
 }
 
-/// Returns all trials; `quick` trials are the same with less of everything.
+/// Returns all trials. With `quick` they have fewer steps, particles and phases.
 pub(super) fn all(quick: bool) -> Vec<Trial> {
     let mut all = short(if quick { 4 } else { 25 });
     let n = if quick { 50 } else { 500 };
@@ -101,7 +104,7 @@ pub(super) fn all(quick: bool) -> Vec<Trial> {
     all
 }
 
-/// Returns the trials of a few steps, each of which is compared with the method's.
+/// Returns the trials of a few steps, in which each step is compared with the method's step.
 pub(super) fn short(phases: u32) -> Vec<Trial> {
     let head_on_columns = [
         column("w 1-5", 0.01, STEEP),
@@ -118,7 +121,8 @@ pub(super) fn short(phases: u32) -> Vec<Trial> {
         Trial::new("a crowd", vec![crowd(1)], 10, Energy, &[column("crowd", 0.01, FLUNG)]),
         Trial::new("one that is very fast", fast(), 20, Off, &[strict("fast", 1e-3)]),
         Trial::new("absurd numbers", absurd(), 20, Inside, &[strict("absurd", 0.0)]),
-        // A method of low order may be so far from the exact motion; official steps are compared to rounding.
+        // A method of low order may differ from the exact motion by this much. Official steps are
+        // compared to rounding.
         Trial::new("walls and corners", vec![walls()], 20, Off, &[strict("walls", 0.05)]),
         Trial::new("edges of bins", vec![edges()], 10, Off, &[strict("edges", 0.05)]),
     ];

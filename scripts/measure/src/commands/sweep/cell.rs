@@ -1,4 +1,4 @@
-//! A variant at one value of what a sweep varies.
+//! A variant at one value of the varied quantity.
 
 use std::collections::BTreeMap;
 
@@ -11,26 +11,26 @@ use crate::over::Varied;
 use crate::published::HARD_STEPS;
 use crate::scene::{RandomDiscs, Scene};
 
-/// One variant at one value.
+/// The run of a variant at one value.
 #[derive(Serialize)]
 pub(super) struct Cell {
     #[serde(flatten)]
     pub(super) timing: Timing,
     #[serde(skip)]
     pub(super) at: f64,
-    /// The value, under the name of the quantity, where the timing does not contain it.
+    /// The value, under the name of the quantity, if the timing does not contain it.
     #[serde(flatten)]
     value: Option<BTreeMap<String, f64>>,
     pub(super) variant: String,
     pub(super) ms_per_step: Span,
     pub(super) pair_tests_per_step: Option<f64>,
     pub(super) report_ms_per_step: Option<Printed>,
-    /// Ratio to the first variant at the same value; `None` for the first.
+    /// Ratio to the first variant at the same value; `None` for the first variant.
     #[serde(skip)]
     pub(super) ratio: Option<Ratio>,
 }
 
-/// Makes a cell of each variant at each value, beside the first variant there.
+/// Makes a cell for each variant at each value, with its ratio to the first variant.
 pub(super) fn cells(varied: &Varied, timings: &[Timing]) -> Vec<Cell> {
     let mut cells = Vec::new();
     for row in timings.chunk_by(|a, b| varied.of(&a.job) == varied.of(&b.job)) {
@@ -58,13 +58,16 @@ impl Cell {
         }
     }
 
-    /// Returns the milliseconds of a step in kernels, by the device's clock.
+    /// Returns the milliseconds of a step in kernels, by the device's clock; `None` without a
+    /// clock.
     pub(super) fn kernels(&self) -> Option<f64> {
         Some(1e3 * self.timing.per_step("kernel time [s]")?)
     }
 
-    /// Returns the milliseconds of a step that are spent on a device and not in its kernels: recording commands, copying,
-    /// waiting. Soft discs stay there, so that is all the rest; the host of hard discs computes, too.
+    /// Returns the milliseconds of a step on the device outside its kernels: recording commands,
+    /// copying, waiting.
+    ///
+    /// For soft discs this is all the rest of the step. For hard discs the host computes, too.
     pub(super) fn way_and_waiting(&self) -> Option<f64> {
         let kernels = self.kernels()?;
         match self.timing.job.program.is_hard() {
@@ -73,7 +76,7 @@ impl Cell {
         }
     }
 
-    /// Returns the report's milliseconds of a step, where its program did not crash.
+    /// Returns the report's milliseconds of a step; `None` if its program crashed.
     pub(super) fn report_ms(&self) -> Option<f64> {
         match self.report_ms_per_step? {
             Printed::Seconds(ms) => Some(ms),
@@ -82,7 +85,8 @@ impl Cell {
     }
 }
 
-/// Finds the number of the CS3210 report for the same program on the same scene, on its own machine: ms a step.
+/// Finds the CS3210 report's number for the same program and scene on the report's machine, in ms
+/// per step.
 fn report(varied: &Varied, value: f64, timing: &Timing) -> Option<Printed> {
     let Scene::Hard { n, side, radius, random } = timing.job.scene else { return None };
     if random != RandomDiscs::default() || varied.is_workgroup() {

@@ -1,4 +1,4 @@
-//! `cargo lab sweep`: variants side by side while one thing varies.
+//! `cargo lab sweep`: variants that take turns while one quantity varies.
 
 mod cell;
 
@@ -27,22 +27,22 @@ use lab_kit::{Kit, Workers};
 /// Measure variants while one thing varies: n, the square, the radius, neighbours, threads, a parameter
 ///
 /// 'cargo lab sweep 7 --solution --variant outer-dynamic,planned -t 2 --over radius' takes the
-/// values of the CS3210 report; '--over n=1000,10000' takes these. All runs take turns, round after
-/// round. Shown are the shortest take and the median, how both compare with the first variant's at
-/// the same value, the pairs looked at, and what the report printed. On a device, with '--param timing=1', kernels
-/// are shown apart from the way to the device and back.
-/// A run has at most 50 steps, as in the report, unless --steps says otherwise.
+/// values of the CS3210 report; '--over n=1000,10000' takes these values. All runs take turns,
+/// round after round. The table shows the shortest take and the median, their ratios to the first
+/// variant at the same value, the pairs tested, and the number that the report printed. On a
+/// device, '--param timing=1' separates the kernels from the way to the device and back. A run has
+/// at most 50 steps, as in the report, unless you set --steps.
 #[derive(Args)]
 pub struct Options {
     #[command(flatten)]
     subject: Subject,
-    /// What varies: n, length, radius, neighbours, threads, ranks or a parameter's name; perhaps with
-    /// its values
+    /// The varied quantity: n, length, radius, neighbours, threads, ranks or a parameter's name;
+    /// optionally with its values
     #[arg(long, value_name = "WHAT[=VALUES]")]
     over: Over,
     #[command(flatten)]
     scene: OneScene,
-    /// Threads, or ranks
+    /// Number of threads, or ranks
     #[arg(short, default_value_t = 1, value_name = "WORKERS", value_parser = clap::value_parser!(u16).range(1..))]
     t: u16,
     #[command(flatten)]
@@ -60,7 +60,7 @@ struct Results<'r> {
     streaming_bound: &'r [Bound],
 }
 
-/// Results as far as the figure shows them.
+/// The part of the results that the figure needs.
 #[derive(Deserialize)]
 pub struct Runs {
     #[serde(default)]
@@ -77,7 +77,7 @@ impl Options {
     }
 }
 
-/// Measures, prints, writes.
+/// Measures, and prints and writes the results.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let first = &programs[0];
@@ -100,7 +100,8 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Prints the description of a device, and returns its name; the name of one that is software says that it is no GPU.
+/// Prints the description of a device, and returns its name. The name of a software device says
+/// that it is not a GPU.
 fn device_name(kit: &Kit, runner: &Runner) -> Result<String> {
     let mut cargo = kit.cargo();
     cargo.args(["run", "--release", "--quiet", "--package", "device"]);
@@ -130,7 +131,7 @@ fn table(varied: &Varied, cells: &[Cell]) -> Table {
         .table(cells)
 }
 
-/// Draws the shortest takes against the quantity, with the report's dashed.
+/// Draws the shortest takes against the quantity, and the report's numbers as dashed lines.
 fn chart(title: String, varied: &Varied, cells: &[Cell]) -> Chart {
     let mut names: Vec<&str> = Vec::new();
     for cell in cells {
@@ -160,7 +161,7 @@ fn across(varied: &Varied, cells: &[Cell]) -> Axis {
     let at = cells.iter().map(|cell| cell.at);
     match varied {
         Varied::N => Axis::log(varied.label()),
-        // There is no half of a thread.
+        // Half a thread is not possible, so only measured values have labels.
         _ if varied.is_workers() || varied.is_workgroup() => {
             Axis::log(varied.label()).with_ticks(at)
         }
@@ -172,7 +173,7 @@ fn across(varied: &Varied, cells: &[Cell]) -> Axis {
 fn upwards(varied: &Varied, cells: &[Cell]) -> Axis {
     match varied {
         Varied::N => Axis::log("ms a step"),
-        // They differ by less than a decade.
+        // These times differ by less than a decade.
         _ if varied.is_workgroup() => Axis::linear("ms a step").starting_at(0.0),
         _ => {
             let ours = cells.iter().map(|cell| cell.ms_per_step.min);
@@ -181,7 +182,7 @@ fn upwards(varied: &Varied, cells: &[Cell]) -> Axis {
     }
 }
 
-/// Makes an axis that is logarithmic where the values span a decade.
+/// Makes an axis that is logarithmic if the values span a decade.
 fn span(label: String, values: impl Iterator<Item = f64> + Clone) -> Axis {
     let least = values.clone().fold(f64::INFINITY, f64::min);
     let most = values.fold(0.0, f64::max);

@@ -1,24 +1,27 @@
-//! Bands of cells. Each band is sorted on its own.
+//! Bands are ranges of consecutive cells; one thread at a time sorts a band.
 //!
-//! A band counts its particles into its cells and then fetches them, so no two threads write to the same memory. The order
-//! of the particles depends on neither bands nor threads.
+//! A band first counts the particles of its cells and then copies them into its own part of the
+//! result. So no two threads write to the same memory. The order of the particles depends neither
+//! on the bands nor on the threads. The whole sort, with a drawing, is in [`sort`](super::sort).
 
 use std::ops::Range;
 
 use crate::particles::{Bodies, Moving};
 
-/// Particles that a band looks at together.
+/// Number of particles whose range of cells is stored, so that a band can skip them all at once.
 pub(super) const PIECE: usize = 1024;
 
-/// The cells of all particles, in their order before the sort.
+/// The cell of each particle, in the order before the sort.
 pub(super) struct Located<'a> {
     pub(super) cell: &'a [u32],
-    /// For each piece the range of its cells.
+    /// The range of cells of each piece of [`PIECE`] particles.
     pub(super) spans: Vec<Range<u32>>,
 }
 
 impl Located<'_> {
-    /// The pieces that may have particles in `cells`: the index of a piece's first particle, and its cells.
+    /// Returns the pieces that may have particles in `cells`.
+    ///
+    /// A piece is the index of its first particle, and the cells of all its particles.
     fn among(&self, cells: Range<u32>) -> impl Iterator<Item = (usize, &[u32])> {
         let pieces = (0..).step_by(PIECE).zip(self.cell.chunks(PIECE)).zip(&self.spans);
         let near = pieces.filter(move |(_, span)| span.start < cells.end && cells.start < span.end);
@@ -26,19 +29,20 @@ impl Located<'_> {
     }
 }
 
-/// Consecutive cells, and the room for their particles.
+/// Consecutive cells, and the memory that their sorted particles are written to.
 #[derive(Default)]
 pub(super) struct Band<'a> {
-    /// The first cell.
+    /// The number of the band's first cell.
     first: u32,
-    /// For each cell the number of its particles, and later the index at which they end.
+    /// The number of particles in each cell; after [`fill`](Self::fill), the index at which the
+    /// cell ends.
     counts: &'a mut [u32],
     pub(super) to: Moving<'a>,
     pub(super) home: &'a mut [u32],
 }
 
 impl<'a> Band<'a> {
-    /// Bands of `length` cells each. `counts` has an entry for each cell.
+    /// Divides the cells into bands of `length` cells each. `counts` has an entry for each cell.
     pub(super) fn of_cells(counts: &'a mut [u32], length: usize) -> Vec<Self> {
         let bands = (0..).step_by(length).zip(counts.chunks_mut(length));
         bands.map(|(first, counts)| Self { first, counts, ..Self::default() }).collect()
@@ -48,7 +52,7 @@ impl<'a> Band<'a> {
         self.first..self.first + self.counts.len() as u32
     }
 
-    /// Counts the particles in each cell, and returns the number of all.
+    /// Counts the particles in each cell and returns their sum.
     pub(super) fn count(&mut self, located: &Located<'_>) -> usize {
         let pieces = located.among(self.cells());
         let Self { first, counts, .. } = self;
@@ -63,8 +67,9 @@ impl<'a> Band<'a> {
         counts.iter().map(|&count| count as usize).sum()
     }
 
-    /// Fetches the particles in the order of the cells. They are to end at index `end` of all particles. The numbers of
-    /// particles become the ends of cells.
+    /// Copies the band's particles from `from`, cell by cell, to the indices that end at `end`.
+    ///
+    /// Afterwards `counts` contains the index at which each cell ends.
     pub(super) fn fill(mut self, end: usize, from: &Bodies, located: &Located<'_>) {
         let source = self.sources(located);
         let start = (end - source.len()) as u32;
@@ -77,8 +82,9 @@ impl<'a> Band<'a> {
         fetch(self.home, located.cell, &source);
     }
 
-    /// The indices of the band's particles before the sort, cell by cell. The numbers of particles become the ends of
-    /// cells among them.
+    /// Returns the indices of the band's particles before the sort, cell by cell.
+    ///
+    /// Afterwards `counts` contains the end of each cell, counted from the band's first particle.
     fn sources(&mut self, located: &Located<'_>) -> Vec<u32> {
         let pieces = located.among(self.cells());
         let Self { first, counts, home, .. } = self;
@@ -96,7 +102,7 @@ impl<'a> Band<'a> {
     }
 }
 
-/// Replaces the numbers of particles by the indices at which their cells start.
+/// Replaces the number of particles of each cell by the index at which the cell starts.
 fn to_starts(counts: &mut [u32]) {
     let mut start = 0;
     for count in counts {
@@ -104,7 +110,7 @@ fn to_starts(counts: &mut [u32]) {
     }
 }
 
-/// Copies: `to[k] = from[source[k]]`.
+/// Sets `to[k] = from[source[k]]` for every k.
 fn fetch<T: Copy>(to: &mut [T], from: &[T], source: &[u32]) {
     for (to, &i) in to.iter_mut().zip(source) {
         *to = from[i as usize];

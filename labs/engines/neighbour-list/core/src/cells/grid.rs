@@ -1,23 +1,23 @@
-//! Squares over the part of the box where particles are.
+//! The grid of square cells that covers the particles.
 
 use workers::Workers;
 
 use crate::particles::Bodies;
 
-/// A grid of square cells over the rectangle that holds all particles.
+/// A grid of square cells over the rectangle that contains all particles.
 ///
-/// Two particles no further apart than [`Grid::side`] are in the same or in adjacent cells. The last
-/// column and the last row are empty: a walk over the cells around need not ask whether a cell
-/// is at the edge.
+/// Two particles at most [`Grid::side`] apart are in the same cell or in adjacent cells. The last
+/// column and the last row are empty, so a loop over adjacent cells never has to test whether a
+/// cell is at the edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     left: f64,
     bottom: f64,
     side: f64,
     inverse: f64,
-    /// Cells along x, with the empty one.
+    /// Number of columns, with the empty one.
     pub columns: u32,
-    /// Cells along y, with the empty one.
+    /// Number of rows, with the empty one.
     pub rows: u32,
 }
 
@@ -35,12 +35,12 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// The extent of `bodies`.
+    /// Returns the extent of `bodies`.
     pub fn of(bodies: &Bodies) -> Self {
         Self::among(bodies, &Workers::default())
     }
 
-    /// The same by many threads.
+    /// Returns the extent of `bodies`, computed by the threads of `workers`.
     pub fn among(bodies: &Bodies, workers: &Workers) -> Self {
         const PIECE: usize = 1 << 15;
         let pieces = bodies.x.chunks(PIECE).zip(bodies.y.chunks(PIECE)).collect();
@@ -54,7 +54,9 @@ impl Extent {
     }
 }
 
-/// Eight at a time: one after another each comparison would wait for the one before.
+/// Returns the least and the greatest of `values`.
+///
+/// Eight partial results are kept, because with one each comparison would wait for the one before.
 fn least_and_most(values: &[f64]) -> (f64, f64) {
     let mut least = [f64::MAX; 8];
     let mut most = [f64::MIN; 8];
@@ -74,10 +76,11 @@ fn least_and_most(values: &[f64]) -> (f64, f64) {
 }
 
 impl Grid {
-    /// Cells of at least `side` over `extent`.
+    /// Makes a grid over `extent` whose cells have at least this `side`.
     ///
-    /// A little is added, so that rounding cannot put two particles at distance `side` two cells
-    /// apart; and cells grow where there would be more than fit a 31-bit row or column.
+    /// The side is enlarged slightly, so that rounding cannot put two particles at distance `side`
+    /// two cells apart. It is enlarged further if there would be more rows or columns than a 31-bit
+    /// number can count.
     pub fn new(extent: &Extent, side: f64) -> Self {
         const MOST: f64 = 1e9;
         let side = (side * (1.0 + 1e-6)).max(extent.width.max(extent.height) / MOST);
@@ -92,28 +95,28 @@ impl Grid {
         }
     }
 
-    /// Length of a cell's side.
+    /// Returns the length of a cell's side.
     pub fn side(&self) -> f64 {
         self.side
     }
 
-    /// Number of cells.
+    /// Returns the number of cells.
     pub fn cells(&self) -> u64 {
         u64::from(self.columns) * u64::from(self.rows)
     }
 
-    /// Whether all cells may be stored, for `n` particles: there are not many more empty ones.
+    /// Whether few enough cells are empty that all can be stored, for `n` particles.
     pub fn is_dense(&self, n: usize) -> bool {
         self.cells() <= 8 * n as u64 + 64
     }
 
-    /// The column of coordinate `x`; outside the grid the nearest one.
+    /// Returns the column of coordinate `x`, or the nearest column if `x` is outside the grid.
     #[inline(always)]
     pub fn column(&self, x: f64) -> u32 {
         (((x - self.left) * self.inverse) as u32).min(self.columns - 2)
     }
 
-    /// The row of coordinate `y`; outside the grid the nearest one.
+    /// Returns the row of coordinate `y`, or the nearest row if `y` is outside the grid.
     #[inline(always)]
     pub fn row(&self, y: f64) -> u32 {
         (((y - self.bottom) * self.inverse) as u32).min(self.rows - 2)

@@ -1,4 +1,7 @@
-//! A grid of cells over the particles, and particles sorted by cell.
+//! The grid of cells, and sorting particles by cell.
+//!
+//! [`Grid`] says which cell a position is in, [`Sorter`] sorts the particles, and [`Cells`] returns
+//! the particles of a cell and of the cells around it.
 
 mod bands;
 mod grid;

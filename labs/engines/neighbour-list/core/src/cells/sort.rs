@@ -1,4 +1,22 @@
-//! Sorting particles by cell: a counting sort by many threads, or a sort by occupied cells where most cells are empty.
+//! Sorts particles by cell, so that neighbours in the box become neighbours in memory.
+//!
+//! If few cells are empty, many threads run a counting sort. Eight particles, four cells, two
+//! bands:
+//!
+//! ```text
+//! before    particle     a b c d e f g h
+//! locate    its cell     2 0 3 1 0 2 3 0
+//!                        band of cells 0 and 1     band of cells 2 and 3
+//! count     particles    3 1, together 4           2 2, together 4
+//! ends      of bands     4                         8
+//! fill      particles    b e h d                   a f c g
+//! ```
+//!
+//! The ends tell each band where it writes, so the threads need no lock. Within a cell particles
+//! keep their order.
+//!
+//! If most cells are empty, pairs of cell and particle are sorted, and only occupied cells are
+//! stored.
 
 use std::ops::Range;
 
@@ -11,24 +29,25 @@ use super::table::{Cells, Kind};
 use crate::particles::{Bodies, make_room};
 use crate::threads::{cut, pieces};
 
-/// Particles of a band, roughly, and most bands.
+/// Approximate number of particles in a band, and the greatest number of bands.
 const BAND: usize = 4096;
 const BANDS: usize = 256;
 
-/// What a sort needs for itself, kept from one to the next.
+/// The memory of a sort, kept for the next one.
 #[derive(Default)]
 pub struct Sorter {
-    /// Before a sort, room for its result; afterwards, the particles as they were before.
+    /// The memory for the next result. After a sort it contains the particles in their order before
+    /// it.
     pub spare: Bodies,
-    /// The cell of each particle, before the sort.
+    /// The cell of each particle, in the order before the sort.
     cell: Vec<u32>,
-    /// Arrays of cells that are no longer needed.
+    /// Arrays of former [`Cells`], kept for their memory.
     home: Vec<u32>,
     starts: Vec<u32>,
 }
 
 impl Sorter {
-    /// Sorts `bodies` by the cells of `grid`. Within a cell particles keep the order they come in.
+    /// Sorts `bodies` by the cells of `grid`. Within a cell particles keep their order.
     pub fn sort(&mut self, bodies: &mut Bodies, grid: Grid, workers: &Workers) -> Cells {
         self.spare.resize(bodies.len());
         let cells = if grid.is_dense(bodies.len()) {
@@ -40,7 +59,7 @@ impl Sorter {
         cells
     }
 
-    /// Takes cells back, for their memory.
+    /// Takes the arrays of `cells`, which are no longer needed, as memory for the next sort.
     pub fn take_back(&mut self, cells: Cells) {
         if let Kind::Dense { starts } = cells.kind {
             self.starts = starts;
@@ -59,7 +78,8 @@ impl Sorter {
         let spans = locate(&mut self.cell, from, grid, workers);
         let mut count = n.div_ceil(pieces(n, BAND, BANDS)).max(1);
         if spans.iter().all(|span| span.len() > cells / 2) {
-            // Each band would look at all particles, as in the first sort of a scene.
+            // In the first sort of a scene, particles of all cells are in every piece. Each band
+            // then reads all particles, so there are no more bands than threads.
             count = count.min(workers.count());
         }
         let located = Located { cell: &self.cell, spans };
@@ -80,7 +100,8 @@ impl Sorter {
     }
 }
 
-/// The ends of several runs of these lengths, one behind the other.
+/// Returns where each of several runs ends that follow one another; `lengths` are the lengths of
+/// the runs.
 fn running_ends(lengths: &[usize]) -> Vec<usize> {
     let mut end = 0;
     let mut ends = Vec::with_capacity(lengths.len());
@@ -91,7 +112,7 @@ fn running_ends(lengths: &[usize]) -> Vec<usize> {
     ends
 }
 
-/// Finds the cell of each particle, and for each piece the range of its cells.
+/// Writes the cell of each particle to `cell`. Returns the range of cells of each piece.
 fn locate(cell: &mut [u32], from: &Bodies, grid: Grid, workers: &Workers) -> Vec<Range<u32>> {
     let arch = Arch::new();
     let long = PIECE * cell.len().div_ceil(PIECE).div_ceil(BANDS);
@@ -103,13 +124,13 @@ fn locate(cell: &mut [u32], from: &Bodies, grid: Grid, workers: &Workers) -> Vec
     spans.into_iter().flatten().collect()
 }
 
-/// The range from the least to the greatest of some cells.
+/// Returns the range from the least to the greatest of these cells.
 fn span(cell: &[u32]) -> Range<u32> {
     let (least, most) = cell.iter().fold((u32::MAX, 0), |(a, b), &c| (a.min(c), b.max(c)));
     least..most + 1
 }
 
-/// The cells of consecutive particles.
+/// A vector kernel that computes the cells of the particles from `first` on.
 struct Locate<'a> {
     cell: &'a mut [u32],
     bodies: &'a Bodies,
@@ -131,7 +152,7 @@ impl NullaryFnOnce for Locate<'_> {
     }
 }
 
-/// Sorts `from` into `to` by the cells of `grid`. Only occupied cells are stored.
+/// Sorts `from` into `to` by the cells of `grid`, and stores only the occupied cells.
 fn sort_sparse(from: &Bodies, to: &mut Bodies, grid: Grid) -> Cells {
     let key = |i: usize| {
         u64::from(grid.row(from.y[i])) * u64::from(grid.columns) + u64::from(grid.column(from.x[i]))

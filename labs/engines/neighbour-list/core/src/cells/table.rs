@@ -1,44 +1,47 @@
-//! Which particles stand in which cell, when particles are sorted by cell.
+//! A table of sorted particles by cell.
 
 use std::ops::Range;
 
 use super::grid::Grid;
 
-/// Particles in sorted order, cell by cell. Cells run along x first: the particles of a cell and
-/// of its right neighbour are next to each other in memory.
+/// The cells of sorted particles.
+///
+/// Cells are numbered row by row, so the particles of a cell and of its right neighbour are
+/// adjacent in memory.
 pub struct Cells {
-    /// Where the cells lie.
+    /// The grid that the cells belong to.
     pub grid: Grid,
-    /// How the cells are stored.
+    /// The stored cells: all of them, or only the occupied ones.
     pub kind: Kind,
-    /// For each particle the number of its stored cell.
+    /// The index of each particle's cell among the stored cells.
     pub home: Vec<u32>,
 }
 
-/// How cells are stored.
+/// The cells that are stored.
 pub enum Kind {
-    /// Every cell: cell k holds the particles `starts[k] .. starts[k + 1]`.
+    /// All cells: cell k contains the particles `starts[k] .. starts[k + 1]`.
     Dense {
-        /// One more than there are cells.
+        /// Index of the first particle of each cell, and at the end the number of particles.
         starts: Vec<u32>,
     },
-    /// Only occupied cells: the k-th of them is cell `keys[k]` = row · columns + column
-    /// and holds the particles `starts[k] .. starts[k + 1]`.
+    /// Only the occupied cells: the k-th of them is cell `keys[k]` = row · columns + column, and
+    /// contains the particles `starts[k] .. starts[k + 1]`.
     Sparse {
-        /// Ascending.
+        /// The numbers of the occupied cells, ascending.
         keys: Vec<u64>,
-        /// One more than there are keys.
+        /// Index of the first particle of each occupied cell, and at the end the number of
+        /// particles.
         starts: Vec<u32>,
     },
 }
 
 impl Cells {
-    /// Number of cells stored.
+    /// Returns the number of stored cells.
     pub fn len(&self) -> usize {
         self.starts().len() - 1
     }
 
-    /// Whether no cell is stored: before the first sort.
+    /// Whether no cell is stored, as before the first sort.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -49,14 +52,14 @@ impl Cells {
         }
     }
 
-    /// The particles of the k-th stored cell.
+    /// Returns the particles of the k-th stored cell.
     #[inline]
     pub fn own(&self, k: usize) -> Range<usize> {
         let starts = self.starts();
         starts[k] as usize..starts[k + 1] as usize
     }
 
-    /// The particles of cells `left ..= right` of a row.
+    /// Returns the particles of the cells in columns `left ..= right` of a row.
     #[inline(always)]
     pub fn in_row(&self, row: u32, left: u32, right: u32) -> Range<usize> {
         let first = u64::from(row) * u64::from(self.grid.columns);
@@ -74,7 +77,7 @@ impl Cells {
         }
     }
 
-    /// Row and column of the k-th stored cell.
+    /// Returns the row and the column of the k-th stored cell.
     #[inline]
     pub fn row_and_column(&self, k: usize) -> (u32, u32) {
         let key = match &self.kind {
@@ -85,7 +88,8 @@ impl Cells {
         ((key / columns) as u32, (key % columns) as u32)
     }
 
-    /// The particles of a cell's three rows of three: below, its own, above.
+    /// Returns the particles of the k-th stored cell and of the eight cells around it, one range
+    /// for each row.
     pub fn around(&self, k: usize) -> [Range<usize>; 3] {
         let (row, column) = self.row_and_column(k);
         let left = column.saturating_sub(1);
@@ -97,16 +101,22 @@ impl Cells {
         [row_of(row.checked_sub(1)), row_of(Some(row)), row_of(Some(row + 1))]
     }
 
-    /// The particles ahead of particle `i`: those that follow it in its own cell and those of the right
-    /// neighbour, one range, and those of the three cells next to its own in the next row, another. So every
-    /// pair in the same or in adjacent cells is met once, from the particle that comes first.
+    /// Returns the particles ahead of particle `i`, in two ranges.
+    ///
+    /// ```text
+    /// row + 1    [ a ][ b ][ c ]    second range: particles of a, b and c
+    /// row             [ i ][ r ]    first range: particles after i in its cell, and r
+    /// ```
+    ///
+    /// Every pair in the same cell or in adjacent cells is thus found once, from the particle that
+    /// comes first.
     #[inline(always)]
     pub fn ahead(&self, i: usize) -> [Range<usize>; 2] {
         let k = self.home[i] as usize;
         match &self.kind {
             Kind::Dense { starts } => {
-                // The last column and the last row are empty: there is always a next one, and
-                // left of the first column is the last one.
+                // The last column and the last row are empty. So every cell has a next row, and the
+                // cell before the first of a row is the last of the row before.
                 let width = self.grid.columns as usize;
                 let next = starts[k + width - 1] as usize..starts[k + width + 2] as usize;
                 [i + 1..starts[k + 2] as usize, next]
@@ -115,7 +125,8 @@ impl Cells {
         }
     }
 
-    /// [`ahead`](Self::ahead) of particle `i` in cell number `key`, where not all cells are stored.
+    /// Returns [`ahead`](Self::ahead) of particle `i` in cell `key`, if only occupied cells are
+    /// stored.
     #[inline(never)]
     fn ahead_of(&self, key: u64, i: usize) -> [Range<usize>; 2] {
         let columns = u64::from(self.grid.columns);
@@ -125,7 +136,7 @@ impl Cells {
         [i + 1..own.end, self.in_row(row + 1, column.saturating_sub(1), column + 1)]
     }
 
-    /// The particles of all cells that touch the rectangle [left, right, bottom, top], row by row.
+    /// Returns the rows of cells that touch the rectangle [left, right, bottom, top].
     #[inline(always)]
     pub fn rows_of(&self, rectangle: &[f64; 4]) -> Rows {
         let [left, right, bottom, top] = *rectangle;
@@ -137,8 +148,9 @@ impl Cells {
         }
     }
 
-    /// Ranges of stored cells that hold about `target` particles each: pieces of work. They
-    /// depend on the scene alone.
+    /// Divides the stored cells into ranges with about `target` particles each.
+    ///
+    /// The ranges depend on the scene only, not on the number of threads.
     pub fn pieces(&self, target: usize) -> Vec<Range<usize>> {
         let starts = self.starts();
         let n = starts.last().map_or(0, |&n| n as usize);
@@ -150,14 +162,15 @@ impl Cells {
         pieces.filter(|piece| !piece.is_empty()).collect()
     }
 
-    /// The particles of a range of stored cells.
+    /// Returns the particles of a range of stored cells.
     pub fn particles(&self, cells: &Range<usize>) -> Range<usize> {
         let starts = self.starts();
         starts[cells.start] as usize..starts[cells.end] as usize
     }
 }
 
-/// A walk through the rows of a rectangle of cells.
+/// An iterator over the rows of a rectangle of cells. It borrows nothing; [`next`](Self::next) is
+/// given the cells.
 pub struct Rows {
     left: u32,
     right: u32,
@@ -166,14 +179,14 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// The particles of the next row.
+    /// Returns the particles of the next row, or `None` after the last row.
     #[inline(always)]
     pub fn next(&mut self, cells: &Cells) -> Option<Range<usize>> {
         if self.row > self.last {
             return None;
         }
         if let Kind::Sparse { keys, .. } = &cells.kind {
-            // Rows without a particle are stepped over, however many they are.
+            // Rows without particles are skipped in one step, because there may be very many.
             let columns = u64::from(cells.grid.columns);
             let from = u64::from(self.row) * columns + u64::from(self.left);
             let key = keys.get(keys.partition_point(|&key| key < from))?;

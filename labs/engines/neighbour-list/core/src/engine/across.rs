@@ -1,4 +1,5 @@
-//! What acts on a block from outside: pairs across its ends, and particles elsewhere.
+//! Forces on a block from outside: from pairs across its ends, and from particles of other
+//! processes.
 
 use std::ops::Range;
 
@@ -7,16 +8,16 @@ use common::soft::Observer;
 use crate::kernels::{Contacts, Pair, Positions, Primitives};
 use crate::list::Block;
 
-/// The pairs within the cutoff whose particles are in two blocks, in ascending order of the first particle.
+/// The pairs within the cutoff whose particles are in two blocks, ordered by the first particle.
 #[derive(Default)]
 pub(crate) struct Across<P> {
     contacts: Contacts<P>,
-    /// Each with the acceleration of its first particle.
+    /// Each pair, with the acceleration of its first particle.
     pairs: Vec<(Pair, [f64; 2])>,
 }
 
 impl<P: Primitives> Across<P> {
-    /// Finds them, before any block moves.
+    /// Finds the pairs and computes their accelerations. Call this before any block moves.
     pub(super) fn find(
         &mut self,
         blocks: &[Block],
@@ -34,20 +35,21 @@ impl<P: Primitives> Across<P> {
         }
     }
 
-    /// The particles of `block` that stand second in a pair, with the acceleration of the first.
+    /// Returns the particles of `block` that come second in a pair, with the first one's
+    /// acceleration.
     pub(super) fn into(&self, block: &Range<usize>) -> impl Iterator<Item = (u32, [f64; 2])> {
         let pairs = self.pairs.iter().map(|&([_, j], a)| (j, a));
         pairs.filter(|(j, _)| block.contains(&(*j as usize)))
     }
 
-    /// The particles of `piece` that stand first, with their accelerations.
+    /// Returns the particles of `piece` that come first in a pair, with their accelerations.
     pub(super) fn from(&self, piece: &Range<usize>) -> impl Iterator<Item = (u32, [f64; 2])> {
         let before = |end| self.pairs.partition_point(|(pair, _)| (pair[0] as usize) < end);
         self.pairs[before(piece.start)..before(piece.end)].iter().map(|&([i, _], a)| (i, a))
     }
 }
 
-/// The accelerations of some of an engine's particles in a step by particles elsewhere.
+/// Accelerations of some of the engine's particles by particles outside the engine, in one step.
 #[derive(Clone, Copy, Default)]
 pub struct External<'a> {
     /// The particles as indices into the engine's order, ascending.
@@ -59,7 +61,7 @@ pub struct External<'a> {
 }
 
 impl External<'_> {
-    /// Those of the particles of `range`: the index and the acceleration.
+    /// Returns the index and the acceleration of each listed particle in `range`.
     pub(super) fn among(&self, range: &Range<usize>) -> impl Iterator<Item = (u32, [f64; 2])> {
         let before = |end: usize| self.indices.partition_point(|&i| (i as usize) < end);
         let part = before(range.start)..before(range.end);

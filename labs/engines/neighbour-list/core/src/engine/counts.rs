@@ -1,24 +1,25 @@
-//! What the engine counts.
+//! The engine's counters.
 
-/// Counts since the engine was loaded.
+/// Counters since the scene was loaded.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Counts {
     /// Steps taken.
     pub steps: u64,
     /// Lists built.
     pub rebuilds: u64,
-    /// Pairs tested, in lists and to build them.
+    /// Pairs tested, both in lists and while lists were built.
     pub tests: u64,
-    /// Sum over rebuilds of the skin, in cutoffs.
+    /// Sum of the skins of all lists, in cutoffs.
     pub skins: f64,
     /// Inner lists built.
     pub inner_rebuilds: u64,
-    /// Sum over inner lists of their outliers.
+    /// Sum of the numbers of outliers of all inner lists.
     pub outliers: u64,
 }
 
 impl Counts {
-    /// With names, for a run of `n` particles.
+    /// Returns the counters with their names, per step where that helps, for a run of `n`
+    /// particles.
     pub(crate) fn shown(&self, n: usize) -> Vec<(&'static str, f64)> {
         let Counts { steps, rebuilds, tests, skins, inner_rebuilds, outliers } = *self;
         let particle_steps = n as f64 * steps as f64;

@@ -1,4 +1,7 @@
-//! The engine: forces and move in one pass, and what crosses the ends of blocks.
+//! The engine: it computes forces and moves particles in one pass over each block.
+//!
+//! Start with [`NeighbourList`]. The pass is in `sweep.rs`; pairs of particles in two blocks are in
+//! `across.rs`.
 
 mod across;
 mod counts;

@@ -1,6 +1,6 @@
-//! Sorted cells, a neighbour list with a skin, and a move without branches.
+//! The engine: it sorts particles, lists pairs with a skin, and computes forces and move together.
 //!
-//! The forces and the move are one pass over the particles, in `sweep.rs`.
+//! The pass over a block is in `sweep.rs`.
 
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
 use pulp::Arch;
@@ -13,19 +13,19 @@ use crate::list::{Block, Limits, Neighbours};
 use crate::particles::{Bodies, Moving};
 use crate::threads::Crew;
 
-/// The engine: the primitives `P` on several threads, seen by an observer `O`.
+/// The engine, with the primitives `P` and an observer `O`, on several threads.
 #[derive(Default)]
 pub struct NeighbourList<O, P> {
     crew: Crew,
-    /// The skin that was asked for, or 0 for the cheapest.
+    /// The skin that the user chose, or 0 for the cheapest; a length.
     fixed_skin: f64,
-    /// Steps that an official step is divided into.
+    /// Number of small steps in an official step.
     divide: u32,
     size: f64,
     bodies: Bodies,
     list: Neighbours<P>,
     limits: Limits,
-    /// One for each block of the list.
+    /// The working memory of each block of the list.
     passes: Vec<Pass<P>>,
     across: Across<P>,
     observer: O,
@@ -33,13 +33,15 @@ pub struct NeighbourList<O, P> {
 }
 
 impl<O: Observer, P: Primitives> NeighbourList<O, P> {
-    /// An engine for these threads with a skin of `skin` cutoffs, 0 for the cheapest, and each
-    /// official step divided into `divide`.
+    /// Makes an engine that runs on `crew`.
+    ///
+    /// `skin` is in cutoffs; 0 selects the cheapest skin. Each official step is divided into
+    /// `divide` small steps.
     pub fn new(crew: impl Into<Crew>, skin: f64, divide: u32) -> Self {
         Self { crew: crew.into(), fixed_skin: skin * CUTOFF, divide, ..Self::default() }
     }
 
-    /// Goes on from particles in a box of side `size`.
+    /// Continues with these particles in a box of side `size`.
     pub fn start(&mut self, bodies: Bodies, size: f64) {
         self.size = size;
         self.bodies = bodies;
@@ -47,32 +49,33 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         self.limits = Limits::default();
     }
 
-    /// The particles, in an order of the engine's own.
+    /// Returns the particles in the engine's order.
     pub fn bodies(&self) -> &Bodies {
         &self.bodies
     }
 
-    /// The particles, to take some away and add some; then the list has to be rebuilt.
+    /// Returns the particles, so that the caller can remove and add some. The caller must then
+    /// rebuild the list.
     pub fn bodies_mut(&mut self) -> &mut Bodies {
         &mut self.bodies
     }
 
-    /// The list.
+    /// Returns the neighbour list.
     pub fn list(&self) -> &Neighbours<P> {
         &self.list
     }
 
-    /// The speed that the list is built for.
+    /// Returns the speed limits that the list was built for.
     pub fn limits(&self) -> &Limits {
         &self.limits
     }
 
-    /// What has been seen since it was last taken.
+    /// Returns the observer, so that the caller can take what it has recorded.
     pub fn observer_mut(&mut self) -> &mut O {
         &mut self.observer
     }
 
-    /// What was counted.
+    /// Returns the counters.
     pub fn counts(&self) -> Counts {
         self.counts
     }
@@ -92,7 +95,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         n > 0 && (self.list.budget.has_expired::<P>() || self.limits.are_outrun(n))
     }
 
-    /// Rebuilds the list. There may be no particles.
+    /// Rebuilds the list, which may be empty.
     pub fn rebuild(&mut self) {
         if self.bodies.is_empty() {
             self.start(Bodies::default(), self.size);
@@ -116,17 +119,15 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         self.count(tested);
     }
 
-    /// As [`rebuild`](Self::rebuild); the particles as they were before, unsorted, are
-    /// then in `kept`, whose memory the next list will use.
+    /// Rebuilds the list and leaves the particles in their former order in `kept`.
     pub fn rebuild_keeping(&mut self, kept: &mut Bodies) {
         self.rebuild();
-        // Sorting has left them in the arrays that the next sort would write to.
+        // Sorting has left the particles in the arrays that the next sort would write to.
         std::mem::swap(kept, self.list.unsorted());
         kept.resize(self.bodies.len());
     }
 
-    /// Begins a step: rebuilds the inner list if it has expired, and computes the pairs across the ends
-    /// of blocks, before any block moves.
+    /// Begins a step: rebuilds an expired inner list, and computes the pairs of two blocks.
     pub fn begin(&mut self) {
         self.rebuild_inner_if_due();
         self.count(self.list.blocks.iter().map(|block| block.pairs().len() as u64).sum());
@@ -146,18 +147,20 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         self.count(tested);
     }
 
-    /// Forces and move of the blocks that have none of the particles `waiting`, ascending: those on which
-    /// particles elsewhere may act.
+    /// Moves the blocks that contain none of the particles `waiting`, whose indices ascend.
+    ///
+    /// Particles outside the engine may act on the particles `waiting`, so their blocks are left
+    /// for [`move_outer`](Self::move_outer).
     pub fn move_inner(&mut self, waiting: &[u32]) {
         self.sweep(External::default(), |block| !block.has_any(waiting));
     }
 
-    /// Forces and move of the other blocks, with the external accelerations that they waited for. The step is then over.
-    /// Returns how far it took the fastest particle at most.
+    /// Moves the other blocks under `external` too, and ends the step. Returns an upper bound of
+    /// the distance that the fastest particle went.
     pub fn move_outer(&mut self, external: External<'_>) -> f64 {
         self.sweep(external, |block| block.has_any(external.indices));
         let over = self.passes.iter().fold(1.0, |over: f64, pass| over.max(pass.fast.over));
-        // Positions are rounded at each step.
+        // Every step rounds the positions.
         self.limits.age(&mut self.list.budget, over, f64::EPSILON * self.size);
         over * self.limits.outliers().fastest() * self.limits.displacement()
     }
@@ -192,8 +195,9 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         observers.iter().for_each(|seen| observer.merge(seen));
     }
 
-    /// A small step on all particles, with a new list if the old one has expired. Returns how far it
-    /// took the fastest particle at most.
+    /// Moves all particles by a small step, with a new list if the old one has expired.
+    ///
+    /// Returns an upper bound of the distance that the fastest particle went.
     pub fn advance(&mut self) -> f64 {
         if self.has_expired() {
             self.rebuild();
@@ -206,7 +210,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     fn official_step(&mut self) {
         self.observer = O::default();
         self.advance();
-        // An observer sees an official step, so the first look of its small steps.
+        // An observer sees the forces of an official step, which are those of its first small step.
         let seen = std::mem::take(&mut self.observer);
         for _ in 1..self.divide {
             self.advance();

@@ -1,24 +1,25 @@
-//! Sums of accelerations.
+//! Sums of accelerations for the particles that a pass currently works on.
 
-/// The accelerations of consecutive particles: of a piece and what it looks ahead, so few that they stay in
-/// the cache.
+/// The accelerations of consecutive particles: those of a piece and of the particles ahead of it.
+///
+/// They are so few that they stay in the cache.
 #[derive(Default)]
 pub(super) struct Sums {
-    /// The first particle.
+    /// The index of the first particle.
     first: usize,
     x: Vec<f64>,
     y: Vec<f64>,
 }
 
 impl Sums {
-    /// Begins with no particle; the next one is `first`.
+    /// Clears the sums; particle `first` will be the first.
     pub(super) fn begin(&mut self, first: usize) {
         self.first = first;
         self.x.clear();
         self.y.clear();
     }
 
-    /// Begins with zero for the particles after the last, up to particle `end`.
+    /// Appends zeros, so that the sums reach up to particle `end`.
     #[inline(always)]
     pub(super) fn extend_to(&mut self, end: usize) {
         let len = (end - self.first).max(self.x.len());
@@ -33,13 +34,13 @@ impl Sums {
         self.y[i] += y;
     }
 
-    /// Of the first `len` particles.
+    /// Returns the accelerations of the first `len` particles along x and along y.
     #[inline(always)]
     pub(super) fn first(&self, len: usize) -> (&[f64], &[f64]) {
         (&self.x[..len], &self.y[..len])
     }
 
-    /// Forgets the first `len` particles.
+    /// Removes the first `len` particles.
     #[inline(always)]
     pub(super) fn drop_first(&mut self, len: usize) {
         for sums in [&mut self.x, &mut self.y] {

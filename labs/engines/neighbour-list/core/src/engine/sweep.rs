@@ -1,8 +1,9 @@
-//! One pass over a block: forces and move, piece by piece, while a piece is in the cache.
+//! One pass over a block: computes forces and moves particles, while a piece is in the cache.
 //!
-//! A pair is listed with the particle that comes first, so once a piece and all before it are
-//! through their pairs, its old positions are no longer needed and its sums are complete. It can
-//! move at once. Pairs across the end of a block were computed before any block moves.
+//! A pair is listed with the particle that comes first. Once the pairs of a piece and of all pieces
+//! before it are done, no later pair needs the piece's old positions, and its accelerations are
+//! complete. So the piece moves at once. The pairs across the ends of blocks are computed before
+//! any block moves.
 
 use common::soft::Observer;
 use pulp::NullaryFnOnce;
@@ -13,16 +14,17 @@ use crate::kernels::{Contacts, Positions, Primitives};
 use crate::list::{Block, Fast, Piece, SpeedLimit};
 use crate::particles::Moving;
 
-/// What the pass over a block needs and leaves.
+/// The working memory of the pass over a block, kept from step to step.
 #[derive(Default)]
 pub(super) struct Pass<P> {
     sums: Sums,
     contacts: Contacts<P>,
-    /// Particles seen to exceed the speed limit since the inner list was built.
+    /// The particles that have exceeded the speed limit since the inner list was built.
     pub(super) fast: Fast,
 }
 
-/// The forces on a block and its move by `dt` in a box of side `size`.
+/// A vector kernel that computes the forces on a block and moves it by `dt` in a box of side
+/// `size`.
 pub(super) struct Sweep<'a, O, P> {
     pub(super) block: &'a Block,
     pub(super) pass: &'a mut Pass<P>,

@@ -1,4 +1,4 @@
-//! Pairs that really touch: filtered from many that might, then computed side by side.
+//! Finds the pairs in contact among listed pairs, and computes their accelerations side by side.
 
 use std::marker::PhantomData;
 
@@ -6,8 +6,10 @@ use common::soft::CUTOFF;
 
 use super::{EIGHT, Pair, Positions, Primitives, ROOM, coefficient};
 
-/// Pairs within the cutoff, waiting for their forces. They stand close together, so that their
-/// square roots and divisions fill vector registers.
+/// Memory for pairs within the cutoff.
+///
+/// The pairs are stored without gaps, so that their square roots and divisions fill vector
+/// registers.
 pub struct Contacts<P> {
     pairs: Box<[Pair; ROOM]>,
     dx: Box<[f64; ROOM]>,
@@ -29,8 +31,10 @@ impl<P> Default for Contacts<P> {
 }
 
 impl<P: Primitives> Contacts<P> {
-    /// Calls `each` with the pairs that are within the cutoff, in their order: the pair, the acceleration of
-    /// its first particle, and the square of its distance.
+    /// Calls `each` for every pair within the cutoff, in the order of `pairs`.
+    ///
+    /// The arguments are the pair, the acceleration of its first particle, and the square of its
+    /// distance.
     #[inline(always)]
     pub fn for_each(
         &mut self,

@@ -1,27 +1,29 @@
-//! What the engine is built on.
+//! The interface between the engine and the primitives that it is built on.
 
 use std::ops::Range;
 
 use super::{Pair, Positions, ROOM, Signs};
 
-/// The primitives of a neighbour-list engine: its three innermost loops, and the two decisions about its
-/// list.
+/// The primitives of a neighbour-list engine: its three innermost loops, and two decisions about
+/// its list.
 ///
-/// Lengths are in units of the box, positions as indices in the sorted order. The loops become part of
-/// vector kernels ([`kernels`](crate::kernels)) only where they are always inlined: mark them
-/// `#[inline(always)]`, and what they call.
+/// Lengths are in units of the box. Particles are indices in the sorted order. The loops become
+/// part of vector kernels ([`kernels`](crate::kernels)) only if they are always inlined: mark them,
+/// and the functions that they call, with `#[inline(always)]`.
 pub trait Primitives: Default + Send + Sync + 'static {
-    /// Moves one coordinate of consecutive particles by one step: `v += a dt`, then `x += v dt`. Returns
-    /// whether any of them is now outside the walls, at 0 and at `size`.
+    /// Moves one coordinate of consecutive particles by one step: `v += a dt`, then `x += v dt`.
     ///
-    /// `v` and `a` are at least as long as `x`; what they hold beyond its length stays as it is.
+    /// Returns whether any particle is now outside the walls, which are at 0 and at `size`. `v` and
+    /// `a` are at least as long as `x`; their elements beyond that length do not change.
     fn drift(x: &mut [f64], v: &mut [f64], a: &[f64], dt: f64, size: f64) -> bool;
 
-    /// Writes a pair [i, j] for every particle j of `range` that is within `reach` of particle `i` (at
-    /// `reach` is within) into `list`, in ascending order, and returns where the pairs now end.
+    /// Appends a pair [i, j] to `list` for every particle j of `range` within `reach` of particle
+    /// `i`.
     ///
-    /// `list[..len]` are pairs found before; behind them is room for all of `range` and eight more. `i` is
-    /// not in `range`, which may be empty.
+    /// The pairs are in ascending order, and a distance of exactly `reach` counts as within.
+    /// `list[..len]` contains the pairs that were found before; behind them is room for all of
+    /// `range` and eight more. `i` is not in `range`, and `range` may be empty. Returns the new
+    /// number of pairs.
     fn collect(
         list: &mut [Pair],
         len: usize,
@@ -32,8 +34,10 @@ pub trait Primitives: Default + Send + Sync + 'static {
         signs: impl Signs,
     ) -> usize;
 
-    /// Writes those of at most [`ROOM`] pairs whose squared distance is at most `squared` into `near`, in
-    /// their order, and returns how many they are. What `near` holds behind them does not matter.
+    /// Copies the pairs whose squared distance is at most `squared` to `near`, in their order.
+    ///
+    /// There are at most [`ROOM`] pairs. Returns how many were copied; the elements of `near`
+    /// behind them do not matter.
     fn filter(
         pairs: &[Pair],
         positions: Positions<'_>,
@@ -41,11 +45,13 @@ pub trait Primitives: Default + Send + Sync + 'static {
         near: &mut [Pair; ROOM],
     ) -> usize;
 
-    /// Whether a list with this skin has expired when a particle may have gone as far as `displacement`
-    /// since it was built: whether it may lack a pair within the cutoff.
+    /// Whether a list with this `skin` may lack a pair within the cutoff, and so has expired.
+    ///
+    /// Since the list was built, no particle has gone further than `displacement`.
     fn expired(displacement: f64, skin: f64) -> bool;
 
-    /// The skin that makes a step cheapest, for `density` particles per area, of which the fastest goes
-    /// `displacement` in a step. Positive.
+    /// Returns the skin that makes a step cheapest. It is positive.
+    ///
+    /// There are `density` particles per area, and the fastest goes `displacement` in a step.
     fn best_skin(density: f64, displacement: f64) -> f64;
 }

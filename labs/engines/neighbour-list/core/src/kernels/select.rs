@@ -1,11 +1,11 @@
-//! Pairs, and writing down some of eight of them without a branch.
+//! Pairs, and a way to write any subset of eight pairs without a branch.
 
 use super::signs::EIGHT;
 
 /// A pair of indices in the sorted order.
 pub type Pair = [u32; 2];
 
-/// For each set of lanes which they are, in order: the numbers of the later particles of pairs.
+/// For each set of lanes, its lanes in ascending order, each in the upper half of a word.
 static LANES: [[u64; EIGHT]; 256] = {
     let mut lanes = [[0; EIGHT]; 256];
     let mut set = 0;
@@ -24,13 +24,15 @@ static LANES: [[u64; EIGHT]; 256] = {
     lanes
 };
 
-/// Writes a pair [i, start + l] for each of the lowest eight bits l of `set`, in ascending order,
-/// behind the `len` pairs of `list`, and returns how many there are now. There must be room for eight.
+/// Appends a pair [i, start + l] to `list` for each l among the lowest eight bits of `set`.
 ///
-/// All eight pairs are written, whatever the set: the next call overwrites what is too much.
+/// Before the call, `list` has `len` pairs.
+///
+/// The pairs are in ascending order. Returns the new number of pairs. There must be room for eight
+/// pairs, because eight are always written; the next call overwrites those that do not count.
 #[inline(always)]
 pub fn pack(list: &mut [Pair], len: usize, [i, start]: [usize; 2], set: u32) -> usize {
-    // Both numbers of a pair in one word: then one addition makes eight pairs.
+    // Both indices of a pair are in one word, so one addition computes the pair.
     let first = i as u64 | (start as u64) << 32;
     let set = set as usize % LANES.len();
     let lanes = &LANES[set];
@@ -42,7 +44,7 @@ pub fn pack(list: &mut [Pair], len: usize, [i, start]: [usize; 2], set: u32) -> 
     len + set.count_ones() as usize
 }
 
-/// Lengthens `pairs` to at least `len`, if it is shorter, with pairs that mean nothing.
+/// Lengthens `pairs` to at least `len` pairs. The new pairs have no meaning.
 #[inline(always)]
 pub fn make_room(pairs: &mut Vec<Pair>, len: usize) {
     if pairs.len() < len {
@@ -50,22 +52,22 @@ pub fn make_room(pairs: &mut Vec<Pair>, len: usize) {
     }
 }
 
-/// Pairs that are filtered together.
+/// Number of pairs that are filtered together.
 pub const ROOM: usize = 256;
 
 /// The positions of consecutive particles of the sorted order.
 #[derive(Clone, Copy)]
 pub struct Positions<'a> {
-    /// Their x.
+    /// Positions along x.
     pub x: &'a [f64],
-    /// Their y.
+    /// Positions along y.
     pub y: &'a [f64],
-    /// The index of the first of them in the sorted order.
+    /// The index of the first particle in the sorted order.
     pub first: usize,
 }
 
 impl Positions<'_> {
-    /// Eight particles from index `start` on: their x and their y. Where there are fewer, the rest is
+    /// Returns x and y of eight particles from index `start` on. Particles that do not exist are
     /// infinitely far away.
     #[inline(always)]
     pub fn eight(&self, start: usize) -> ([f64; EIGHT], [f64; EIGHT]) {
@@ -78,7 +80,7 @@ impl Positions<'_> {
     }
 }
 
-// Inlined, so that the eight stay in registers where there are eight.
+// Inlined, so that the eight numbers stay in registers in the usual case.
 #[cold]
 #[inline(always)]
 fn the_last(numbers: &[f64]) -> [f64; EIGHT] {

@@ -1,21 +1,21 @@
-//! From eight signs in a vector register to eight bits.
+//! Collects the signs of eight numbers in a vector register as eight bits.
 //!
-//! Plain loops are translated for any processor ([`crate::kernels`]), but no loop over bits makes the
-//! compiler use the one instruction that collects signs: it would begin at the bits that are
-//! asked for, and compute what leads to each of them one by one. So here it is called by name.
+//! Processors have one instruction for this, but no loop over bits makes the compiler use it: the
+//! compiler begins with the result and computes each bit separately. So the instruction is called
+//! by name here. All other kernels are plain loops ([`crate::kernels`]).
 
 use pulp::{Arch, NullaryFnOnce};
 
-/// Numbers compared at a time.
+/// Number of values that are compared at a time.
 pub const EIGHT: usize = 8;
 
-/// A processor that collects signs.
+/// A processor's way to collect signs.
 pub trait Signs: Copy {
-    /// Which of eight numbers have a minus sign: a bit for each.
+    /// Returns a bit for each of eight numbers: 1 if the number has a minus sign.
     fn negative(self, numbers: &[f32; EIGHT]) -> u32;
 }
 
-/// Any processor.
+/// Any processor, without a special instruction.
 #[derive(Clone, Copy)]
 pub struct AnyProcessor;
 
@@ -44,14 +44,14 @@ impl Signs for pulp::x86::V4 {
 
 /// A vector kernel that collects signs.
 pub trait Kernel {
-    /// What it returns.
+    /// The result of the kernel.
     type Output;
 
-    /// The kernel. It is to be always inlined.
+    /// Runs the kernel. Implementations must be `#[inline(always)]`.
     fn run(self, signs: impl Signs) -> Self::Output;
 }
 
-/// A kernel translated for one processor.
+/// A kernel, to be translated for one processor.
 struct For<S, K>(S, K);
 
 impl<S: Signs, K: Kernel> NullaryFnOnce for For<S, K> {
@@ -63,7 +63,7 @@ impl<S: Signs, K: Kernel> NullaryFnOnce for For<S, K> {
     }
 }
 
-/// Runs a kernel in the version that is made for this processor.
+/// Runs the version of a kernel that fits this processor.
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     match Arch::new() {
         #[cfg(target_arch = "x86_64")]

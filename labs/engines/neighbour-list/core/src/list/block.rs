@@ -1,7 +1,8 @@
-//! Pairs that might touch until the next rebuild, and those that might within a few steps.
+//! Blocks of particles with their pairs: an outer list until the next rebuild, an inner list for a
+//! few steps.
 //!
-//! It is a list of pairs, not a list for each particle. A particle of the official scene has two
-//! or three of them, and a loop over so few ends where the processor does not expect it.
+//! A block stores one list of pairs, not a list for each particle. A particle of the official scene
+//! has two or three pairs, and the processor mispredicts the end of such a short loop.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -12,25 +13,27 @@ use crate::cells::Cells;
 use crate::kernels::{EIGHT, Kernel, Pair, Positions, Primitives, ROOM, Signs, make_room};
 use crate::particles::Bodies;
 
-/// Particles whose forces are computed together, before they move: few enough to stay in the cache meanwhile.
+/// Number of particles that move together after their forces: so few that they stay in the cache.
 const PIECE: usize = 1000;
 
-/// Consecutive particles of the sorted order and their pairs: the work of one thread at a time.
+/// Consecutive particles of the sorted order with their pairs. One thread at a time works on a
+/// block.
 #[derive(Default)]
 pub struct Block {
     /// The particles.
     pub particles: Range<usize>,
-    /// All pairs within the cutoff and the skin.
+    /// All pairs within the cutoff plus the skin.
     pub outer: Pairs,
     /// The pairs that may touch within the next few steps.
     pub inner: Pairs,
-    /// Whether `inner` is known.
+    /// Whether `inner` is valid.
     pub has_inner: bool,
-    /// How many pairs were tested to find all.
+    /// Number of pairs that were tested to build `outer`.
     pub tested: u64,
 }
 
-/// Pairs of a block as indices into the sorted order, the smaller index first. The block has the first particle.
+/// Pairs of indices into the sorted order, the smaller index first. The first particle is in the
+/// block.
 #[derive(Default)]
 pub struct Pairs {
     /// The pairs whose second particle is in the block as well.
@@ -44,19 +47,19 @@ pub struct Pairs {
 /// The pairs of the particles of a piece.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece {
-    /// Where they end in `inside`; they begin where those of the piece before end.
+    /// The end of these pairs in `inside`. They begin where the pairs of the piece before end.
     pub pairs: usize,
-    /// No particle of theirs comes at or after this index.
+    /// The index behind the last particle of these pairs.
     pub ahead: usize,
 }
 
 impl Pairs {
-    /// How many there are.
+    /// Returns the number of pairs.
     pub fn len(&self) -> usize {
         self.inside.len() + self.across.len()
     }
 
-    /// Whether there is none.
+    /// Whether there are no pairs.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -69,26 +72,26 @@ impl Pairs {
 }
 
 impl Block {
-    /// The pairs to look at: the inner list, if there is one.
+    /// Returns the pairs that a step computes: the inner list if it is valid, otherwise the outer
+    /// list.
     pub fn pairs(&self) -> &Pairs {
         if self.has_inner { &self.inner } else { &self.outer }
     }
 
-    /// Whether a particle of `indices`, ascending, is in the block.
+    /// Whether the block contains a particle of `indices`, which ascend.
     pub fn has_any(&self, indices: &[u32]) -> bool {
         let next = indices.partition_point(|&i| (i as usize) < self.particles.start);
         indices.get(next).is_some_and(|&i| (i as usize) < self.particles.end)
     }
 
-    /// The pieces of the block.
+    /// Returns the pieces of the block.
     pub(crate) fn pieces(&self) -> impl Iterator<Item = Range<usize>> + use<> {
         let Range { start, end } = self.particles;
         (start..end).step_by(PIECE).map(move |first| first..end.min(first + PIECE))
     }
 }
 
-/// Lists the pairs within `reach` of the particles of a block: of each pair the particle that comes first
-/// has the other.
+/// Builds the outer list of a block: the pairs within `reach`, each listed with its first particle.
 pub(crate) struct Collect<'a, P> {
     pub(crate) block: &'a mut Block,
     pub(crate) bodies: &'a Bodies,
@@ -138,12 +141,12 @@ impl<P: Primitives> Kernel for Collect<'_, P> {
     }
 }
 
-/// Builds the inner list of a block: its pairs that are within `reach`, and its own of some more.
+/// Builds the inner list of a block from the outer pairs within `reach` and from `more`.
 pub(crate) struct Filter<'a, P> {
     pub(crate) block: &'a mut Block,
     pub(crate) bodies: &'a Bodies,
     pub(crate) reach: f64,
-    /// In order, of all blocks.
+    /// Further pairs of all blocks, in order.
     pub(crate) more: &'a [Pair],
     pub(crate) primitives: PhantomData<P>,
 }
@@ -182,7 +185,7 @@ impl<P: Primitives> NullaryFnOnce for Filter<'_, P> {
     }
 }
 
-/// Appends the pairs that are near to `near`.
+/// Appends the pairs within the root of `squared` to `near`.
 #[inline(always)]
 fn keep_near<P: Primitives>(
     pairs: &[Pair],

@@ -1,16 +1,17 @@
-//! How long a list of pairs lasts, and what it costs: in nanoseconds on the machine of the book. Costs decide nothing
-//! but speed, and they are constants, so that a run repeats.
+//! The life of a list of pairs, and the costs of building and using it.
+//!
+//! Costs are in nanoseconds on the machine of the book. They affect only the speed, and they are
+//! constants, so that a run can be repeated exactly.
 
 use common::soft::CUTOFF;
 
 use crate::kernels::Primitives;
 
-/// How much further than the cutoff a list looked when it was built, and how far its particles may
-/// have gone since.
+/// The skin of a list, and how much of it the particles have used up since the list was built.
 pub struct Budget {
-    /// Every pair within the cutoff and the skin was listed.
+    /// The list contains every pair that was within the cutoff plus this length.
     pub skin: f64,
-    /// No particle that it was made for has gone further; infinite if there is no list.
+    /// The distance that no particle of the list has exceeded; infinite if there is no list.
     pub displacement: f64,
 }
 
@@ -21,7 +22,7 @@ impl Default for Budget {
 }
 
 impl Budget {
-    /// Of a list that is built now.
+    /// Returns the budget of a list that is built now.
     pub fn of(skin: f64) -> Self {
         Self { skin, displacement: 0.0 }
     }
@@ -32,9 +33,11 @@ impl Budget {
     }
 }
 
-/// Steps that the inner list should last of a list that looks `skin` beyond the cutoff, if a step
-/// takes no particle further than `displacement`; none if it is cheaper to look at all pairs at each
-/// step.
+/// Returns the number of steps that an inner list should last, or `None` if no inner list is
+/// cheaper.
+///
+/// The outer list looks `skin` beyond the cutoff, and no particle goes further than `displacement`
+/// in a step.
 pub fn lasting(skin: f64, displacement: f64) -> Option<f64> {
     let share = |steps: f64| {
         let reach = CUTOFF + 2.0 * (steps - 1.0) * displacement;
@@ -44,9 +47,9 @@ pub fn lasting(skin: f64, displacement: f64) -> Option<f64> {
     (share(steps) < 0.9).then_some(steps)
 }
 
-/// To sort a particle and to begin looking for its pairs.
+/// Cost of sorting a particle and of starting its search for pairs, in nanoseconds.
 pub const REBUILD: f64 = 16.0;
-/// To test a pair for the list.
+/// Cost of testing a pair for the list, in nanoseconds.
 pub const TESTED: f64 = 0.45;
-/// To look at an entry of the list in a step.
+/// Cost of reading an entry of the list in a step, in nanoseconds.
 pub const LISTED: f64 = 0.65;

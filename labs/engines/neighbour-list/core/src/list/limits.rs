@@ -1,4 +1,4 @@
-//! The speed limit that lists are made for, and when the inner list is rebuilt.
+//! The speed that lists are built for, and the times at which the inner list is rebuilt.
 
 use std::ops::Range;
 use workers::Workers;
@@ -9,32 +9,37 @@ use super::outliers::{Outlier, Outliers};
 use crate::kernels::Primitives;
 use crate::particles::{Bodies, Sample};
 
-/// Particles for each one that may be faster than a list allows.
+/// A new list may be too slow for one particle in this number of particles.
 const FEW: usize = 1000;
-/// Particles whose speed is looked at to find what is usual.
+/// Number of particles whose speeds are sampled.
 const SAMPLE: usize = 1024;
-/// Beyond n / MANY + A_FEW outliers of n particles, most particles have become faster: a new list should allow for
-/// their speed.
+/// With more than n / MANY + A_FEW outliers among n particles, a new list is cheaper.
+///
+/// Most particles have then become faster, and the new list allows for their speed.
 const MANY: usize = 50;
 const A_FEW: usize = 32;
-/// The most times too fast that a particle is expected to be. By a faster one the inner list expires
-/// at once: no list should be built for it.
+/// The greatest factor by which the fastest particle is expected to exceed the speed limit.
+///
+/// A faster particle makes the inner list expire at once; no list is built for such a speed.
 const MOST_OVER: f64 = 2.0;
-/// An inner list of m steps is used the first time before any particle has moved, so it has to last
-/// for m − 1 displacements, and for a fifth more where a particle is faster than expected.
+/// Displacements that an inner list saves: a list of m steps must last for m − BEGINNING.
+///
+/// The first step uses the list before any particle has moved, which saves one displacement. A
+/// fifth of it is kept for particles that are faster than expected.
 const BEGINNING: f64 = 0.8;
 
 /// The speed that lists are built for, and the outliers, which are faster.
 pub struct Limits {
-    /// The speed that the list allows.
+    /// The speed that a particle may have without being an outlier.
     usual: f64,
-    /// How far that takes a particle in a step.
+    /// The distance that a particle goes in a step at the speed `usual`.
     displacement: f64,
-    /// Steps that an inner list should last; none if there is no inner list.
+    /// Number of steps that an inner list should last; `None` if there is no inner list.
     steps: Option<f64>,
     inner: Budget,
     outliers: Outliers,
-    /// How many times as fast as allowed the fastest is in a step, on average.
+    /// Speed of the fastest particle as a multiple of the allowed speed, averaged over recent
+    /// steps.
     over: f64,
 }
 
@@ -52,9 +57,11 @@ impl Default for Limits {
 }
 
 impl Limits {
-    /// Decides for a new list which speed is usual and whether there is to be an inner list, and
-    /// returns the list's skin. If a step takes no particle further than `displacement`, then
-    /// `skin(displacement)` is best.
+    /// Chooses the usual speed for a new list and whether to use inner lists. Returns the list's
+    /// skin.
+    ///
+    /// `skin(displacement)` is the best skin if no particle goes further than `displacement` in a
+    /// step.
     pub fn renew(&mut self, bodies: &Bodies, dt: f64, size: f64, skin: impl Fn(f64) -> f64) -> f64 {
         self.outliers = Outliers::default();
         self.inner = Budget::default();
@@ -79,27 +86,27 @@ impl Limits {
         self.steps.is_some()
     }
 
-    /// Whether the inner list may lack a pair that touches.
+    /// Whether the inner list may lack a pair in contact.
     pub fn inner_has_expired<P: Primitives>(&self) -> bool {
         self.have_inner() && self.inner.has_expired::<P>()
     }
 
-    /// How far the usual particle goes in a step.
+    /// Returns the distance that a particle of the usual speed goes in a step.
     pub fn displacement(&self) -> f64 {
         self.displacement
     }
 
-    /// The particles that the lists are not built for.
+    /// Returns the particles that are too fast for the lists.
     pub fn outliers(&self) -> &Outliers {
         &self.outliers
     }
 
-    /// Whether a new list is cheaper, for the number of outliers among `n` particles.
+    /// Whether there are so many outliers among `n` particles that a new list is cheaper.
     pub fn are_outrun(&self, n: usize) -> bool {
         self.outliers.count() > n / MANY + A_FEW
     }
 
-    /// The speed limit of the particles in `range`.
+    /// Returns the speed limit for the particles in `range`.
     pub fn speed_limit(&self, range: &Range<usize>) -> SpeedLimit<'_> {
         SpeedLimit {
             usual: self.usual,
@@ -108,8 +115,9 @@ impl Limits {
         }
     }
 
-    /// Notes the particles in `range` that are faster than usual, when a list is new. Without an
-    /// inner list that does not matter.
+    /// Records in `fast` the particles in `range` that are faster than usual, when a list is new.
+    ///
+    /// Without an inner list there are no outliers, so nothing is recorded.
     pub fn note_fast(&self, bodies: &Bodies, range: Range<usize>, fast: &mut Fast) {
         fast.indices.clear();
         if self.have_inner() {
@@ -119,8 +127,9 @@ impl Limits {
         }
     }
 
-    /// Builds the inner list of `list`. The particles of `fast` were faster than usual and are outliers
-    /// from now on. Returns how many pairs were tested.
+    /// Builds the inner list of `list`. The particles in `fast` are outliers from now on.
+    ///
+    /// Returns the number of pairs that were tested.
     pub fn rebuild_inner<P: Primitives>(
         &mut self,
         list: &mut Neighbours<P>,
@@ -128,8 +137,9 @@ impl Limits {
         fast: impl Iterator<Item = u32>,
         workers: &Workers,
     ) -> u64 {
-        // Periods of equal length: the last inner list should not be built for a step or two.
-        // The first step of a list uses it before a particle has moved.
+        // The steps that are left are divided into equal periods, so that the last inner list is
+        // not built for a step or two. A list is first used before any particle has moved, so it
+        // has one step more.
         let left = 0.5 * list.budget.skin - list.budget.displacement;
         let steps_left = 1.0 + left / self.displacement;
         let periods = (steps_left / self.steps.unwrap_or(1.0)).round().max(1.0);
@@ -143,36 +153,39 @@ impl Limits {
         tested
     }
 
-    /// A step older, in which the fastest was `over` times as fast as allowed and positions were
-    /// rounded by `rounding`.
+    /// Ages both lists by a step.
+    ///
+    /// In this step the fastest particle went `over` times the allowed distance, and rounding moved
+    /// positions by at most `rounding`.
     pub fn age(&mut self, list: &mut Budget, over: f64, rounding: f64) {
         self.over += 0.2 * (over.min(MOST_OVER) - self.over);
-        // What outran the list will be an outlier.
+        // With an inner list, the particle that was too fast becomes an outlier and does not age
+        // the outer list.
         let outrun = if self.have_inner() { 1.0 } else { over };
         list.displacement += outrun * self.displacement + rounding;
         self.inner.displacement += over * self.displacement + rounding;
     }
 }
 
-/// Particles that are compared together; few are fast.
+/// Number of particles that are compared together. Few chunks contain a fast particle.
 const CHUNK: usize = 16;
 
-/// The speeds that a list allows consecutive particles.
+/// The speeds that a list allows for consecutive particles.
 #[derive(Clone, Copy)]
 pub struct SpeedLimit<'a> {
-    /// Of most particles.
+    /// The limit for all particles that are not outliers.
     pub usual: f64,
-    /// Whether it matters which particles are faster, and not only by how much.
+    /// Whether to record which particles are faster, and not only by what factor.
     pub noted: bool,
-    /// The outliers, in sorted order, which may be faster.
+    /// The outliers in sorted order, which have higher limits.
     pub outliers: &'a [Outlier],
 }
 
-/// The particles seen to be faster than usual that are no outliers yet.
+/// The particles that have exceeded the usual speed and are not outliers yet.
 pub struct Fast {
-    /// Their indices in the sorted order, perhaps more than once.
+    /// Their indices in the sorted order. An index may occur more than once.
     pub indices: Vec<u32>,
-    /// How many times as fast as allowed the worst of all was in the step, at least 1.
+    /// The greatest speed in the step as a multiple of the allowed speed, at least 1.
     pub over: f64,
 }
 
@@ -183,7 +196,7 @@ impl Default for Fast {
 }
 
 impl SpeedLimit<'_> {
-    /// Looks for the fast among particles with these velocities, the first at index `first`.
+    /// Records the fast particles among those with these velocities; the first has index `first`.
     #[inline(always)]
     pub fn watch(&self, first: usize, vx: &[f64], vy: &[f64], fast: &mut Fast) {
         for (k, (vx, vy)) in vx.chunks(CHUNK).zip(vy.chunks(CHUNK)).enumerate() {
@@ -197,7 +210,7 @@ impl SpeedLimit<'_> {
         }
     }
 
-    /// Notes the particles that are faster than usual and no outliers yet.
+    /// Records the particles of a chunk that are faster than usual and not outliers yet.
     #[inline(never)]
     fn note(&self, first: usize, vx: &[f64], vy: &[f64], fast: &mut Fast) {
         for (k, (vx, vy)) in vx.iter().zip(vy).enumerate() {

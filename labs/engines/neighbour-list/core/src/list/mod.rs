@@ -1,4 +1,12 @@
-//! The neighbour list: which particles might touch until the next rebuild.
+//! The neighbour list: the pairs that may touch before the next rebuild.
+//!
+//! ```text
+//! outer list     pairs within cutoff + skin, rebuilt with each sort             Neighbours, Block
+//! inner list     pairs within a smaller reach, rebuilt from the outer list      Limits, Budget
+//!                every few steps
+//! outliers       particles too fast for the lists; their pairs are searched     Outliers
+//!                whenever the inner list is rebuilt
+//! ```
 
 mod block;
 mod budget;

@@ -1,4 +1,4 @@
-//! A neighbour list that is kept from one rebuild to the next.
+//! The neighbour list, with the memory that it keeps from one rebuild to the next.
 
 use std::f64::consts::PI;
 use std::marker::PhantomData;
@@ -14,38 +14,41 @@ use crate::kernels::{Pair, Primitives, dispatch};
 use crate::particles::Bodies;
 use crate::threads::{LEAST, pieces};
 
-/// Most blocks.
+/// Greatest number of blocks.
 const BLOCKS: usize = 16;
 
-/// The pairs that may come near each other until the list has expired.
+/// The pairs that may come within the cutoff before the list expires.
 #[derive(Default)]
 pub struct Neighbours<P> {
     sorter: Sorter,
-    /// Where the particles were when the list was built.
+    /// The cells of the particles when the list was built.
     pub cells: Option<Cells>,
-    /// The pairs, band by band of the sorted particles.
+    /// The pairs, block by block of the sorted particles.
     pub blocks: Vec<Block>,
-    /// What is left of its skin.
+    /// The skin, and how much of it is used up.
     pub budget: Budget,
-    /// What rounding may add to a distance.
+    /// The greatest amount by which rounding changes a distance.
     rounding: f64,
     primitives: PhantomData<P>,
 }
 
 impl<P: Primitives> Neighbours<P> {
-    /// The particles as they were before the last sort, whose memory the next one will use.
+    /// Returns the particles in their order before the last sort, in the memory that the next sort
+    /// will use.
     pub fn unsorted(&mut self) -> &mut Bodies {
         &mut self.sorter.spare
     }
 
-    /// Forgets the list: other particles, or another order.
+    /// Forgets the list, because the particles or their order have changed.
     pub fn forget(&mut self) {
         self.blocks.clear();
         self.budget = Budget::default();
     }
 
-    /// The skin that makes a step cheapest in which a particle goes `displacement`, by the last
-    /// list if there is one.
+    /// Returns the skin that makes a step cheapest in which particles go `displacement`.
+    ///
+    /// The density is estimated from the last list, or from the extent of the particles if there is
+    /// no list.
     pub fn cheapest_skin(&self, bodies: &Bodies, displacement: f64) -> f64 {
         if self.blocks.is_empty() {
             let extent = Extent::of(bodies);
@@ -55,14 +58,16 @@ impl<P: Primitives> Neighbours<P> {
         P::best_skin(self.density(bodies.len()), displacement)
     }
 
-    /// Particles per area around a particle, of `n`, by the list.
+    /// Returns the number of particles per area around a particle, according to the list of `n`
+    /// particles.
     pub fn density(&self, n: usize) -> f64 {
         let reach = CUTOFF + self.budget.skin;
         self.per_particle(n) / (PI * reach * reach)
     }
 
-    /// Sorts `bodies`, in a box of side `size`, and lists all pairs within the cutoff and `skin`.
-    /// Returns how many pairs were tested.
+    /// Sorts `bodies`, in a box of side `size`, and lists all pairs within the cutoff plus `skin`.
+    ///
+    /// Returns the number of pairs that were tested.
     pub fn rebuild(&mut self, bodies: &mut Bodies, skin: f64, size: f64, workers: &Workers) -> u64 {
         self.rounding = 1e-15 * size;
         let reach = self.reach(skin);
@@ -88,14 +93,18 @@ impl<P: Primitives> Neighbours<P> {
         });
     }
 
-    /// How far to look for a pair that may touch when it is closer by `skin`. Positions are
-    /// rounded; a list must not miss a pair for that.
+    /// Returns the distance within which pairs are listed, for this `skin`.
+    ///
+    /// It is slightly more than the cutoff plus `skin`, because rounded positions must not hide a
+    /// pair.
     pub fn reach(&self, skin: f64) -> f64 {
         (CUTOFF + skin) * (1.0 + 1e-9) + self.rounding
     }
 
-    /// Builds the inner list: the pairs within the cutoff and `skin`, and `more`, in order. Returns how
-    /// many pairs were tested.
+    /// Builds the inner list: the pairs within the cutoff plus `skin`, and `more`, which is in
+    /// order.
+    ///
+    /// Returns the number of pairs that were tested.
     pub fn rebuild_inner(
         &mut self,
         skin: f64,
@@ -112,12 +121,12 @@ impl<P: Primitives> Neighbours<P> {
         self.pairs() as u64
     }
 
-    /// How many pairs are listed.
+    /// Returns the number of listed pairs.
     pub fn pairs(&self) -> usize {
         self.blocks.iter().map(|block| block.outer.len()).sum()
     }
 
-    /// Neighbours within the cutoff and the skin per particle, of `n`.
+    /// Returns the mean number of listed neighbours of a particle, for `n` particles.
     pub fn per_particle(&self, n: usize) -> f64 {
         2.0 * self.pairs() as f64 / n as f64
     }

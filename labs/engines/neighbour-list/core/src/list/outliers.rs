@@ -1,8 +1,16 @@
-//! Particles that are too fast for a list.
+//! Outliers: the few particles that are too fast for a list.
 //!
-//! By the fastest of all a list would expire for all, and of a hundred thousand particles it is half
-//! as fast again as all but a hundred. So the list is made for most particles, and the pairs of the
-//! outliers are looked for whenever an inner list is built.
+//! A list that allows for the fastest particle would expire early for all particles. Among 100,000
+//! particles the fastest is half as fast again as all but a hundred. So the list is built for the
+//! usual speed. In the time in which a usual particle goes at most d, an outlier goes at most ratio
+//! · d:
+//!
+//! ```text
+//! usual ●─▶   ◀─● usual        in the inner list if closer than cutoff + d + d
+//! usual ●─▶   ◀────● outlier   found by `Outliers::pairs` if closer than cutoff + d + ratio · d
+//! ```
+//!
+//! The pairs of outliers are searched whenever an inner list is built.
 
 use std::ops::Range;
 use workers::Workers;
@@ -12,55 +20,57 @@ use crate::kernels::{Pair, Primitives};
 use crate::particles::Bodies;
 use crate::threads::pieces;
 
-/// Outliers whose pairs are looked for one after another.
+/// Number of outliers whose pairs are searched one after another by a thread.
 const SOME: usize = 32;
 
-/// A particle that was once faster than its list allows.
+/// A particle that has exceeded the speed of its list.
 #[derive(Clone, Copy)]
 pub struct Outlier {
-    /// Its index in the sorted order.
+    /// The particle's index in the sorted order.
     pub index: u32,
     x: f64,
     y: f64,
-    /// How many times faster than usual it may be while the inner list lasts.
+    /// The particle's speed limit while the inner list lasts, as a multiple of the usual speed.
     pub ratio: f64,
 }
 
-/// All of them, in sorted order.
+/// All outliers, in sorted order.
 #[derive(Default)]
 pub struct Outliers {
     all: Vec<Outlier>,
 }
 
 impl Outliers {
-    /// How many there are.
+    /// Returns the number of outliers.
     pub fn count(&self) -> usize {
         self.all.len()
     }
 
-    /// Their indices.
+    /// Returns the indices of the outliers.
     pub fn indices(&self) -> impl Iterator<Item = u32> {
         self.all.iter().map(|outlier| outlier.index)
     }
 
-    /// How many times faster than usual any of them may be, at least 1.
+    /// Returns the greatest speed limit of an outlier as a multiple of the usual speed, at least 1.
     pub fn fastest(&self) -> f64 {
         self.all.iter().fold(1.0, |most, outlier| most.max(outlier.ratio))
     }
 
-    /// The outliers with indices in `range`.
+    /// Returns the outliers with indices in `range`.
     pub fn among(&self, range: &Range<usize>) -> &[Outlier] {
         let before = |end| self.all.partition_point(|outlier| (outlier.index as usize) < end);
         &self.all[before(range.start)..before(range.end)]
     }
 
-    /// Adds `new` ones, and sees where all are and how much faster than `usual`. Until they
-    /// [`leave`](Outliers::leave) no search finds them: their x is no number.
+    /// Adds the particles `new`, and records the position and the speed limit of every outlier.
+    ///
+    /// Until they [`leave`](Outliers::leave), a search for usual particles does not find outliers:
+    /// x of each is NaN.
     pub fn enter(&mut self, new: impl Iterator<Item = u32>, usual: f64, bodies: &mut Bodies) {
         let before = self.all.len();
         self.all.extend(new.map(|index| Outlier { index, x: 0.0, y: 0.0, ratio: 1.0 }));
         if self.all.len() > before {
-            // Earlier outliers are in order.
+            // The earlier outliers are in order already.
             self.all.sort_by_key(|outlier| outlier.index);
             self.all.dedup_by_key(|outlier| outlier.index);
         }
@@ -75,15 +85,17 @@ impl Outliers {
         }
     }
 
-    /// Gives them their positions back.
+    /// Restores the positions of the outliers in `bodies`.
     pub fn leave(&self, bodies: &mut Bodies) {
         for outlier in &self.all {
             bodies.x[outlier.index as usize] = outlier.x;
         }
     }
 
-    /// All pairs with an outlier that may touch before the usual particle has gone `displacement`,
-    /// in order, and how many were looked at.
+    /// Returns the pairs with an outlier that may touch before a usual particle has gone
+    /// `displacement`.
+    ///
+    /// The pairs are in order. The second value is the number of pairs that were tested.
     pub fn pairs<P: Primitives>(
         &self,
         bodies: &Bodies,
@@ -95,7 +107,8 @@ impl Outliers {
             let Outlier { index, x, y, ratio } = *outlier;
             Disc { x, y, radius: 0.5 * list.reach(2.0 * ratio * displacement), index }
         };
-        // Pairs of two outliers, and piece by piece pairs of an outlier and a usual particle.
+        // One piece of work is the pairs of two outliers. Each other piece is some outliers with
+        // usual particles.
         let some = self.all.chunks(pieces(self.all.len(), SOME, 64)).map(Some);
         let found = workers.map(std::iter::once(None).chain(some).collect(), |some| {
             let Some(some): Option<&[Outlier]> = some else {
@@ -114,7 +127,7 @@ impl Outliers {
 }
 
 impl Outlier {
-    /// Its pairs with usual particles.
+    /// Finds the outlier's pairs with usual particles.
     fn look_around<P: Primitives>(
         &self,
         bodies: &Bodies,
@@ -125,7 +138,7 @@ impl Outlier {
         let Some(cells) = &list.cells else { return };
         let Outlier { index, x, y, ratio } = *self;
         let reach = list.reach(displacement + ratio * displacement);
-        // The cells know where a particle was when the list was built.
+        // The cells are those of the positions at which the list was built.
         let pad = reach + list.budget.displacement;
         let mut rows = cells.rows_of(&[x - pad, x + pad, y - pad, y + pad]);
         while let Some(range) = rows.next(cells) {
@@ -144,26 +157,28 @@ impl Outlier {
 /// A disc around a particle.
 #[derive(Clone, Copy)]
 pub struct Disc {
-    /// Its centre along x.
+    /// Centre along x.
     pub x: f64,
-    /// Its centre along y.
+    /// Centre along y.
     pub y: f64,
-    /// Its radius.
+    /// Radius.
     pub radius: f64,
-    /// The particle.
+    /// The particle's index.
     pub index: u32,
 }
 
 impl Disc {
-    /// The least x of the disc.
+    /// Returns the least x of the disc.
     fn left(&self) -> f64 {
         self.x - self.radius
     }
 }
 
-/// The pairs of `discs` that overlap, the lower index first, and how many pairs were looked at.
+/// Returns the pairs of `discs` that overlap, and the number of pairs that were tested.
 ///
-/// Along x a disc can only overlap discs that begin before it ends.
+/// A pair has the lower index first.
+///
+/// Along x a disc can overlap only the discs that begin before it ends.
 pub fn overlapping(mut discs: Vec<Disc>) -> (Vec<[u32; 2]>, u64) {
     discs.sort_unstable_by(|a, b| a.left().total_cmp(&b.left()).then(a.index.cmp(&b.index)));
     let mut found = Vec::new();

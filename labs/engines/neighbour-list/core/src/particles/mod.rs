@@ -8,8 +8,10 @@ pub use moving::Moving;
 
 use crate::kernels::{EIGHT, Positions, larger};
 
-/// Particles, one array for each of their numbers, so that eight neighbours in memory fill a
-/// vector register and a loop touches only what it needs.
+/// Particles with one array for each quantity.
+///
+/// Eight neighbours in memory thus fill a vector register, and a loop reads only the quantities
+/// that it needs.
 #[derive(Clone, Debug, Default)]
 pub struct Bodies {
     /// Positions along x.
@@ -20,12 +22,12 @@ pub struct Bodies {
     pub vx: Vec<f64>,
     /// Velocities along y.
     pub vy: Vec<f64>,
-    /// Their numbers in the scene.
+    /// The particles' numbers in the scene.
     pub id: Vec<u32>,
 }
 
 impl Bodies {
-    /// The particles of a scene in id order.
+    /// Returns the particles of a scene, in id order.
     pub fn of(scene: &Scene) -> Self {
         let mut bodies = Self::default();
         for particle in scene.particles() {
@@ -34,12 +36,12 @@ impl Bodies {
         bodies
     }
 
-    /// How many there are.
+    /// Returns the number of particles.
     pub fn len(&self) -> usize {
         self.x.len()
     }
 
-    /// Whether there is none.
+    /// Whether there are no particles.
     pub fn is_empty(&self) -> bool {
         self.x.is_empty()
     }
@@ -53,7 +55,7 @@ impl Bodies {
         self.id.push(particle.id);
     }
 
-    /// Takes particle number `i` of the arrays away; the last one fills its index.
+    /// Removes the particle at index `i`. The last particle takes its index.
     pub fn swap_remove(&mut self, i: usize) -> Particle {
         Particle {
             x: self.x.swap_remove(i),
@@ -64,13 +66,13 @@ impl Bodies {
         }
     }
 
-    /// Particle number `i` of the arrays.
+    /// Returns the particle at index `i`.
     #[inline]
     pub fn get(&self, i: usize) -> Particle {
         Particle { x: self.x[i], y: self.y[i], vx: self.vx[i], vy: self.vy[i], id: self.id[i] }
     }
 
-    /// Replaces particle number `i` of the arrays.
+    /// Replaces the particle at index `i`.
     #[inline]
     pub fn set(&mut self, i: usize, particle: Particle) {
         self.x[i] = particle.x;
@@ -80,7 +82,7 @@ impl Bodies {
         self.id[i] = particle.id;
     }
 
-    /// The greatest speed of all.
+    /// Returns the greatest speed.
     #[inline]
     pub fn fastest(&self) -> f64 {
         let mut fastest = [0.0; EIGHT];
@@ -92,13 +94,13 @@ impl Bodies {
         fastest.into_iter().fold(0.0, f64::max).sqrt()
     }
 
-    /// The positions of all of them.
+    /// Returns all positions.
     #[inline(always)]
     pub fn positions(&self) -> Positions<'_> {
         Positions { x: &self.x, y: &self.y, first: 0 }
     }
 
-    /// All of them, to be moved.
+    /// Returns all particles, so that they can be moved.
     #[inline(always)]
     pub fn moving(&mut self) -> Moving<'_> {
         Moving {
@@ -110,7 +112,7 @@ impl Bodies {
         }
     }
 
-    /// Splits the particles at `ends`, which ascend to the number of particles.
+    /// Splits the particles at `ends`, which ascend and end with the number of particles.
     pub fn split(&mut self, ends: &[usize]) -> Vec<Moving<'_>> {
         let mut rest = self.moving();
         let mut pieces = Vec::with_capacity(ends.len());
@@ -122,7 +124,7 @@ impl Bodies {
         pieces
     }
 
-    /// Makes room for exactly `n` particles; new ones are zero.
+    /// Changes the number of particles to `n`. New particles are zero.
     pub fn resize(&mut self, n: usize) {
         for array in [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy] {
             make_room(array, n);
@@ -141,8 +143,9 @@ impl Bodies {
     }
 }
 
-/// Gives an array `n` entries; new ones are zero. Its first memory comes from the system, which has
-/// cleared it: that is not written before it is used.
+/// Changes the length of an array to `n`. New elements are zero.
+///
+/// The first memory comes from the system as zeros, so it is not written before it is used.
 pub(crate) fn make_room<T: Copy + Default>(array: &mut Vec<T>, n: usize) {
     if array.capacity() == 0 {
         *array = vec![T::default(); n];
@@ -151,25 +154,25 @@ pub(crate) fn make_room<T: Copy + Default>(array: &mut Vec<T>, n: usize) {
     }
 }
 
-/// The speeds of some of the particles.
+/// A sample of the particles' speeds.
 pub struct Sample {
     speeds: Vec<f64>,
 }
 
 impl Sample {
-    /// Of at most `most` particles, evenly spread over the arrays.
+    /// Samples at most `most` particles, evenly spread over the arrays.
     pub fn of(bodies: &Bodies, most: usize) -> Self {
         let n = bodies.len();
         let speed = |i: usize| (bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]).sqrt();
         Self { speeds: (0..n).step_by(n.div_ceil(most)).map(speed).collect() }
     }
 
-    /// The mean.
+    /// Returns the mean speed.
     pub fn mean(&self) -> f64 {
         self.speeds.iter().sum::<f64>() / self.speeds.len() as f64
     }
 
-    /// What all but one in `many` stay below.
+    /// Returns the speed that only one particle in `many` exceeds.
     pub fn all_but_one_in(&mut self, many: usize) -> f64 {
         let k = self.speeds.len() - 1 - self.speeds.len() / many;
         *self.speeds.select_nth_unstable_by(k, f64::total_cmp).1

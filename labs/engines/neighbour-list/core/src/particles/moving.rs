@@ -1,4 +1,4 @@
-//! Particles that are moved.
+//! Particles that a thread may move.
 
 use std::ops::Range;
 
@@ -17,12 +17,12 @@ pub struct Moving<'a> {
     pub vx: &'a mut [f64],
     /// Velocities along y.
     pub vy: &'a mut [f64],
-    /// Their numbers in the scene.
+    /// The particles' numbers in the scene.
     pub id: &'a mut [u32],
 }
 
 impl<'a> Moving<'a> {
-    /// The particles in `range`.
+    /// Returns the particles in `range`.
     #[inline(always)]
     pub fn part(&mut self, range: Range<usize>) -> Moving<'_> {
         Moving {
@@ -34,7 +34,7 @@ impl<'a> Moving<'a> {
         }
     }
 
-    /// Takes the first `len` particles away, and returns them.
+    /// Removes the first `len` particles and returns them.
     pub fn split_off(&mut self, len: usize) -> Moving<'a> {
         Moving {
             x: split_off(&mut self.x, len),
@@ -45,7 +45,7 @@ impl<'a> Moving<'a> {
         }
     }
 
-    /// Moves all by `dt`, under the accelerations (`ax`, `ay`), in a box of side `size`.
+    /// Moves the particles by `dt` under the accelerations (`ax`, `ay`), in a box of side `size`.
     #[inline(always)]
     pub fn advance<P: Primitives>(&mut self, ax: &[f64], ay: &[f64], dt: f64, size: f64) {
         advance_along::<P>(self.x, self.vx, ax, dt, size);
@@ -57,10 +57,10 @@ fn split_off<'a, T>(slice: &mut &'a mut [T], len: usize) -> &'a mut [T] {
     slice.split_off_mut(..len).expect("there are as many")
 }
 
-/// Particles whose walls are tested together.
+/// Number of particles that are tested together for having left the box.
 const CHUNK: usize = 64;
 
-/// Moves one coordinate, and reflects what left the box.
+/// Moves one coordinate, and reflects the particles that have left the box.
 #[inline(always)]
 fn advance_along<P: Primitives>(x: &mut [f64], v: &mut [f64], a: &[f64], dt: f64, size: f64) {
     for ((x, v), a) in x.chunks_mut(CHUNK).zip(v.chunks_mut(CHUNK)).zip(a.chunks(CHUNK)) {

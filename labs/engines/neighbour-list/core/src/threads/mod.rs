@@ -1,12 +1,16 @@
-//! Work that is the same on any number of threads: it is cut into pieces by the scene, never by the number of threads.
+//! Threads, and work that gives the same result on any number of them.
+//!
+//! The work is divided into pieces by the scene, never by the number of threads.
 
 use workers::Workers;
 
-/// The fewest particles that pay for a thread. With fewer, waking the thread takes longer than its work. Measured on the
-/// machine of the book.
+/// The least number of particles for which another thread pays, measured on the machine of the
+/// book.
+///
+/// With fewer particles, waking the thread takes longer than its work.
 pub const LEAST: usize = 2000;
 
-/// The threads of an engine, as many as pay for the particles of a scene.
+/// The threads of an engine: as many as pay for the particles of the scene.
 #[derive(Clone, Default)]
 pub struct Crew {
     most: usize,
@@ -15,21 +19,25 @@ pub struct Crew {
 }
 
 impl From<Workers> for Crew {
-    /// These threads, or fewer for fewer particles.
+    /// Uses these threads, or fewer if there are fewer particles than threads.
     fn from(workers: Workers) -> Self {
         Self { most: workers.count(), share: 1, workers }
     }
 }
 
 impl Crew {
-    /// `most` threads or fewer: as many as have `share` particles each. It is the caller alone until
-    /// the particles are counted, by [`engage`](Self::engage).
+    /// Makes a crew of at most `most` threads, so few that each has at least `share` particles.
+    ///
+    /// The caller works alone until [`engage`](Self::engage) is called with the number of
+    /// particles.
     pub fn sharing(most: usize, share: usize) -> Self {
         Self { most, share, workers: Workers::One }
     }
 
-    /// Takes as many threads as pay for `n` particles. If the machine refuses to start them, the caller works alone:
-    /// slower, with the same result.
+    /// Starts as many threads as pay for `n` particles.
+    ///
+    /// If the system refuses to start them, the caller works alone: more slowly, with the same
+    /// result.
     pub fn engage(&mut self, n: usize) {
         let threads = self.most.min(n / self.share.max(1)).max(1);
         if threads != self.workers.count() {
@@ -37,25 +45,27 @@ impl Crew {
         }
     }
 
-    /// The threads that are engaged.
+    /// Returns the threads that have been started.
     pub fn workers(&self) -> &Workers {
         &self.workers
     }
 
-    /// The greatest number of threads.
+    /// Returns the greatest number of threads.
     pub fn most(&self) -> usize {
         self.most
     }
 }
 
-/// How long pieces of `n` things are, if they should be at least `target` long and no more than
-/// `most`. A power of two of them, all alike: then two or four threads have equally many.
+/// Returns the length of pieces into which `n` items are divided.
+///
+/// Pieces are at least `target` long if there are as many items, and there are at most `most`
+/// pieces. Their number is a power of two, so that two or four threads get equal work.
 pub fn pieces(n: usize, target: usize, most: usize) -> usize {
     let most = (n / target).clamp(1, most);
     n.div_ceil(1 << most.ilog2()).max(1)
 }
 
-/// Cuts a slice at `ends`, ascending and ending with the slice's length.
+/// Cuts a slice at `ends`, which ascend and end with the slice's length.
 pub fn cut<'a, T>(slice: &'a mut [T], ends: &[usize]) -> Vec<&'a mut [T]> {
     let mut rest = slice;
     let mut pieces = Vec::with_capacity(ends.len());

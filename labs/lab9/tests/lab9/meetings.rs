@@ -1,0 +1,137 @@
+//! Questions about the numbers that a workgroup shares: does a barrier lie between any two accesses of different
+//! invocations to one of them, if one access writes?
+//!
+//! A device may run invocations in an order in which a missing barrier does no harm. So the shared numbers are
+//! replaced by numbers that remember who has read and written them since the last barrier.
+
+use device::{Gpu, Kernel, Launch, Launcher, Readback, Work};
+use device_discs::soft::SoftKernels;
+use lab9::Lab9;
+use oracle::{Ask, Random};
+
+use super::adapter::adapter;
+
+/// The barriers that are counted, more than a right program needs.
+const MEETINGS: u32 = 64;
+
+/// How a conflict is told: the barriers met before it, times this, and the number in question.
+const PLACES: u32 = 1 << 16;
+
+/// What an invocation does to a number is noted as barriers times 65,536 plus its own number, so that the greatest
+/// note is of the present. Of two notes, one for the first invocation and one for the last, at least one is
+/// another invocation's if there is such.
+const WATCHED: &str = "
+@group(0) @binding(2) var<storage, read_write> conflict: atomic<u32>;
+@group(0) @binding(3) var<storage, read_write> meetings: array<atomic<u32>>;
+
+var<private> own: u32;
+var<private> now: u32 = 1u;
+
+var<workgroup> numbers: array<atomic<u32>, THREADS>;
+var<workgroup> first_reader: array<atomic<u32>, THREADS>;
+var<workgroup> last_reader: array<atomic<u32>, THREADS>;
+var<workgroup> first_writer: array<atomic<u32>, THREADS>;
+var<workgroup> last_writer: array<atomic<u32>, THREADS>;
+
+fn as_first() -> u32 {
+    return now * 65536u + 65535u - own;
+}
+
+fn as_last() -> u32 {
+    return now * 65536u + own;
+}
+
+fn look(k: u32, first: u32, last: u32) {
+    let is_another = (first / 65536u == now && first != as_first()) || (last / 65536u == now && last != as_last());
+    if is_another {
+        atomicMin(&conflict, now * 65536u + k);
+    }
+}
+
+fn put(k: u32, number: u32) {
+    atomicMax(&first_writer[k], as_first());
+    atomicMax(&last_writer[k], as_last());
+    look(k, atomicLoad(&first_writer[k]), atomicLoad(&last_writer[k]));
+    look(k, atomicLoad(&first_reader[k]), atomicLoad(&last_reader[k]));
+    atomicStore(&numbers[k], number);
+}
+
+fn fetch(k: u32) -> u32 {
+    atomicMax(&first_reader[k], as_first());
+    atomicMax(&last_reader[k], as_last());
+    look(k, atomicLoad(&first_writer[k]), atomicLoad(&last_writer[k]));
+    return atomicLoad(&numbers[k]);
+}
+
+fn meet() {
+    atomicAdd(&meetings[min(now, arrayLength(&meetings)) - 1u], 1u);
+    workgroupBarrier();
+    now++;
+}
+";
+
+pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
+    let Some(gpu) = adapter("9.6") else { return };
+    assert!(
+        !Lab9::scan().contains("Barrier("),
+        "task 9.6: call meet() instead of a barrier of WGSL: this test looks at what happens between two meetings"
+    );
+    for threads in [2, 3, 8, 64, 96] {
+        // The last of three workgroups is nearly empty.
+        let n = 2 * threads + 1;
+        let question = format!(
+            "{n} numbers, workgroups of {threads}: the first conflict, as barriers met before it times {PLACES} plus the \
+             shared number, or -1; then for each barrier how many invocations have met it"
+        );
+        let found = || watched(gpu, n, threads);
+        ask.judge(&question, found, |found| verdict(found, threads));
+    }
+}
+
+/// The first conflict, or -1, and how many invocations of three workgroups have come to each barrier.
+fn watched(gpu: &Gpu, n: u32, threads: u32) -> Vec<f64> {
+    let sources = [Lab9::scan(), WATCHED];
+    let kernel = Lab9::checked(gpu, "scan_blocks", || {
+        Kernel::new(gpu, "scan_blocks", &sources, threads, &[])
+    });
+    let kernel = kernel.unwrap_or_else(|error| panic!("{error}"));
+    let buffer = |numbers: &[u32]| {
+        let buffer = gpu.storage("the test's memory", 4 * numbers.len() as u64);
+        let buffer = buffer.expect("there is memory");
+        gpu.upload(&buffer, numbers);
+        buffer
+    };
+    let values = buffer(&vec![1; n as usize]);
+    let sums = buffer(&[0; 3]);
+    let conflict = buffer(&[u32::MAX]);
+    let meetings = buffer(&[0; MEETINGS as usize]);
+    let buffers = [(0, &values), (1, &sums), (2, &conflict), (3, &meetings)];
+    let mut work = Work::new(gpu, None);
+    work.launch(&kernel.bind(gpu, &buffers), Launch { groups: [3, 1], threads });
+    let all = [(&conflict, 0..1), (&meetings, 0..u64::from(MEETINGS))];
+    let [conflict, met] = Readback::default().read::<u32, 2>(gpu, work, all);
+    let conflict = if conflict[0] == u32::MAX { -1.0 } else { f64::from(conflict[0]) };
+    [conflict].into_iter().chain(met.iter().map(|met| f64::from(*met))).collect()
+}
+
+fn verdict(found: &[f64], threads: u32) -> Result<(), String> {
+    let Some((conflict, met)) = found.split_first() else {
+        return Err("there is no answer".into());
+    };
+    let all = f64::from(3 * threads);
+    if let Some(k) = met.iter().position(|met| *met != 0.0 && *met != all) {
+        return Err(format!(
+            "meet() number {} is met by {} of {all} invocations: all invocations must come to each meet()",
+            k + 1,
+            met[k]
+        ));
+    }
+    if *conflict < 0.0 {
+        return Ok(());
+    }
+    let (before, number) = (*conflict as u32 / PLACES - 1, *conflict as u32 % PLACES);
+    Err(format!(
+        "after {before} calls of meet(), shared number {number} is written by one invocation and read or written by another \
+         without a meet() in between"
+    ))
+}

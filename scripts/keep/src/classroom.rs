@@ -1,0 +1,118 @@
+//! `cargo lab classroom`: a lab's tasks as the declarative tests of Classroom 50.
+//!
+//! Their form is documented in <https://github.com/foundation50/classroom50/wiki/Autograding-Basics>. Each task is a
+//! test of its own with the points of its `lab.toml`, and passes if `cargo lab test` passes for the task.
+
+use std::process::ExitCode;
+
+use anyhow::{Result, ensure};
+use clap::Args;
+use serde_json::{Value, json};
+
+use lab_kit::{Facts, Kit, Lab, rubric};
+
+/// Print the tests of a lab for Classroom 50 (for instructors)
+///
+/// Save them in a file, and name the file when you add the assignment: gh teacher assignment add … --tests FILE.
+/// The assignment's template is a class's kit, which 'cargo lab handout' writes.
+#[derive(Args)]
+pub struct Options {
+    /// The lab, such as 3
+    lab: Lab,
+}
+
+/// Seconds for installing what a lab needs and for the first build: the longest time that Classroom 50 allows.
+const BUILD: u64 = 600;
+
+/// Seconds for the tests of a task. Each test that hangs is ended much sooner.
+const TASK: u64 = 300;
+
+/// Prints them.
+///
+/// # Errors
+/// There is no such lab, or a task's points are not whole.
+pub fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
+    let tests = tests(options.lab, &rubric::read(kit, options.lab)?)?;
+    println!("{}", serde_json::to_string_pretty(&tests)?);
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The tests of a lab: first the set-up, which is worth nothing, then the tasks.
+fn tests(lab: Lab, facts: &Facts) -> Result<Vec<Value>> {
+    let workers = serde_json::to_value(facts.workers)?;
+    let workers = workers.as_str().unwrap_or_default();
+    let build = format!("cargo test --locked --no-run --package lab{lab} --test lab{lab}");
+    let mut tests = vec![json!({
+        "name": "setup", "type": "run", "timeout": BUILD, "points": 0,
+        "run": format!("scripts/setup.sh --for {workers} && {build}"),
+    })];
+    for (id, task) in &facts.tasks {
+        let points = task.points;
+        ensure!(
+            points.fract() == 0.0,
+            "task {id} has {points} points; Classroom 50 takes whole numbers"
+        );
+        tests.push(json!({
+            "name": format!("Task {id}: {}", task.title), "type": "run", "timeout": TASK,
+            "points": points as u64, "run": format!("cargo lab test {id}"),
+        }));
+    }
+    // The facts are sorted as text, 3.10 before 3.2.
+    tests[1..].sort_by_key(|test| number(&test["run"]));
+    Ok(tests)
+}
+
+/// 10 of `cargo lab test 3.10`.
+fn number(command: &Value) -> Option<u32> {
+    command.as_str()?.rsplit_once('.')?.1.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::tests;
+    use lab_kit::{Kit, rubric};
+
+    const KEYS: [&str; 5] = ["name", "points", "run", "timeout", "type"];
+
+    /// What is documented: at most 100 tests, unique names of at most 100 bytes, 1 to 600 seconds, 0 to 1000 points.
+    #[test]
+    fn the_tests_of_every_lab_have_the_documented_form() {
+        let kit = Kit::find().unwrap();
+        for lab in kit.solutions() {
+            let facts = rubric::read(&kit, lab).unwrap();
+            let tests = tests(lab, &facts).unwrap();
+            let names: BTreeSet<&str> =
+                tests.iter().map(|test| test["name"].as_str().unwrap()).collect();
+            assert_eq!(names.len(), tests.len(), "names are unique");
+            assert!(tests.len() <= 100 && tests[0]["name"] == "setup" && tests[0]["points"] == 0);
+            assert!(names.iter().all(|name| name.len() <= 100 && !name.contains(char::is_control)));
+            for test in &tests {
+                assert!(
+                    test.as_object().unwrap().keys().all(|key| KEYS.contains(&&**key)),
+                    "{test}"
+                );
+                assert!(test["type"] == "run" && !test["run"].as_str().unwrap().is_empty());
+                assert!((1..=600).contains(&test["timeout"].as_u64().unwrap()), "{test}");
+            }
+            let points: u64 = tests.iter().map(|test| test["points"].as_u64().unwrap()).sum();
+            let of_tasks: f64 = facts.tasks.values().map(|task| task.points).sum();
+            assert_eq!(points as f64, of_tasks, "lab {lab}");
+        }
+    }
+
+    #[test]
+    fn tasks_come_in_their_order_after_the_set_up() {
+        let kit = Kit::find().unwrap();
+        let lab = "5".parse().unwrap();
+        let tests = tests(lab, &rubric::read(&kit, lab).unwrap()).unwrap();
+        let set_up = "scripts/setup.sh --for ranks && cargo test --locked --no-run --package lab5 --test lab5";
+        assert_eq!(tests[0]["run"], set_up);
+        assert_eq!(tests[1]["run"], "cargo lab test 5.1");
+        assert!(tests[1]["name"].as_str().unwrap().starts_with("Task 5.1: "));
+        let lab = "3".parse().unwrap();
+        let last = super::tests(lab, &rubric::read(&kit, lab).unwrap()).unwrap().pop().unwrap();
+        assert_eq!(last["run"], "cargo lab test 3.12");
+    }
+}
