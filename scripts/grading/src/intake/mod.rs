@@ -110,7 +110,12 @@ pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     if !known_wrong.is_empty() {
         return Ok(known_wrong);
     }
-    if !path.is_dir() || own_solutions(kit, path) {
+    if !path.is_dir() {
+        let unlike = "is neither a folder nor an archive (.tar.gz, .tgz, .tar, .zip)";
+        ensure!(unpacker(path).is_some(), "{} {unlike}", path.display());
+        return Ok(vec![path.to_owned()]);
+    }
+    if own_solutions(kit, path) {
         return Ok(vec![path.to_owned()]);
     }
     let (found, hidden) = listed(path)?;

@@ -220,6 +220,17 @@ fn archives_beside_a_folder_labs_are_not_passed_over() {
 }
 
 #[test]
+fn a_file_that_is_no_archive_is_refused_before_anything_is_built() {
+    let (class, kit) = (tempfile::tempdir().unwrap(), Kit::find().unwrap());
+    let path = class.path().join("essay.pdf");
+    fs::write(&path, "an essay").unwrap();
+    for path in [path.as_path(), "/dev/zero".as_ref()] {
+        let error = submissions(&kit, path).unwrap_err().to_string();
+        assert!(error.contains("is neither a folder nor an archive"), "{error}");
+    }
+}
+
+#[test]
 fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     zip.start_file("lab2/src/lib.rs", PLAIN).unwrap();

@@ -364,6 +364,7 @@ fn a_decision_that_cannot_be_is_refused() {
     let much = bad("task = \"1.2\"\npoints = 41");
     assert_eq!(much, "class.toml: override 1: 41 points cannot be given where there are 40");
     assert!(bad("points = -1").contains("-1 points cannot be given"));
+    assert!(bad("points = 1e308").ends_with("1e308 points cannot be given where there are 1000"));
     assert!(bad("task = \"1.1\"\ndays = 1").contains("days are of a submission"));
     assert!(bad("pionts = 1").contains("pionts"));
 }
