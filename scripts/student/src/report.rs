@@ -99,7 +99,11 @@ fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
         let facts = kit.facts(task.lab)?;
         let section = facts.tasks.get(&task.to_string()).map(|task| format!(", {}", task.section));
         let section = section.unwrap_or_default();
-        let place = format!("chapter {}{section}: 'cargo lab book --serve'", task.lab);
+        let address = format!("lab{}.html#task-{}", task.lab, task.to_string().replace('.', "-"));
+        let place = format!(
+            "chapter {}{section}: 'cargo lab book --serve', then localhost:3000/{address}",
+            task.lab
+        );
         print!("{}", folded("  in the book  ", &place));
     }
     println!("  stuck?       cargo lab hint {task}");
