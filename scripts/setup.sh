@@ -30,7 +30,11 @@ case "$#${1:-}" in
     1--pages) parts="$parts pages" ;;
     1--rust) parts=book ;;
     2--for)
-        case "$2" in threads | ranks | device) parts=$2 ;; *) usage ;; esac
+        case "$2" in
+            threads) parts=threads ;;
+            ranks | device) parts="threads $2" ;;
+            *) usage ;;
+        esac
         ;;
     *) usage ;;
 esac
@@ -64,8 +68,8 @@ as_root() {
 packages() {
     case "$1" in
         threads) echo build-essential ;;
-        ranks) echo build-essential pkg-config libopenmpi-dev openmpi-bin libclang-dev ;;
-        device) echo build-essential libvulkan1 mesa-vulkan-drivers ;;
+        ranks) echo pkg-config libopenmpi-dev openmpi-bin libclang-dev ;;
+        device) echo libvulkan1 mesa-vulkan-drivers ;;
         grading) echo bubblewrap ;;
         book) has_mdbook || have pip3 || echo python3-pip ;;
         pages)

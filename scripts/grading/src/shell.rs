@@ -8,11 +8,11 @@ use anyhow::{Result, anyhow, bail, ensure};
 use clap::Args;
 
 use crate::build::Tree;
-use crate::intake::{self, Given, forbidden};
+use crate::intake::{self, forbidden};
 use crate::sandbox::{Limits, Sandbox};
 use lab_kit::files::write_file;
 use lab_kit::process::kill_all_on_interrupt;
-use lab_kit::{Kit, Lab, Workers};
+use lab_kit::{Given, Kit, Lab, Workers};
 
 /// Open a shell in the sandbox on a submission (for instructors)
 ///

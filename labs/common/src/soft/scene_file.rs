@@ -69,7 +69,9 @@ fn line_of(input: &mut impl BufRead, number: usize) -> Result<Option<String>, Sc
 }
 
 fn header(text: &str) -> Option<(u64, f64)> {
-    let (n, size) = text.trim().split_once(char::is_whitespace)?;
+    // Editors of Windows begin a file with a mark that nobody sees.
+    let text = text.trim_start_matches('\u{feff}').trim();
+    let (n, size) = text.split_once(char::is_whitespace)?;
     Some((n.parse().ok()?, size.trim().parse().ok()?))
 }
 

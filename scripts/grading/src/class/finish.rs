@@ -87,6 +87,9 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
         }
     }
     attendance.say(&records);
+    if let Some(deadline) = roll.deadline() {
+        println!("The deadline was {}.", line(&deadline));
+    }
     let unpacked = submissions.iter().filter(|(_, path)| path.is_dir());
     let unpacked: Vec<&str> = unpacked.map(|(name, _)| name.as_str()).collect();
     if !unpacked.is_empty() && roll.trusts_files() {

@@ -11,7 +11,7 @@ use super::Options;
 use crate::asking::{JUDGE, Judge, Questions};
 use crate::build::{Tree, graded_by};
 use crate::escape::{cut, plain};
-use crate::intake::{self, Given, Intake, forbidden};
+use crate::intake::{self, Intake, forbidden};
 use crate::record::{FORMAT, Record, Status, Task};
 use crate::sandbox::Sandbox;
 use crate::timing::whole;
@@ -20,7 +20,7 @@ use lab_kit::files::{digest, write_file};
 use lab_kit::machine::machine;
 use lab_kit::rubric;
 use lab_kit::submission::Sources;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Given, Kit, Lab};
 
 /// Characters kept of what is said about a submission or a task.
 const SAID: usize = 4000;

@@ -9,6 +9,7 @@ mod filter;
 pub(crate) mod memory;
 mod nobody;
 pub(crate) mod processes;
+mod registry;
 pub(crate) mod room;
 mod scratch;
 mod self_test;
@@ -22,6 +23,7 @@ use rustix::process::getuid;
 use tempfile::TempDir;
 
 use lab_kit::Kit;
+use registry::Registry;
 use scratch::Scratch;
 
 /// What foreign code may have.
@@ -106,6 +108,8 @@ pub(crate) struct Sandbox {
     sysroot: PathBuf,
     /// Where cargo keeps the sources of dependencies.
     cargo_home: PathBuf,
+    /// And how it reaches them.
+    registry: Registry,
     /// Whether code is kept in: it can be made here.
     pub(crate) keeps: bool,
     /// Whether code runs at least as [`nobody`], where nothing keeps it in.
@@ -134,9 +138,11 @@ impl Sandbox {
         let scratch = Scratch::below(&std::env::temp_dir())?;
         let filter = filter::write(scratch.path(), limits.loopback);
         let filter = filter.context("cannot write a filter")?;
+        let registry = Registry::of(&cargo_home, scratch.path())?;
         let keeps = true;
+        let as_nobody = false;
         let mut sandbox =
-            Self { sysroot, cargo_home, keeps, as_nobody: false, limits, scratch, filter };
+            Self { sysroot, cargo_home, registry, keeps, as_nobody, limits, scratch, filter };
         if let Err(why) = self_test::check(&sandbox) {
             let none = "foreign code cannot be kept in a sandbox here";
             if !trusted {
@@ -184,6 +190,7 @@ impl Sandbox {
             if self.as_nobody {
                 command = nobody::cargo(&self.sysroot, &self.cargo_home, tree);
             }
+            self.registry.set(&mut command);
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
             command.env("CARGO_INCREMENTAL", "0").args(SETTINGS);
             return command;
@@ -194,9 +201,14 @@ impl Sandbox {
         command.arg("--bind").arg(tree).arg("/kit");
         command.arg("--ro-bind").arg(&self.sysroot).arg(&self.sysroot);
         command.args(["--dir", "/cargo"]);
-        for part in ["registry", "config.toml", "git"] {
+        for part in ["registry", "git"] {
             let path = self.cargo_home.join(part);
             command.arg("--ro-bind-try").arg(path).arg(format!("/cargo/{part}"));
+        }
+        command.arg("--ro-bind").arg(self.registry.home.join("config.toml"));
+        command.arg("/cargo/config.toml");
+        for folder in &self.registry.folders {
+            command.arg("--ro-bind-try").args([folder, folder]);
         }
         let path = format!("{}/bin:{PATH}", self.sysroot.display());
         for (name, value) in [
