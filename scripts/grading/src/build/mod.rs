@@ -15,7 +15,7 @@ use anyhow::{Context, Result, anyhow, bail, ensure};
 use tempfile::TempDir;
 
 use crate::asking;
-use crate::sandbox::faults::{believed, named};
+use crate::sandbox::faults::{believed, machine_works, named};
 use crate::sandbox::{BUILD_QUOTA, BUILT_FILE, GIVEN_FILE, Sandbox};
 use lab_keep::handout;
 use lab_kit::files::{read_bytes, write_file};
@@ -90,11 +90,16 @@ impl Tree {
     /// # Errors
     /// The solution cannot be built now either: that is no submission's mistake.
     pub(crate) fn build(&self, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
-        believed(
+        let built = believed(
             || self.build_once(sandbox, &Order::of_submission(sandbox, sources)),
             |built| built.as_ref().is_err_and(|why| !is_of_a_source(why)),
             || self.build_solution(sandbox),
-        )
+        )?;
+        if built.as_ref().is_err_and(|why| is_late(why)) {
+            // A machine may be too busy for any build.
+            machine_works(|| self.build_solution(sandbox))?;
+        }
+        Ok(built)
     }
 
     /// Builds the solution in the place of a submission.
@@ -191,7 +196,12 @@ fn compile(
 
 /// Whether a build failed because of the sources: it took too long, or an error has a place in one.
 fn is_of_a_source(why: &str) -> bool {
-    why.starts_with(LATE) || why.lines().any(names_a_place)
+    is_late(why) || why.lines().any(names_a_place)
+}
+
+/// Whether a build was not done in time, alone or together with what asks it.
+fn is_late(why: &str) -> bool {
+    why.lines().any(|line| line.starts_with(LATE))
 }
 
 /// Whether a line of the compiler's is `--> src/lib.rs:3:5` or `src/lib.rs:3:5: error`.
@@ -281,6 +291,7 @@ mod tests {
             ("error[E0425]: `x`\n  --> src/lib.rs:3:5\n", true),
             ("it compiles, but not:\nsrc/bin/answer.rs:3:5: error[E0308]: types\n", true),
             (&format!("{LATE} 120 s"), true),
+            (&format!("it compiles, but not:\n{LATE} 120 s"), true),
             ("error: failed to write x: No space left on device (os error 28)", false),
             ("error: linking with `cc` failed\ncollect2: error: ld returned 1 exit status", false),
             ("its build needed more memory than it may have", false),
