@@ -3,7 +3,6 @@
 use common::soft::CUTOFF;
 use common_mpi::calls_made;
 use lab13::{exchange_positions, must_renew};
-use mpi::traits::*;
 use oracle::{Ask, Random, begins_send, digest, no_other_calls, others_within, truth};
 use oracle_mpi::{Rank, on_each};
 

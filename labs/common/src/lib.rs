@@ -14,6 +14,7 @@ mod event;
 mod program;
 mod room;
 mod scene_error;
+mod threads;
 mod variant;
 mod vec2;
 mod whole_file;

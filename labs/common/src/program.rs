@@ -1,9 +1,10 @@
 //! The common part of all labs' programs: options, the error line, the progress bar, and JSON.
 
+use std::env;
 use std::io::{self, IsTerminal, Write};
 use std::panic;
 use std::path::PathBuf;
-use std::process::ExitCode;
+use std::process::{self, ExitCode};
 use std::thread;
 use std::time::Duration;
 
@@ -11,7 +12,7 @@ use clap::{Args, Parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Map, Value, json};
 
-use crate::{Config, Event, Variant, write_whole};
+use crate::{Config, Event, Variant, threads, write_whole};
 
 /// Time that a rank waits for the root to report an error for all ranks.
 const GRACE: Duration = Duration::from_secs(1);
@@ -54,7 +55,7 @@ pub(crate) fn run<O: Parser>(
     root: bool,
     program: impl FnOnce(&O) -> Result<(), Complaint>,
 ) -> ExitCode {
-    tell_of_tasks();
+    end_in_one_line();
     let done = match O::try_parse() {
         Ok(options) => program(&options),
         Err(help) if !help.use_stderr() => {
@@ -71,20 +72,31 @@ pub(crate) fn run<O: Parser>(
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
-        Err(complaint) => complain(root, &format!("error: {complaint}"), 1),
+        Err(complaint) => {
+            let complaint = threads::refusal(&complaint).unwrap_or(complaint);
+            complain(root, &format!("error: {complaint}"), 1)
+        }
     }
 }
 
-/// Makes a task that is not done yet end the program with one line instead of a panic message.
-fn tell_of_tasks() {
+/// Makes a task that is not done yet, and a thread that the system refuses, end the program with one line.
+fn end_in_one_line() {
     let usual = panic::take_hook();
-    panic::set_hook(Box::new(move |panic| match (panic.payload_as_str(), panic.location()) {
-        (Some(todo), Some(at)) if todo.starts_with("not yet implemented: task ") => eprintln!(
-            "error: {todo} ({}, line {}); '--list-variants' names other programs",
-            at.file(),
-            at.line()
-        ),
-        _ => usual(panic),
+    panic::set_hook(Box::new(move |panic| {
+        let said = panic.payload_as_str().unwrap_or_default();
+        if let Some(refusal) = threads::refusal(said) {
+            eprintln!("error: {refusal}");
+            // Threads that were started may wait at a barrier for the one that was not.
+            process::exit(1);
+        }
+        match panic.location() {
+            Some(at) if said.starts_with("not yet implemented: task ") => eprintln!(
+                "error: {said} ({}, line {}); '--list-variants' names other programs",
+                at.file(),
+                at.line()
+            ),
+            _ => usual(panic),
+        }
     }));
 }
 
@@ -117,6 +129,7 @@ impl Choice {
             Some(threads) => threads.into(),
             None => thread::available_parallelism().map_or(1, usize::from),
         };
+        threads::ask_for(threads, self.threads.is_some())?;
         let mut config = variant.config().with_threads(threads);
         for (name, value) in &self.param {
             variant.set(&mut config, name, *value).map_err(|e| e.to_string())?;
@@ -195,7 +208,9 @@ pub(crate) fn none_if_closed<T>(written: io::Result<T>) -> Result<Option<T>, Com
 
 /// Returns the progress bar of a run of `steps` steps. It is hidden if there is no terminal.
 pub(crate) fn progress(root: bool, steps: u64) -> ProgressBar {
-    if !root || !io::stderr().is_terminal() {
+    // An editor's shell calls itself dumb, because it knows no escape codes.
+    let is_dumb = env::var_os("TERM").is_some_and(|terminal| terminal == "dumb");
+    if !root || is_dumb || !io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
     let style = ProgressStyle::with_template("{bar:40} step {pos} of {len}, {eta} left")

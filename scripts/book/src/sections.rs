@@ -5,7 +5,7 @@ use std::fs;
 use anyhow::Result;
 
 use lab_kit::Kit;
-use lab_kit::files::{files_below, read_text};
+use lab_kit::files::{read_text, sources_below};
 
 /// The text before the name of a section in a doc comment: `Book: chapter 5, *Gather*.`
 ///
@@ -19,7 +19,7 @@ const BOOK: &str = "Book: ";
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     for lab in kit.starters() {
-        for path in files_below(&kit.starter(lab).join("src"))? {
+        for path in sources_below(&kit.starter(lab).join("src"))? {
             let text = read_text(&path)?;
             let name = path.strip_prefix(kit.root()).unwrap_or(&path).display();
             for (number, line) in (1..).zip(text.lines()) {

@@ -56,10 +56,16 @@ pub(crate) fn fenced(text: &str) -> String {
     format!("{fence}text\n{}\n{fence}\n", text.trim_end())
 }
 
-/// A cell of a table. What a spreadsheet would compute gets an apostrophe before it.
+/// A cell of a table. What a spreadsheet would compute gets an apostrophe before it. In many countries a semicolon
+/// ends a cell, so the words behind one are guarded too.
 pub(crate) fn cell(text: &str) -> String {
     let text = line(text);
-    if text.starts_with(['=', '+', '-', '@']) { format!("'{text}") } else { text }
+    let guarded = text.split(';').map(|part| {
+        let (blank, rest) = part.split_at(part.len() - part.trim_start().len());
+        let guard = if rest.starts_with(['=', '+', '-', '@']) { "'" } else { "" };
+        format!("{blank}{guard}{rest}")
+    });
+    guarded.collect::<Vec<_>>().join(";")
 }
 
 #[cfg(test)]
@@ -84,6 +90,7 @@ mod tests {
             assert!(field.starts_with('\''), "{field}");
         }
         assert_eq!(cell("a,b\nc"), "a,b c");
+        assert_eq!(cell("ada;=1+1; -2;b"), "ada;'=1+1; '-2;b");
     }
 
     #[test]

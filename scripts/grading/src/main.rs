@@ -22,7 +22,8 @@ mod shell;
 mod similarity;
 mod timing;
 
-use std::process::ExitCode;
+use std::panic;
+use std::process::{ExitCode, exit};
 
 use clap::Subcommand;
 
@@ -36,12 +37,26 @@ enum Command {
 }
 
 fn main() -> ExitCode {
+    say_when_output_cannot_be_written();
     lab_kit::command::main(|kit, command: Command| match command {
         Command::Grade(options) => class::run(kit, options),
         Command::Regrade(options) => regrade::run(kit, &options),
         Command::Shell(options) => shell::run(kit, &options),
         Command::Similarity(options) => similarity::run(kit, options),
     })
+}
+
+/// `println!` panics on a full disk. One line and exit code 2 say so instead.
+fn say_when_output_cannot_be_written() {
+    let usual = panic::take_hook();
+    panic::set_hook(Box::new(move |panic| {
+        let said = panic.payload_as_str().unwrap_or_default();
+        let Some(why) = said.strip_prefix("failed printing to stdout: ") else {
+            return usual(panic);
+        };
+        eprintln!("error: cannot write to standard output: {why}");
+        exit(2);
+    }));
 }
 
 #[cfg(test)]

@@ -8,11 +8,11 @@ use anyhow::{Result, anyhow, bail, ensure};
 use clap::Args;
 
 use crate::build::Tree;
-use crate::intake::{self, Given, forbidden};
+use crate::intake::{self, forbidden};
 use crate::sandbox::{Limits, Sandbox};
 use lab_kit::files::write_file;
 use lab_kit::process::kill_all_on_interrupt;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Given, Kit, Lab, Workers};
 
 /// Open a shell in the sandbox on a submission (for instructors)
 ///
@@ -30,7 +30,8 @@ pub(crate) struct Options {
 /// Builds, says what can be done, and gives the terminal to a shell.
 pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let (lab, limit) = (options.lab, Duration::from_secs(900));
-    let sandbox = Sandbox::find(kit, false, Limits { run: limit, build: limit })?;
+    let loopback = kit.facts(lab)?.workers == Workers::Ranks;
+    let sandbox = Sandbox::find(kit, false, Limits { run: limit, build: limit, loopback })?;
     let intake = intake::take(kit, lab, &Given::of(kit, lab)?, &options.path)?;
     ensure!(!intake.files.is_empty(), "{}", intake::nothing(lab, &intake.left_out));
     if let Some(why) = forbidden::find(&intake.files) {

@@ -11,7 +11,7 @@ use anyhow::{Context, Result, bail};
 use clap::Args;
 
 use lab_kit::answers;
-use lab_kit::files::write_file;
+use lab_kit::files::{with_unix_lines, write_file};
 use lab_kit::hints;
 use lab_kit::starter::{Record, generate, own_paths};
 use lab_kit::{Kit, Lab};
@@ -94,7 +94,7 @@ fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     let files = generate(kit, lab)?;
     let mut drift = Vec::new();
     for (path, bytes) in &files {
-        if fs::read(folder.join(path)).ok().as_ref() != Some(bytes) {
+        if fs::read(folder.join(path)).ok().map(with_unix_lines).as_ref() != Some(bytes) {
             drift.push(format!("{} is not what its solution makes it", path.display()));
         }
     }

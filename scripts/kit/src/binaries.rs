@@ -9,6 +9,7 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use crate::cargo::run_visibly;
+use crate::fresh;
 use crate::kit::Kit;
 use crate::program::Program;
 
@@ -71,7 +72,7 @@ impl Binaries {
         for package in &packages {
             cargo.args(["--package", package]);
         }
-        let output = run_visibly(&mut cargo).context("cargo did not start")?;
+        let output = fresh::build(&mut cargo, run_visibly).context("cargo did not start")?;
         if !output.status.success() {
             bail!("{} does not build, see above", packages.join(" or "));
         }

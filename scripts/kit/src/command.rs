@@ -73,7 +73,7 @@ pub fn command_line<C: Subcommand>() -> Command {
 
 /// Reads the command line and runs a command in the kit around the current folder.
 pub fn main<C: Subcommand>(run: impl FnOnce(&Kit, C) -> Result<ExitCode>) -> ExitCode {
-    end_quietly_when_nobody_reads();
+    end_in_one_line();
     let command =
         C::from_arg_matches(&command_line::<C>().get_matches()).unwrap_or_else(|e| e.exit());
     finish(Kit::find().and_then(|kit| run(&kit, command)))
@@ -87,17 +87,26 @@ pub fn finish(result: Result<ExitCode>) -> ExitCode {
     })
 }
 
-/// `head` and `less` close the pipe when they have seen enough: that is no error, and `println!`
-/// would panic.
-pub fn end_quietly_when_nobody_reads() {
+/// `head` and `less` close the pipe when they have seen enough: that is no error, and `println!` would panic. A full disk
+/// behind standard output, and a thread that the system refuses, are errors in one line.
+pub fn end_in_one_line() {
     let usual = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
-        let said = panic.payload().downcast_ref::<String>();
-        let unread = |text: &String| {
-            text.starts_with("failed printing to stdout") && text.contains("Broken pipe")
-        };
-        if said.is_some_and(unread) {
+        let said = panic.payload_as_str().unwrap_or_default();
+        let unprinted = said.strip_prefix("failed printing to stdout: ");
+        if unprinted.is_some_and(|why| why.contains("Broken pipe")) {
             std::process::exit(0);
+        }
+        let refused = said.strip_prefix("failed to spawn thread: ");
+        let lines = [
+            unprinted.map(|why| format!("cannot write to standard output: {why}")),
+            refused.map(|_| {
+                "no thread could be started: raise the limit of this machine (ulimit -u)".into()
+            }),
+        ];
+        if let Some(line) = lines.into_iter().flatten().next() {
+            eprint!("{}", folded("error: ", &line));
+            std::process::exit(2);
         }
         usual(panic);
     }));

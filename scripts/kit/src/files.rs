@@ -24,9 +24,39 @@ pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// A text file.
+/// The regular files below a folder, sorted, without those that editors and other tools leave there. A link counts as the
+/// file that it leads to. Links that lead nowhere, pipes and sockets are left out: reading one fails or never ends.
+pub fn sources_below(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut files = files_below(folder)?;
+    files.retain(|path| {
+        let below = path.strip_prefix(folder).unwrap_or(path);
+        let is_left = below.iter().any(|part| is_left_by_a_tool(&part.to_string_lossy()));
+        !is_left && fs::metadata(path).is_ok_and(|metadata| metadata.is_file())
+    });
+    Ok(files)
+}
+
+/// How names end of copies that editors and merges leave beside a file.
+const COPIES: [&str; 8] = ["~", "#", ".bak", ".orig", ".rej", ".swo", ".swp", ".tmp"];
+
+/// Whether a file or a folder of this name is hidden, or a copy that a tool left.
+pub fn is_left_by_a_tool(name: &str) -> bool {
+    name.starts_with('.') || COPIES.iter().any(|ending| name.ends_with(ending))
+}
+
+/// A text file with the line endings of Unix, without a byte order mark.
 pub fn read_text(path: &Path) -> Result<String> {
-    fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
+    let text = fs::read_to_string(path);
+    let text = text.with_context(|| format!("cannot read {}", path.display()))?;
+    Ok(text.trim_start_matches('\u{feff}').replace("\r\n", "\n"))
+}
+
+/// What a text is with the line endings of Unix: two texts are the same if these are. Other files are as they are.
+pub fn with_unix_lines(bytes: Vec<u8>) -> Vec<u8> {
+    match String::from_utf8(bytes) {
+        Ok(text) => text.replace("\r\n", "\n").into_bytes(),
+        Err(other) => other.into_bytes(),
+    }
 }
 
 /// What a TOML file says.
@@ -70,6 +100,8 @@ pub fn digest(bytes: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeMap;
+    use std::os::unix::fs::symlink;
+    use std::process::Command;
 
     use super::*;
 
@@ -82,6 +114,23 @@ mod tests {
         assert_eq!(files_below(folder.path()).unwrap(), std::slice::from_ref(&path));
         let error = write_file(&path.join("below/a/file"), "text").unwrap_err();
         assert!(error.to_string().starts_with("cannot write"), "{error}");
+    }
+
+    #[test]
+    fn only_regular_files_are_sources() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        for name in ["force.rs", "deep/own.rs", ".hidden.rs", "force.rs~", "#force.rs#", "a.rs.swp"]
+        {
+            write_file(&at(name), "text").unwrap();
+        }
+        symlink("somebody@somewhere.4711", at(".#force.rs")).unwrap();
+        symlink("nowhere", at("dangling.rs")).unwrap();
+        symlink(at("deep"), at("around.rs")).unwrap();
+        let mkfifo = Command::new("mkfifo").arg(at("pipe.rs")).status().unwrap();
+        assert!(mkfifo.success());
+        let found = sources_below(folder.path()).unwrap();
+        assert_eq!(found, ["deep/own.rs", "force.rs"].map(at));
     }
 
     #[test]

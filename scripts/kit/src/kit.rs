@@ -10,7 +10,7 @@ use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
 use crate::facts::Facts;
-use crate::files::{files_below, read_toml, read_toml_at, write_file};
+use crate::files::{read_toml, read_toml_at, sources_below, write_file};
 use crate::lab::Lab;
 
 /// The folder that everything lies in.
@@ -134,14 +134,14 @@ impl Kit {
     /// if it has no tests.
     pub fn test_sources(&self, lab: Lab) -> Result<Vec<PathBuf>> {
         let source = self.path(format!("tests/lab{lab}.rs"));
-        let included = files_below(&source.with_extension(""))?;
+        let included = sources_below(&source.with_extension(""))?;
         Ok([source].into_iter().filter(|source| source.is_file()).chain(included).collect())
     }
 
     /// What the tests of a lab compare with: its snapshots, tests/snapshots/labN__*.snap.
     pub fn snapshots(&self, lab: Lab) -> Result<Vec<PathBuf>> {
         let prefix = format!("lab{lab}__");
-        let mut snapshots = files_below(&self.path("tests/snapshots"))?;
+        let mut snapshots = sources_below(&self.path("tests/snapshots"))?;
         snapshots.retain(|path| {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             name.starts_with(&prefix) && name.ends_with(".snap")

@@ -2,8 +2,9 @@
 //!
 //! [`Kit`] knows where things are, [`Facts`] what a [`Lab`] says about itself. [`answers`] reads the tasks
 //! in a solution and [`starter`] makes a starter of it; [`hints`], [`wrong`], [`quiz`] and [`rubric`]
-//! read what is written beside it. [`harness`] runs a lab's tests, [`binaries`] are its programs, both
-//! in a [`process`] of their own; [`cargo`] shows what it builds. A [`command`] of the kit begins and ends alike, wherever it is.
+//! read what is written beside it. [`given`] says what of a submission is built. [`harness`] runs a lab's tests,
+//! [`binaries`] are its programs, both in a [`process`] of their own; [`cargo`] shows what it builds, and [`fresh`] builds
+//! of the sources as they are now. A [`command`] of the kit begins and ends alike, wherever it is.
 
 pub mod answers;
 pub mod binaries;
@@ -12,6 +13,8 @@ pub mod command;
 pub mod excerpt;
 pub mod facts;
 pub mod files;
+pub mod fresh;
+pub mod given;
 pub mod harness;
 pub mod hints;
 pub mod kit;
@@ -30,6 +33,7 @@ pub mod table;
 pub mod wrong;
 
 pub use facts::{Discs, Facts, Workers};
-pub use files::files_below;
+pub use files::{files_below, sources_below};
+pub use given::Given;
 pub use kit::Kit;
 pub use lab::Lab;

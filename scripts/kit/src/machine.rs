@@ -36,15 +36,18 @@ pub fn on_all_cores<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync
     let next = Mutex::new(items.iter().enumerate());
     let done = Mutex::new(Vec::with_capacity(items.len()));
     let take = || next.lock().expect("taking does not panic").next();
-    thread::scope(|scope| {
-        for _ in 0..cores().min(items.len()) {
-            scope.spawn(|| {
-                while let Some((index, item)) = take() {
-                    let result = work(item);
-                    done.lock().expect("pushing does not panic").push((index, result));
-                }
-            });
+    let worker = || {
+        while let Some((index, item)) = take() {
+            let result = work(item);
+            done.lock().expect("pushing does not panic").push((index, result));
         }
+    };
+    thread::scope(|scope| {
+        for _ in 1..cores().min(items.len()) {
+            // What a thread that the system refuses would have done, the others do.
+            let _ = thread::Builder::new().spawn_scoped(scope, worker);
+        }
+        worker();
     });
     let mut done = done.into_inner().expect("pushing does not panic");
     done.sort_by_key(|(index, _)| *index);

@@ -1,10 +1,36 @@
 //! Progress on the terminal.
 
+use std::env;
+use std::io::IsTerminal;
+
 use indicatif::{ProgressBar, ProgressStyle};
+
+/// Whether a stream is a terminal that knows escape codes: an editor's shell calls itself dumb.
+pub fn can_draw(stream: &impl IsTerminal) -> bool {
+    stream.is_terminal() && is_clever(env::var("TERM").ok().as_deref())
+}
+
+fn is_clever(terminal: Option<&str>) -> bool {
+    terminal.is_none_or(|terminal| terminal != "dumb")
+}
 
 /// A bar on a terminal; nothing elsewhere.
 pub fn progress(length: u64) -> ProgressBar {
+    if !can_draw(&std::io::stderr()) {
+        return ProgressBar::hidden();
+    }
     let style = ProgressStyle::with_template("{bar:30} {pos} of {len}, {eta} left  {msg}")
         .expect("the template is valid");
     ProgressBar::new(length).with_style(style)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_clever;
+
+    #[test]
+    fn nothing_is_drawn_on_a_dumb_terminal() {
+        let clever = [Some("dumb"), Some("xterm-256color"), None].map(is_clever);
+        assert_eq!(clever, [false, true, true]);
+    }
 }

@@ -6,10 +6,10 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use flate2::{Compression, GzBuilder};
 
-use crate::files::files_below;
+use crate::files::{files_below, is_left_by_a_tool};
 use crate::kit::Kit;
 use crate::lab::Lab;
 use crate::starter::rename;
@@ -35,6 +35,12 @@ pub const TOO_LARGE: &str = "more than 1 MiB";
 /// No path of ours can be the same.
 pub const NOT_UTF8: &str = "its name is not UTF-8";
 
+/// The disk or its rights refuse it.
+const UNREADABLE: &str = "it cannot be read";
+
+/// How the names of files end that a lab's code is made of: Rust, shaders, and texts and tables that code includes.
+const ENDINGS: [&str; 9] = [".rs", ".wgsl", ".csv", ".dat", ".in", ".json", ".md", ".toml", ".txt"];
+
 /// A lab's files: what is taken, and what is not.
 #[derive(Debug, Default)]
 pub struct Collected {
@@ -48,36 +54,39 @@ pub struct Collected {
 pub fn collect(folder: &Path) -> Result<Collected> {
     let mut collected = Collected::default();
     for path in files_below(&folder.join("src"))? {
-        let unread = || format!("cannot read {}", path.display());
         let relative = path.strip_prefix(folder)?.to_owned();
-        let metadata = fs::symlink_metadata(&path).with_context(unread)?;
-        let why = match relative.to_str() {
-            _ if !metadata.is_file() => Some(NOT_PLAIN),
-            _ if metadata.len() > FILE_LIMIT => Some(TOO_LARGE),
-            None => Some(NOT_UTF8),
-            Some(name) => refused(name),
-        };
         let many = collected.files.len() >= COUNT_LIMIT;
-        match why.or(many.then_some("more than 200 files")) {
-            Some(why) => collected.left_out.push((relative, why)),
-            None => {
-                let name = relative.to_string_lossy().into_owned();
-                collected.files.insert(name, fs::read(&path).with_context(unread)?);
-            }
+        let read = if many { Err("more than 200 files") } else { read(&path, &relative) };
+        match read {
+            Ok((name, bytes)) => drop(collected.files.insert(name, bytes)),
+            Err(why) => collected.left_out.push((relative, why)),
         }
     }
     Ok(collected)
 }
 
+/// A file's name and bytes, or why it is not taken.
+fn read(path: &Path, relative: &Path) -> std::result::Result<(String, Vec<u8>), &'static str> {
+    let name = relative.to_str().ok_or(NOT_UTF8)?;
+    let metadata = fs::symlink_metadata(path).map_err(|_| UNREADABLE)?;
+    match refused(name) {
+        Some(why) => Err(why),
+        None if !metadata.is_file() => Err(NOT_PLAIN),
+        None if metadata.len() > FILE_LIMIT => Err(TOO_LARGE),
+        None => Ok((name.to_owned(), fs::read(path).map_err(|_| UNREADABLE)?)),
+    }
+}
+
 /// Whether a path's name alone keeps it out.
 pub fn refused(path: &str) -> Option<&'static str> {
-    let hidden = |part: &str| {
-        part.starts_with('.') || part.ends_with('~') || part.ends_with(".bak") || part == "target"
-    };
     if path.len() > PATH_LIMIT || path.contains(char::is_control) {
         return Some("its name is longer than 200 bytes, or holds a control character");
     }
-    path.split('/').any(hidden).then_some("hidden, or an editor's copy")
+    if path.split('/').any(is_left_by_a_tool) {
+        return Some("hidden, or an editor's copy");
+    }
+    let is_known = ENDINGS.iter().any(|ending| path.ends_with(ending));
+    (!is_known).then_some("its name does not end as that of a source does, such as .rs")
 }
 
 /// The archive, a `.tar.gz`: the same files give the same bytes, on each machine and at each time.

@@ -7,20 +7,24 @@ use clap::Args;
 use serde::{Deserialize, Serialize};
 
 use crate::door;
+use crate::graded::Graded;
 use crate::memory::{recall, remember};
 use crate::results::{self, Run};
 use crate::tasks::{self, State};
-use crate::test::run_tests;
+use crate::test::{run_build, run_tests};
 use lab_kit::cargo::run_visibly;
+use lab_kit::fresh;
 use lab_kit::page::folded;
 use lab_kit::process;
 use lab_kit::starter::Record;
+use lab_kit::submission;
 use lab_kit::system;
 use lab_kit::{Kit, Lab};
 
 /// Check a lab before you hand it in: format, lints, tests, and the labs before it
 ///
-/// Goes through all four and says of each whether it is well. Exit code 0 means that all are. Where the lab is about fast
+/// Goes through all four and says of each whether it is well. Exit code 0 means that all are. The lab's tests run on
+/// what 'cargo lab submit' would pack, built as the grader builds it: with the kit's own given files. Where the lab is about fast
 /// loops, it also says whether yours are ('cargo lab speed').
 #[derive(Args)]
 pub(crate) struct Options {
@@ -45,7 +49,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     } else {
         troubles.say("lints", lints(kit, lab)?);
     }
-    let own = tests(kit, lab, whole)?;
+    let own = graded(kit, lab)?;
     let is_whole = own.is_ok();
     troubles.say(&format!("lab {lab}"), own);
     if is_whole && !kit.facts(lab)?.races.is_empty() {
@@ -124,9 +128,10 @@ fn format(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
 fn lints(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     let mut cargo = kit.cargo();
     cargo.args(["clippy", "--no-deps", "--package", &format!("lab{lab}")]);
-    cargo.args(["--lib", "--bins", "--", "-D", "warnings", "-D", "unused"]);
+    cargo.args(["--message-format=json-render-diagnostics", "--lib", "--bins"]);
+    cargo.args(["--", "-D", "warnings", "-D", "unused"]);
     cargo.args(["-Dclippy::print_stdout", "-Dclippy::print_stderr", "-Dclippy::dbg_macro"]);
-    let output = run_visibly(&mut cargo).context("cargo clippy did not start")?;
+    let output = fresh::build(&mut cargo, run_visibly).context("cargo clippy did not start")?;
     Ok(if output.status.success() {
         Ok("clippy has nothing to say, and nothing is unused".into())
     } else {
@@ -146,6 +151,14 @@ type Judge = fn(Lab, &Run) -> Result<String, String>;
 fn tests(kit: &Kit, lab: Lab, judge: Judge) -> Result<Result<String, String>> {
     let run = run_tests(kit, lab, None)?;
     Ok(run.map_or_else(|| Err("it does not compile".into()), |run| judge(lab, &run)))
+}
+
+/// The lab as it would be handed in and graded.
+fn graded(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
+    let collected = submission::collect(&kit.starter(lab))?;
+    let graded = Graded::lay(kit, lab, &collected)?;
+    let run = run_build(kit, lab, None, graded.tests())?;
+    Ok(run.map_or_else(|| Err(graded.unbuilt()), |run| whole(lab, &run)))
 }
 
 /// The lab that is handed in: every task is done.

@@ -9,6 +9,7 @@ use clap::Subcommand;
 use lab_kit::Kit;
 use lab_kit::cargo::run_visibly;
 use lab_kit::command::{Family, command_line, families};
+use lab_kit::fresh;
 
 /// Hands the command line over if it names a command of another package: that becomes this process.
 pub(crate) fn elsewhere(kit: &Kit) -> Result<Option<ExitCode>> {
@@ -50,7 +51,9 @@ fn built(kit: &Kit, family: &Family) -> Result<Command> {
         command.args((!cfg!(debug_assertions)).then_some("--release"));
         command
     };
-    let built = run_visibly(&mut package("build")).context("cargo did not start")?;
+    let mut build = package("build");
+    build.arg("--message-format=json-render-diagnostics").current_dir(kit.root());
+    let built = fresh::build(&mut build, run_visibly).context("cargo did not start")?;
     ensure!(built.status.success(), "{} does not build, see above", family.package);
     let mut command = package("run");
     command.args(["--quiet", "--"]);

@@ -4,6 +4,7 @@ mod calls;
 mod check;
 mod door;
 mod facts;
+mod graded;
 mod hint;
 mod list;
 mod memory;
@@ -40,7 +41,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    command::end_quietly_when_nobody_reads();
+    command::end_in_one_line();
     command::finish(Kit::find().and_then(|kit| {
         if std::env::args().nth(1).is_some_and(|word| word == "--version" || word == "-V") {
             print!("{}", version::version(&kit));

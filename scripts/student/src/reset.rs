@@ -7,9 +7,9 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::Args;
 
-use lab_kit::files::{read_bytes, write_file};
+use lab_kit::files::{read_bytes, with_unix_lines, write_file};
 use lab_kit::machine::date;
-use lab_kit::starter::{Files, GIVEN, Record, generate, own_paths, read_below};
+use lab_kit::starter::{Files, Record, given, own_paths};
 use lab_kit::{Kit, Lab};
 
 /// Where work is kept: not under `target/`, which `cargo clean` empties.
@@ -41,7 +41,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 /// Returns where the work is now, below the top folder; none if there was none.
 fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
     let folder = kit.starter(lab);
-    let (given, there) = (given(kit, lab)?, work(&folder)?);
+    let given = given(kit, lab)?;
+    let there = work(&folder)?;
     if there == given {
         return Ok(None);
     }
@@ -57,20 +58,14 @@ fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
     Ok(Some(kept))
 }
 
-/// The starter as it was given: as it was kept or, in a kit that has not kept it, made from the solution.
-fn given(kit: &Kit, lab: Lab) -> Result<Files> {
-    let kept = kit.starter(lab).join(GIVEN);
-    if kept.is_dir() {
-        return read_below(&kept);
-    }
-    kit.chosen_solutions(Some(lab))?;
-    generate(kit, lab)
-}
-
 /// The files that a student may have changed or added, by their path in the lab's folder.
 fn work(folder: &Path) -> Result<Files> {
     let paths = own_paths(folder)?.into_iter().chain(["Cargo.toml".into()]);
-    paths.map(|path| Ok((path.clone(), read_bytes(&folder.join(path))?))).collect()
+    let read = |path: PathBuf| {
+        let bytes = read_bytes(&folder.join(&path))?;
+        Ok((path, with_unix_lines(bytes)))
+    };
+    paths.map(read).collect()
 }
 
 /// Writes the files, all or none, to a folder that is not there yet.
@@ -147,6 +142,23 @@ pub fn f() -> u8 {
         assert!(!kit.path("labs/lab1/src/deep/own.rs").exists());
         assert!(kit.path("labs/lab1/notes.md").is_file());
         assert_eq!(reset(&kit, lab).unwrap(), None, "nothing is left to reset");
+    }
+
+    #[test]
+    fn line_endings_are_no_work() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = kit(folder.path());
+        let lab = "1".parse().unwrap();
+        // As a clone made on Windows has them, the solution's too.
+        for folder in ["labs/lab1", "solutions/lab1"] {
+            for path in ["src/lib.rs", "Cargo.toml"].map(|path| kit.path(folder).join(path)) {
+                let text = fs::read_to_string(&path).unwrap();
+                fs::write(&path, text.replace('\n', "\r\n")).unwrap();
+            }
+        }
+        assert_eq!(reset(&kit, lab).unwrap(), None);
+        fs::write(kit.path("labs/lab1/src/lib.rs"), "mine\r\n").unwrap();
+        assert!(reset(&kit, lab).unwrap().is_some());
     }
 
     #[test]

@@ -66,15 +66,14 @@ pub(crate) fn run(
     kit: &Kit,
     lab: Lab,
     only: Option<Task>,
-    colour: bool,
+    tests: Build<'_>,
     advance: impl Fn(Step<'_>) + Sync,
 ) -> Result<Run, BuildError> {
     let trouble = |e: anyhow::Error| BuildError::Cargo(format!("{e:#}"));
     let source = source(kit, lab).map_err(trouble)?;
     let threads = kit.facts(lab).map_err(trouble)?.workers == Workers::Threads;
     let limit = if threads { LIMIT } else { LONG_LIMIT };
-    let package = format!("lab{lab}");
-    let program = build(Build { cargo: kit.cargo(), package: &package, lab, shown: true, colour })?;
+    let program = build(tests)?;
     let mut tests = program.tests().map_err(trouble)?;
     tests.retain(|test| only.is_none() || Task::of_test(test) == only);
     advance(Step::Tests(tests.len()));

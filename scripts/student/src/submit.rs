@@ -7,16 +7,18 @@ use anyhow::{Result, ensure};
 use clap::Args;
 
 use crate::check::Seen;
+use crate::graded::Graded;
 use crate::tasks;
 use lab_kit::files::write_file;
 use lab_kit::page::folded;
 use lab_kit::starter::Record;
 use lab_kit::submission::{self, Collected};
+use lab_kit::system;
 use lab_kit::{Kit, Lab};
 
 /// Pack a lab for handing in
 ///
-/// Takes labs/labN/src and nothing else, and says what that is. The same files give the same
+/// Takes labs/labN/src and nothing else, says what that is, and builds it as the grader does. The same files give the same
 /// archive, so that handing in twice changes nothing. To see whether the lab is ready, ask
 /// 'cargo lab check N' first: what that found not well is said here again.
 #[derive(Args)]
@@ -36,13 +38,27 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let collected = submission::collect(&kit.starter(lab))?;
     ensure!(!collected.files.is_empty(), "there is nothing in labs/lab{lab}/src");
     write_file(&output, submission::pack(lab, &collected.files)?)?;
-    for line in account(kit, lab, &collected, &output)?.lines() {
+    let graded = Graded::lay(kit, lab, &collected)?;
+    let unbuilt = match system::missing(kit, lab)? {
+        Some(what) => Some(format!("it was not built, because it needs {what}")),
+        None => graded.trouble(),
+    };
+    let unbuilt = unbuilt.map(|trouble| format!("NOT WELL: lab {lab}: {trouble}\n"));
+    let account = account(kit, lab, &collected, &graded.changed, &output)?;
+    for line in (account + &unbuilt.unwrap_or_default()).lines() {
         print!("{}", folded("", line));
     }
     Ok(ExitCode::SUCCESS)
 }
 
-fn account(kit: &Kit, lab: Lab, collected: &Collected, output: &Path) -> Result<String> {
+/// Of a lab of which the student changed these given files.
+fn account(
+    kit: &Kit,
+    lab: Lab,
+    collected: &Collected,
+    changed_given: &[String],
+    output: &Path,
+) -> Result<String> {
     let folder = kit.starter(lab);
     let record = Record::read(&folder)?;
     let mut lines = vec![format!("{} holds {} files:", output.display(), collected.files.len())];
@@ -50,7 +66,12 @@ fn account(kit: &Kit, lab: Lab, collected: &Collected, output: &Path) -> Result<
     for path in collected.files.keys() {
         let given = record.is_own(&folder, Path::new(path));
         changed += usize::from(!given);
-        lines.push(format!("  labs/lab{lab}/{path}{}", if given { "  as given" } else { "" }));
+        let note = match (given, changed_given.contains(path)) {
+            (true, _) => "  as given",
+            (_, true) => "  which you changed: grading has its own",
+            _ => "",
+        };
+        lines.push(format!("  labs/lab{lab}/{path}{note}"));
     }
     for (path, why) in &collected.left_out {
         lines.push(format!("  left out: labs/lab{lab}/{}, {why}", path.display()));
@@ -105,7 +126,7 @@ mod tests {
         Record::of(&given).write(&kit.starter(lab)).unwrap();
         let collected = submission::collect(&kit.starter(lab)).unwrap();
         assert_eq!(
-            account(&kit, lab, &collected, "lab1.tar.gz".as_ref()).unwrap(),
+            account(&kit, lab, &collected, &[], "lab1.tar.gz".as_ref()).unwrap(),
             "lab1.tar.gz holds 2 files:\n  \
              labs/lab1/src/a.rs\n  \
              labs/lab1/src/lib.rs  as given\n  \

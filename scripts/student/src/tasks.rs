@@ -9,7 +9,8 @@ use lab_kit::files::read_bytes;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::hints;
 use lab_kit::page::folded;
-use lab_kit::{Kit, Lab, files_below};
+use lab_kit::starter::todo;
+use lab_kit::{Kit, Lab, sources_below};
 
 /// How far a task has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -119,7 +120,7 @@ struct Todo {
 /// All of a lab.
 fn todos(kit: &Kit, lab: Lab) -> Result<Vec<Todo>> {
     let mut todos = Vec::new();
-    for path in files_below(&kit.starter(lab).join("src"))? {
+    for path in sources_below(&kit.starter(lab).join("src"))? {
         let shown = path.strip_prefix(kit.root()).unwrap_or(&path).display();
         for (line, number) in String::from_utf8_lossy(&read_bytes(&path)?).lines().zip(1..) {
             let Some((id, title)) = todo(line) else { continue };
@@ -128,14 +129,6 @@ fn todos(kit: &Kit, lab: Lab) -> Result<Vec<Todo>> {
         }
     }
     Ok(todos)
-}
-
-/// The number and title in a line with `todo!("task 3.2b: title")`, or a shader's `todo: task 9.2: title`.
-fn todo(line: &str) -> Option<(RegionId, &str)> {
-    let shader = line.trim_start().strip_prefix("// todo: task ");
-    let rest = shader.or_else(|| Some(line.split_once("todo!(\"task ")?.1))?;
-    let (id, rest) = rest.split_once(": ")?;
-    Some((id.parse().ok()?, rest.split('"').next()?))
 }
 
 /// One line a task: its state, its number, its title.
@@ -148,7 +141,7 @@ pub(crate) fn print_tasks(tasks: &[Progress]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{State, line_of_todo, state, todo};
+    use super::{State, line_of_todo, state};
     use lab_kit::Kit;
     use lab_kit::harness::{Outcome, Verdict};
 
@@ -167,18 +160,6 @@ mod tests {
         assert_eq!(state(std::slice::from_ref(&passed)), State::Done);
         assert_eq!(state(&[passed.clone(), failed.clone()]), State::Failing);
         assert_eq!(state(&[passed, failed, todo]), State::Todo);
-    }
-
-    #[test]
-    fn todos_are_found() {
-        let (id, title) = todo("        todo!(\"task 1.3b: one step: all pairs\")").unwrap();
-        assert_eq!((id.to_string(), title), ("1.3b".into(), "one step: all pairs"));
-        let (id, title) = todo("    // todo: task 9.2: a scan").unwrap();
-        assert_eq!((id.to_string(), title), ("9.2".into(), "a scan"));
-        let given = "panic!(\"task 3.10: member {number} is too early\")";
-        for other in ["// task 1.3: x", "//! a comment `// todo: task 9.2: …`", given] {
-            assert!(todo(other).is_none(), "{other}");
-        }
     }
 
     #[test]

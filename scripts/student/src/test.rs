@@ -1,7 +1,6 @@
 //! `cargo lab test`: how far is my lab?
 
-use std::io::IsTerminal;
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 use std::str::FromStr;
 use std::sync::Mutex;
 
@@ -9,12 +8,16 @@ use anyhow::{Result, bail, ensure};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::memory::{recall, remember};
 use crate::report::report;
 use crate::results::{self, Run, Step};
 use crate::tasks;
 use lab_kit::answers::Task;
-use lab_kit::harness::{BuildError, CompileError, Outcome};
+use lab_kit::harness::{Build, BuildError, CompileError, Outcome};
+use lab_kit::page::folded;
 use lab_kit::process;
+use lab_kit::progress::can_draw;
+use lab_kit::submission;
 use lab_kit::system;
 use lab_kit::{Kit, Lab};
 
@@ -79,24 +82,41 @@ pub(crate) fn expect_task(kit: &Kit, task: Task) -> Result<()> {
     Ok(())
 }
 
-/// Builds and runs the tests of a lab, or of one task; a bar on a terminal names the test that has run
-/// longest. None if the lab does not compile, which is said.
+/// Builds and runs the tests of a lab, or of one task. None if the lab does not compile, which is said.
 pub(crate) fn run_tests(kit: &Kit, lab: Lab, only: Option<Task>) -> Result<Option<Run>> {
+    let package = format!("lab{lab}");
+    run_build(kit, lab, only, own_build(kit.cargo(), lab, &package))
+}
+
+/// How the tests of a package are built for somebody who looks on.
+pub(crate) fn own_build(cargo: Command, lab: Lab, package: &str) -> Build<'_> {
+    let colour = can_draw(&std::io::stdout()) && std::env::var_os("NO_COLOR").is_none();
+    Build { cargo, package, lab, shown: true, colour }
+}
+
+/// The same for tests that are built so. A bar on a terminal names the test that has run longest.
+pub(crate) fn run_build(
+    kit: &Kit,
+    lab: Lab,
+    only: Option<Task>,
+    build: Build<'_>,
+) -> Result<Option<Run>> {
     kit.expect_starter(lab)?;
     if let Some(what) = system::missing(kit, lab)? {
         bail!("lab {lab} needs {what}");
     }
+    name_unread(kit, lab)?;
     let bar = ProgressBar::hidden();
     bar.set_style(ProgressStyle::with_template("{bar:30} test {pos} of {len}  {wide_msg}")?);
     let running = Mutex::new(Vec::new());
-    let colour = std::io::stdout().is_terminal();
-    let run = results::run(kit, lab, only, colour, |step| {
+    let run = results::run(kit, lab, only, build, |step| {
         let mut running = running.lock().expect("drawing does not panic");
         match step {
             Step::Tests(count) => {
                 bar.set_length(count as u64);
-                // Hidden by itself where there is no terminal.
-                bar.set_draw_target(ProgressDrawTarget::stderr());
+                if can_draw(&std::io::stderr()) {
+                    bar.set_draw_target(ProgressDrawTarget::stderr());
+                }
             }
             Step::Begun(test) => running.push(test.to_owned()),
             Step::Ended(test) => {
@@ -117,6 +137,21 @@ pub(crate) fn run_tests(kit: &Kit, lab: Lab, only: Option<Task>) -> Result<Optio
             bail!("the tests of lab {lab} cannot be built: {trouble}")
         }
     }
+}
+
+/// Names what lies in src and is not read, unless that was said before.
+fn name_unread(kit: &Kit, lab: Lab) -> Result<()> {
+    let file = format!("unread/lab{lab}.json");
+    let mut unread = Vec::new();
+    for (path, why) in submission::collect(&kit.starter(lab))?.left_out {
+        unread.push(format!("labs/lab{lab}/{}: {why}", path.display()));
+    }
+    let named: Option<Vec<String>> = recall(kit, &file);
+    if named.unwrap_or_default() != unread {
+        unread.iter().for_each(|line| print!("{}", folded("not read: ", line)));
+        remember(kit, &file, &unread)?;
+    }
+    Ok(())
 }
 
 /// Says where and what the compiler says, the first error only: the others often follow from it.

@@ -1,6 +1,6 @@
 //! `cargo lab watch`: the tests again, whenever a file is saved.
 
-use std::io::{IsTerminal, Write};
+use std::io::Write;
 use std::process::ExitCode;
 use std::thread;
 use std::time::Duration;
@@ -14,6 +14,7 @@ use crate::tasks::State;
 use crate::test::{What, run_tests};
 use lab_kit::answers::Task;
 use lab_kit::process;
+use lab_kit::progress::can_draw;
 use lab_kit::{Kit, Lab};
 
 /// How often the source is looked at. An editor writes a file in several steps: within this time they
@@ -84,7 +85,7 @@ fn wait(kit: &Kit, lab: Lab, before: &str) -> Result<()> {
 /// An empty screen, if it is one.
 fn clear() {
     let mut out = std::io::stdout();
-    if out.is_terminal() {
+    if can_draw(&out) {
         // A terminal that does not take it keeps what it shows.
         let _ = write!(out, "\x1b[2J\x1b[3J\x1b[H").and_then(|()| out.flush());
     }

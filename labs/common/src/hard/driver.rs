@@ -1,6 +1,6 @@
 //! The program around a lab of hard discs: its command line, its clock and its output.
 
-use std::fs;
+use std::fs::File;
 use std::io::{self, BufWriter, Read, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -24,13 +24,13 @@ struct Options {
     /// The input file [default: standard input]
     input: Option<PathBuf>,
     /// Seed of the random discs, if the input lists no discs
-    #[arg(short, default_value_t = 1, value_name = "SEED")]
+    #[arg(short, default_value_t = 1, value_name = "SEED", value_parser = clap::value_parser!(u32).range(1..), allow_negative_numbers = true)]
     seed: u32,
     /// Least and greatest velocity component of random discs [default: L/(8r) and L/4]
-    #[arg(long, value_name = "LEAST,GREATEST", value_parser = two_numbers)]
+    #[arg(long, value_name = "LEAST,GREATEST", value_parser = speeds, allow_hyphen_values = true)]
     speeds: Option<(f64, f64)>,
     /// Place random discs in a square of this side in the middle [default: the whole square]
-    #[arg(long, value_name = "SIDE")]
+    #[arg(long, value_name = "SIDE", value_parser = side, allow_negative_numbers = true)]
     blob: Option<f64>,
     #[command(flatten)]
     choice: Choice,
@@ -119,11 +119,21 @@ fn run_lab(
 
 fn bytes(options: &Options) -> io::Result<Vec<u8>> {
     match &options.input {
-        Some(path) => fs::read(path),
-        None => {
-            let mut bytes = Vec::new();
-            io::stdin().lock().read_to_end(&mut bytes)?;
-            Ok(bytes)
+        Some(path) => text(File::open(path)?),
+        None => text(io::stdin().lock()),
+    }
+}
+
+/// All bytes of an input, of which no line of text has a zero. A device such as `/dev/zero` has no end.
+fn text(mut input: impl Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    loop {
+        let before = bytes.len();
+        if input.by_ref().take(CHUNK as u64).read_to_end(&mut bytes)? == 0 {
+            return Ok(bytes);
+        }
+        if bytes[before..].contains(&0) {
+            return Err(io::Error::new(io::ErrorKind::InvalidData, "it is no text"));
         }
     }
 }
@@ -209,12 +219,55 @@ fn report(
     Ok(())
 }
 
-fn two_numbers(text: &str) -> Result<(f64, f64), String> {
-    text.split_once(',')
+fn speeds(text: &str) -> Result<(f64, f64), String> {
+    let numbers = text.split_once(',');
+    numbers
         .and_then(|(least, greatest)| Some((number(least)?, number(greatest)?)))
-        .ok_or_else(|| "expected two numbers, LEAST,GREATEST".into())
+        .filter(|(least, greatest)| (0.0..=*greatest).contains(least))
+        .ok_or_else(|| "expected two numbers, LEAST,GREATEST, with 0 <= LEAST <= GREATEST".into())
+}
+
+fn side(text: &str) -> Result<f64, String> {
+    let side = number(text).filter(|side| *side >= 0.0);
+    side.ok_or_else(|| "expected a finite number, 0 or more".into())
 }
 
 fn number(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::repeat;
+
+    use clap::Parser;
+
+    use super::{Options, text};
+
+    #[test]
+    fn numbers_that_make_no_scene_are_refused() {
+        for good in [&["--blob=0"][..], &["--speeds", "3,3"], &["-s", "1"]] {
+            assert!(Options::try_parse_from([&["lab"], good].concat()).is_ok(), "{good:?}");
+        }
+        for bad in [
+            &["--blob=NaN"][..],
+            &["--blob", "-1"],
+            &["--blob=inf"],
+            &["--speeds", "3,1"],
+            &["--speeds", "-1,1"],
+            &["--speeds=NaN,1"],
+            &["-s", "0"],
+            &["-s", "-5"],
+        ] {
+            let error =
+                Options::try_parse_from([&["lab"], bad].concat()).err().unwrap().to_string();
+            assert!(error.starts_with("error: invalid value "), "{bad:?}: {error}");
+        }
+    }
+
+    #[test]
+    fn an_input_without_end_is_refused() {
+        assert_eq!(text(&b"2 10"[..]).unwrap(), b"2 10");
+        assert_eq!(text(repeat(0)).unwrap_err().to_string(), "it is no text");
+    }
 }

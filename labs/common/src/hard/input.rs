@@ -124,6 +124,14 @@ mod tests {
     }
 
     #[test]
+    fn a_byte_order_mark_is_no_part_of_a_number() {
+        let problem = read_problem("\u{feff}3 10\n0.5 7\nperf\n".as_bytes()).unwrap();
+        assert_eq!((problem.n, problem.steps), (3, 7));
+        let scene = crate::soft::read_scene("\u{feff}1 2\n1 1 0 0\n".as_bytes()).unwrap();
+        assert_eq!(scene.len(), 1);
+    }
+
+    #[test]
     fn a_bad_input_gets_one_line_that_names_line_and_field() {
         for (input, message) in [
             ("", "line 1: N is missing"),

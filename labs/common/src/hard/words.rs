@@ -45,7 +45,11 @@ impl<R: BufRead> Words<R> {
                 return Ok(false);
             }
             self.line += 1;
-            if !self.text.trim().is_empty() {
+            // Editors of Windows begin a file with a mark that nobody sees.
+            if self.line == 1 && self.text.starts_with('\u{feff}') {
+                self.at = '\u{feff}'.len_utf8();
+            }
+            if !self.text[self.at..].trim().is_empty() {
                 return Ok(true);
             }
         }

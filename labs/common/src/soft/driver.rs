@@ -24,10 +24,10 @@ const CHUNK: usize = 1 << 20;
 #[command(arg_required_else_help = false)]
 struct Options {
     /// Number of particles
-    #[arg(short, default_value_t = 1000, value_name = "N")]
+    #[arg(short, default_value_t = 1000, value_name = "N", allow_negative_numbers = true)]
     n: u64,
     /// Seed of the scene, 1 or more
-    #[arg(short, default_value_t = 1, value_name = "SEED")]
+    #[arg(short, default_value_t = 1, value_name = "SEED", allow_negative_numbers = true)]
     seed: u32,
     /// Generator of the scene
     #[arg(long, value_enum, default_value_t = Generator::Official, value_name = "NAME")]
@@ -35,7 +35,7 @@ struct Options {
     #[command(flatten)]
     choice: Choice,
     /// Number of time steps
-    #[arg(long, default_value_t = 1000, value_name = "STEPS")]
+    #[arg(long, default_value_t = 1000, value_name = "STEPS", allow_negative_numbers = true)]
     steps: u64,
     /// Start from a scene file instead: a line 'n size', then a line 'x y vx vy' for each particle
     #[arg(long, value_name = "FILE", conflicts_with_all = ["n", "seed", "generator"])]
@@ -228,4 +228,19 @@ fn report(
         text += &format!("{name} = {}\n", general(value));
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::Options;
+
+    #[test]
+    fn a_negative_number_is_called_an_invalid_value() {
+        for option in ["-n", "-s", "--steps"] {
+            let error = Options::try_parse_from(["lab", option, "-5"]).err().unwrap().to_string();
+            assert!(error.starts_with("error: invalid value '-5' for '"), "{error}");
+        }
+    }
 }

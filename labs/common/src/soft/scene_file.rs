@@ -1,6 +1,6 @@
 //! Reads a scene from a text file.
 
-use std::io::{self, BufRead};
+use std::io::{self, BufRead, Read};
 
 use thiserror::Error;
 
@@ -20,15 +20,17 @@ pub enum SceneFileError {
     Scene(#[from] SceneError),
 }
 
-/// Reads a scene: a line `n size`, then n lines `x y vx vy`. Later lines are ignored.
+/// The longest line of a scene, in bytes. A file such as `/dev/zero` has no end of a line.
+const LONGEST: u64 = 2000;
+
+/// Reads a scene: a line `n size`, then n lines `x y vx vy`. Lines after an empty line are ignored.
 ///
 /// So a file of full frames (`--full`) is a scene: its first frame.
 ///
 /// # Errors
 /// A [`SceneFileError`], which names the line.
-pub fn read_scene(input: impl BufRead) -> Result<Scene, SceneFileError> {
-    let mut lines = input.lines();
-    let first = lines.next().transpose()?.unwrap_or_default();
+pub fn read_scene(mut input: impl BufRead) -> Result<Scene, SceneFileError> {
+    let first = line_of(&mut input, 1)?.unwrap_or_default();
     let (n, size) = header(&first).ok_or_else(|| bad(1, "'n size'", &first))?;
     Scene::check_count(n)?;
 
@@ -36,10 +38,15 @@ pub fn read_scene(input: impl BufRead) -> Result<Scene, SceneFileError> {
     // three.
     let mut particles = Vec::new();
     for line in 2.. {
+        let text = line_of(&mut input, line)?;
         if particles.len() as u64 == n {
+            if text.is_some_and(|text| !text.trim().is_empty()) {
+                let what = format!("line {line}: there are more than the {n} particles of line 1");
+                return Err(SceneFileError::Text(what));
+            }
             break;
         }
-        let Some(text) = lines.next().transpose()? else {
+        let Some(text) = text else {
             let found = particles.len();
             let what = format!("the file ends after {found} of {n} particles");
             return Err(SceneFileError::Text(what));
@@ -50,8 +57,21 @@ pub fn read_scene(input: impl BufRead) -> Result<Scene, SceneFileError> {
     Ok(Scene::new(size, particles)?)
 }
 
+/// The next line; `None` at the end.
+fn line_of(input: &mut impl BufRead, number: usize) -> Result<Option<String>, SceneFileError> {
+    let mut text = String::new();
+    let read = input.take(LONGEST).read_line(&mut text)?;
+    if read as u64 == LONGEST {
+        let what = format!("line {number}: it is longer than {LONGEST} bytes, so this is no scene");
+        return Err(SceneFileError::Text(what));
+    }
+    Ok((read > 0).then_some(text))
+}
+
 fn header(text: &str) -> Option<(u64, f64)> {
-    let (n, size) = text.trim().split_once(char::is_whitespace)?;
+    // Editors of Windows begin a file with a mark that nobody sees.
+    let text = text.trim_start_matches('\u{feff}').trim();
+    let (n, size) = text.split_once(char::is_whitespace)?;
     Some((n.parse().ok()?, size.trim().parse().ok()?))
 }
 
@@ -65,7 +85,33 @@ fn bad(line: usize, expected: &'static str, found: &str) -> SceneFileError {
     let found = if found.trim().is_empty() {
         "an empty line".to_owned()
     } else {
-        format!("'{}'", found.chars().take(60).collect::<String>())
+        format!("'{}'", found.trim_end().chars().take(60).collect::<String>())
     };
     SceneFileError::Text(format!("line {line}: expected {expected}, found {found}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::{BufReader, repeat};
+
+    use super::read_scene;
+
+    #[test]
+    fn a_scene_is_as_long_as_its_first_line_says() {
+        assert_eq!(read_scene(&b"1 2\n1 1 0 0"[..]).unwrap().len(), 1);
+        assert_eq!(read_scene(&b"1 2\n1 1 0 0\n\n1 1 0 0\n"[..]).unwrap().len(), 1, "two frames");
+        for (text, what) in [
+            ("1 2\n1 1 0 0\n1 1 0 0\n", "line 3: there are more than the 1 particles of line 1"),
+            ("2 2\n1 1 0 0\n", "the file ends after 1 of 2 particles"),
+            ("2 2\n1 1 0\n", "line 2: expected 'x y vx vy', found '1 1 0'"),
+        ] {
+            assert_eq!(read_scene(text.as_bytes()).unwrap_err().to_string(), what);
+        }
+    }
+
+    #[test]
+    fn a_file_without_end_is_no_scene() {
+        let error = read_scene(BufReader::new(repeat(0))).unwrap_err().to_string();
+        assert_eq!(error, "line 1: it is longer than 2000 bytes, so this is no scene");
+    }
 }

@@ -51,24 +51,21 @@ fn exchange(
 ) {
     let list_to = |to: &usize| (*to as i32, letters[rank.number][*to].clone());
     let outgoing: Vec<_> = others.iter().map(list_to).collect();
-    let mut calls = Calls::default();
+    let mut before = Vec::new();
     let (incoming, result) = rank.call("exchange_beside", |world| {
-        let work = || {
-            calls.works += 1;
-            calls.before = calls_made();
+        exchange_beside(world, &outgoing, || {
+            before.push(calls_made());
             6 * 7
-        };
-        let got = exchange_beside(world, &outgoing, work);
-        calls.all = calls_made();
-        got
+        })
     });
+    let all = calls_made();
     let name = format!(
         "exchange_beside on {}, lists of up to {most} items for ranks {others:?}",
         rank.name()
     );
     let question = format!(
-        "{name}: how often the work is done, and what it returns; sends and receives under way when it begins; other \
-         calls before it; calls after it that are no waits"
+        "{name}: how often the work is done; sends and receives under way when it begins; other calls before it; calls \
+         after it that are no waits; what comes back of it"
     );
     // A list without items needs no message, since both sides know its length by then.
     let travels = |other: &usize| {
@@ -77,7 +74,7 @@ fn exchange(
     };
     let least = others.iter().map(travels).sum();
     let verdict = |found: &[f64]| overlap(found, least, 2 * others.len());
-    ask.judge(&question, || [calls.numbers(), vec![f64::from(result)]].concat(), verdict);
+    ask.judge(&question, || [counted(&before, &all), vec![f64::from(result)]].concat(), verdict);
     ask.exact(
         &format!("{name}: the number of lists that arrive, and the length and two sums of each"),
         || of_all(&incoming, rank.ranks),
@@ -85,24 +82,14 @@ fn exchange(
     );
 }
 
-/// The calls of an exchange.
-#[derive(Default)]
-struct Calls {
-    works: usize,
-    /// When the work begins.
-    before: Vec<&'static str>,
-    all: Vec<&'static str>,
-}
-
-impl Calls {
-    /// How often the work was done, how many messages were under way then, other calls before, and calls after
-    /// it that are no waits.
-    fn numbers(&self) -> Vec<f64> {
-        let under_way = self.before.iter().rev().take_while(|call| begins(call)).count();
-        let others = self.before.iter().filter(|call| !begins(call) && !waits(call)).count();
-        let later = self.all[self.before.len()..].iter().filter(|call| !waits(call)).count();
-        whole([self.works, under_way, others, later])
-    }
+/// How often the work was done, how many messages were under way then, other calls before, and calls after
+/// it that are no waits. `before` are the calls before each work.
+fn counted(before: &[Vec<&str>], all: &[&str]) -> Vec<f64> {
+    let first = before.first().map_or(&[][..], |calls| calls);
+    let under_way = first.iter().rev().take_while(|call| begins(call)).count();
+    let others = first.iter().filter(|call| !begins(call) && !waits(call)).count();
+    let later = all[first.len()..].iter().filter(|call| !waits(call)).count();
+    whole([before.len(), under_way, others, later])
 }
 
 fn begins(call: &str) -> bool {
@@ -122,22 +109,23 @@ fn overlap(found: &[f64], least: usize, most: usize) -> Result<(), String> {
         format!("work is called {works} times, and {result} comes back instead of its result, 42")
     } else if others > 0.0 {
         format!(
-            "{others} calls before the work neither begin a message nor wait for one: lists go by immediate sends and \
-                 receives"
+            "{others} calls before the work neither begin a message nor wait for one. Use immediate sends and receives \
+             only."
         )
     } else if later > 0.0 {
         format!(
-            "{later} calls after the work do not wait: the work must overlap the items, and not the lengths, and no call \
-                 may follow but waits"
+            "{later} calls after the work do not wait for messages. Start all messages before the work: it must overlap \
+             the items, and not the lengths."
         )
     } else if under_way < least as f64 {
         format!(
-            "{under_way} sends and receives are under way when the work begins, and {least} lists with items travel"
+            "{under_way} sends and receives are under way when the work begins, but {least} lists with items travel. \
+             Start them before the work, and wait after it."
         )
     } else if under_way > most as f64 {
         format!(
-            "{under_way} sends and receives are under way when the work begins, and there are {most} lists: those of \
-                 lengths must have been waited for"
+            "{under_way} sends and receives are under way when the work begins, but there are only {most} lists. Wait for \
+             the lengths first."
         )
     } else {
         return Ok(());

@@ -3,24 +3,24 @@
 //! The program that runs a submission writes answers to a file, and nothing in it knows what is right.
 //! The grader's own program, which is built from the solution, judges the file.
 
+mod answering;
 mod judged;
 mod table;
 
 use std::collections::BTreeSet;
-use std::fs::{self, Permissions};
-use std::os::unix::fs::PermissionsExt;
 use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use anyhow::{Result, ensure};
-use tempfile::TempDir;
 
-use crate::sandbox::{Sandbox, is_launcher, patiently};
+use crate::sandbox::Sandbox;
+use crate::sandbox::faults::{believed, could_end, machine_works, named};
+use answering::Answers;
 pub(crate) use judged::Judge;
 use judged::Judged;
 use lab_kit::harness::located_panic;
-use lab_kit::process::{Finished, run as run_process};
+use lab_kit::process::Finished;
 use table::Question;
 
 /// What is said of a program that was ended by us or by the system.
@@ -41,10 +41,17 @@ pub(crate) const JUDGE: &str = "judge";
 /// many times what the solution took, if that is more: the machine may be busy.
 const PATIENCE: u32 = 10;
 
-/// The questions of a lab, and how long the solution took for each.
+/// The questions of a lab, the solution's programs, and how long they took for each question.
 pub(crate) struct Questions {
     judge: Judge,
+    solution: PathBuf,
     all: Vec<Asked>,
+}
+
+/// An answer, and what came of it.
+struct Answered {
+    answers: Answers,
+    judged: Judged,
 }
 
 struct Asked {
@@ -69,23 +76,30 @@ pub(crate) struct Said {
 impl Questions {
     /// Asks the solution in `folder`; all that it answers must be right.
     pub(crate) fn of(sandbox: &Sandbox, folder: &Path, judge: Judge, seed: u64) -> Result<Self> {
-        let usual = sandbox.limits.run;
-        let mut all = Vec::new();
-        for question in table::read(&judge.program)? {
+        let all = table::read(&judge.program)?;
+        let mut questions = Self { judge, solution: folder.to_owned(), all: Vec::new() };
+        for question in all {
             let start = Instant::now();
-            let answers = Answers::of(sandbox, folder, &question, seed, PATIENCE * usual)?;
-            let limit = usual.max(PATIENCE * start.elapsed());
-            let judged = judge.judge(&question, seed, &answers.file())?;
-            ensure!(
-                judged.wrong.is_empty() && !judged.broke_off,
-                "the solution is wrong in {}: {}\n{}",
-                question.test,
-                judged.wrong,
-                answers.finished.stderr
-            );
-            all.push(Asked { question, answers: judged.asked, limit });
+            let judged = questions.ask_solution(sandbox, &question, seed)?;
+            let limit = sandbox.limits.run.max(PATIENCE * start.elapsed());
+            questions.all.push(Asked { question, answers: judged.asked, limit });
         }
-        Ok(Self { judge, all })
+        Ok(questions)
+    }
+
+    /// Asks the solution a question.
+    ///
+    /// # Errors
+    /// Its answer is wrong.
+    fn ask_solution(&self, sandbox: &Sandbox, question: &Question, seed: u64) -> Result<Judged> {
+        let limit = PATIENCE * sandbox.limits.run;
+        let Answered { answers, judged } =
+            self.answered(sandbox, &self.solution, question, seed, limit)?;
+        let test = &question.test;
+        let complaint = &answers.finished.stderr;
+        ensure!(!judged.broke_off, "the solution fails in {test}: {}", named(complaint));
+        ensure!(judged.wrong.is_empty(), "the solution is wrong in {test}: {}", judged.wrong);
+        Ok(judged)
     }
 
     /// What a submission in `folder` says about each of these tasks. A question that needs another task is
@@ -106,12 +120,50 @@ impl Questions {
             if after.iter().any(|needed| wrong.contains(needed)) {
                 continue;
             }
-            said[at].add(&self.judge, asked, sandbox, folder, seed)?;
+            if said[at].hangs {
+                said[at].asked += asked.answers;
+                continue;
+            }
+            said[at].add(self.ask_one(sandbox, folder, asked, seed)?, asked.limit);
             if said[at].said.wrong.is_some() {
                 wrong.insert(task.clone());
             }
         }
         Ok(said.into_iter().map(Marks::end).collect())
+    }
+
+    /// Asks a submission a question. Before an answer counts as wrong, the solution answers the same question
+    /// with the same seed.
+    fn ask_one(
+        &self,
+        sandbox: &Sandbox,
+        folder: &Path,
+        Asked { question, limit, .. }: &Asked,
+        seed: u64,
+    ) -> Result<Answered> {
+        let answered = believed(
+            || self.answered(sandbox, folder, question, seed, *limit),
+            |it| it.judged.broke_off && could_end(&it.answers.finished),
+            || self.ask_solution(sandbox, question, seed).map(drop),
+        )?;
+        if !answered.judged.wrong.is_empty() {
+            machine_works(|| self.ask_solution(sandbox, question, seed).map(drop))?;
+        }
+        Ok(answered)
+    }
+
+    /// Has a program answer, and judges the answer.
+    fn answered(
+        &self,
+        sandbox: &Sandbox,
+        folder: &Path,
+        question: &Question,
+        seed: u64,
+        limit: Duration,
+    ) -> Result<Answered> {
+        let answers = Answers::of(sandbox, folder, question, seed, limit)?;
+        let judged = self.judge.judge(question, seed, &answers.file())?;
+        Ok(Answered { answers, judged })
     }
 }
 
@@ -126,28 +178,15 @@ struct Marks {
 }
 
 impl Marks {
-    fn add(
-        &mut self,
-        judge: &Judge,
-        asked: &Asked,
-        sandbox: &Sandbox,
-        folder: &Path,
-        seed: u64,
-    ) -> Result<()> {
-        self.asked += asked.answers;
-        if self.hangs {
-            return Ok(());
-        }
-        let answers = Answers::of(sandbox, folder, &asked.question, seed, asked.limit)?;
-        let judged = judge.judge(&asked.question, seed, &answers.file())?;
-        self.right += judged.right.min(asked.answers);
+    fn add(&mut self, Answered { answers, judged }: Answered, limit: Duration) {
+        self.asked += judged.asked;
+        self.right += judged.right;
         self.hangs = answers.finished.status.is_none();
         let Finished { stdout, stderr, .. } = &answers.finished;
         self.said.printed += &format!("{stdout}{stderr}");
         if !judged.wrong.is_empty() && self.said.wrong.is_none() {
-            self.said.wrong = Some(words(&judged, &answers.finished, asked.limit));
+            self.said.wrong = Some(words(&judged, &answers.finished, limit));
         }
-        Ok(())
     }
 
     fn end(self) -> Said {
@@ -169,54 +208,7 @@ fn words(judged: &Judged, finished: &Finished, limit: Duration) -> String {
         None if finished.stdout.len().max(finished.stderr.len()) >= MUCH => PRINTS.into(),
         None => format!("no answer within {} s to: {question}", limit.as_secs()),
         Some(status) if status.signal() == Some(9) => KILLED.into(),
-        Some(_) if is_launcher(&finished.stderr) => first_line(&finished.stderr),
         Some(_) => located_panic(&finished.stderr).map_or(wrong, |said| first_line(&said)),
-    }
-}
-
-/// What a program did to answer a question.
-struct Answers {
-    finished: Finished,
-    folder: TempDir,
-}
-
-impl Answers {
-    /// Has a program answer. The answers come in a file of their own, whatever the program prints. It could
-    /// write anything there, but only right answers count, whoever writes them.
-    fn of(
-        sandbox: &Sandbox,
-        folder: &Path,
-        question: &Question,
-        seed: u64,
-        limit: Duration,
-    ) -> Result<Self> {
-        let once = || Self::once(sandbox, folder, question, seed, limit);
-        let refused = |answers: &Self| {
-            let empty = fs::metadata(answers.file()).is_ok_and(|file| file.len() == 0);
-            answers.finished.status.is_some() && empty && is_launcher(&answers.finished.stderr)
-        };
-        patiently(once, refused)
-    }
-
-    fn once(
-        sandbox: &Sandbox,
-        folder: &Path,
-        question: &Question,
-        seed: u64,
-        limit: Duration,
-    ) -> Result<Self> {
-        let written = sandbox.folder()?;
-        let file = written.path().join("answers");
-        fs::write(&file, "")?;
-        // Programs run as nobody.
-        fs::set_permissions(&file, Permissions::from_mode(0o666))?;
-        let mut command = sandbox.program(folder, ANSWER, Some(&file));
-        command.args([&question.test, &seed.to_string()]);
-        Ok(Self { finished: run_process(&mut command, limit)?, folder: written })
-    }
-
-    fn file(&self) -> PathBuf {
-        self.folder.path().join("answers")
     }
 }
 

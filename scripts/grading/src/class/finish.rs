@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::ExitCode;
 
-use anyhow::Result;
+use anyhow::{Result, anyhow};
 use tempfile::TempDir;
 
 use super::Named;
@@ -19,8 +19,8 @@ use crate::roll::late::file_time;
 use crate::score::score;
 use crate::{report, timing};
 
-/// Times one submission after another. Of a submission judged just now `programs` has the programs;
-/// those of others are built again in `tree`.
+/// Times one submission after another, and returns whether that could be done for all. Of a submission judged just
+/// now `programs` has the programs; those of others are built again in `tree`.
 pub(crate) fn time(
     grader: &Grader<'_>,
     reference: &Reference,
@@ -28,13 +28,14 @@ pub(crate) fn time(
     untimed: &[&Named],
     into: &Path,
     mut programs: BTreeMap<String, TempDir>,
-) -> Result<()> {
+) -> Result<bool> {
     let bar = bar("times", untimed.len(), 0);
+    let mut all = true;
     for (name, path) in untimed {
         let mut record = record::read(&into.join(format!("{name}.json")))?;
         let mut take = || -> Result<()> {
             let program = match programs.remove(name) {
-                None if record.status == Status::Graded => build(grader, tree, path)?,
+                None if record.status == Status::Graded => Some(build(grader, tree, path)?),
                 program => program,
             };
             record.timed = true;
@@ -46,13 +47,14 @@ pub(crate) fn time(
         if taken.is_err() {
             // They are open, and taken the next time.
             (record.timed, record.runs) = (false, Vec::new());
+            all = false;
         }
         score(&mut record, &grader.rubric)?;
         record.write(into)?;
         done(&bar, name, taken.map_or_else(|error| format!("{error:#}"), |()| times(&record)));
     }
     bar.finish_and_clear();
-    Ok(())
+    Ok(all)
 }
 
 /// Gives points and writes the pages. It is a failure if a submission could not be dealt with, or if
@@ -85,6 +87,9 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
         }
     }
     attendance.say(&records);
+    if let Some(deadline) = roll.deadline() {
+        println!("The deadline was {}.", line(&deadline));
+    }
     let unpacked = submissions.iter().filter(|(_, path)| path.is_dir());
     let unpacked: Vec<&str> = unpacked.map(|(name, _)| name.as_str()).collect();
     if !unpacked.is_empty() && roll.trusts_files() {
@@ -99,9 +104,10 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
 }
 
 /// The programs of a submission that was graded before.
-fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<Option<TempDir>> {
-    let Ok(intake) = grader.take(path) else { return Ok(None) };
-    Ok(tree.build(grader.sandbox, &intake.files)?.ok())
+fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<TempDir> {
+    let intake = grader.take(path)?;
+    let built = tree.build(grader.sandbox, &intake.files)?;
+    built.map_err(|why| anyhow!("it was graded, and cannot be built now: {why}"))
 }
 
 /// What came of a submission's times, in a few words.

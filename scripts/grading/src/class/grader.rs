@@ -1,8 +1,8 @@
 //! Grading one submission: what it is asked, and the record of what it said.
 
+use std::hash::{BuildHasher, RandomState};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::time::SystemTime;
 
 use anyhow::{Context, Result};
 use tempfile::TempDir;
@@ -11,17 +11,16 @@ use super::Options;
 use crate::asking::{JUDGE, Judge, Questions};
 use crate::build::{Tree, graded_by};
 use crate::escape::{cut, plain};
-use crate::intake::{self, Given, Intake, forbidden};
+use crate::intake::{self, Intake, forbidden};
 use crate::record::{FORMAT, Record, Status, Task};
-
 use crate::sandbox::Sandbox;
-use crate::timing::whole::{self, Whole};
+use crate::timing::whole;
 use lab_kit::Facts;
 use lab_kit::files::{digest, write_file};
 use lab_kit::machine::machine;
 use lab_kit::rubric;
 use lab_kit::submission::Sources;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Given, Kit, Lab};
 
 /// Characters kept of what is said about a submission or a task.
 const SAID: usize = 4000;
@@ -35,7 +34,8 @@ pub(crate) struct Grader<'a> {
     pub(crate) lab: Lab,
     pub(crate) rubric: Facts,
     pub(crate) sandbox: &'a Sandbox,
-    pub(crate) seed: u64,
+    /// The seed of every submission; drawn for each if not given.
+    seed: Option<u64>,
     given: Given,
     /// Where to keep what programs print, for the staff.
     printed: PathBuf,
@@ -56,14 +56,11 @@ impl<'a> Grader<'a> {
         let rubric = rubric::read(kit, lab)?;
         rubric.warn(lab);
         let hash = hash(&graded_by(kit, lab)?);
-        let seed = options.seed.unwrap_or_else(|| {
-            let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
-            now.map_or(1, |now| now.as_nanos() as u64)
-        });
         let version = Command::new("rustc").arg("--version").current_dir(kit.root()).output()?;
         let toolchain = String::from_utf8_lossy(&version.stdout).trim().to_owned();
         let given = Given::of(kit, lab)?;
         let printed = into.join("printed");
+        let seed = options.seed;
         Ok(Self { kit, lab, rubric, sandbox, seed, given, printed, hash, toolchain })
     }
 
@@ -72,13 +69,36 @@ impl<'a> Grader<'a> {
         intake::take(self.kit, self.lab, &self.given, path)
     }
 
+    /// A seed that nothing tells of another: what one submission was asked helps no other.
+    fn seed(&self) -> u64 {
+        self.seed.unwrap_or_else(|| RandomState::new().hash_one(()))
+    }
+
+    /// An error about the submission at `path`, as it is written down.
+    pub(crate) fn said(&self, error: &anyhow::Error, path: &Path) -> String {
+        cut(&self.shown(&format!("{error:#}"), path), SAID)
+    }
+
+    /// A text without the folders of this machine: a student reads it.
+    fn shown(&self, text: &str, path: &Path) -> String {
+        let class = path.parent().unwrap_or(path);
+        let own = self.sandbox.folders().into_iter().chain([self.kit.root(), class]);
+        // The longest first: one may be in another.
+        let mut folders: Vec<String> = own.map(|folder| folder.display().to_string()).collect();
+        folders.sort_by_key(|folder| std::cmp::Reverse(folder.len()));
+        folders.retain(|folder| folder.len() > 1 && folder.starts_with('/'));
+        folders.iter().fold(text.to_owned(), |text, folder| {
+            text.replace(&format!("{folder}/"), "").replace(folder, "")
+        })
+    }
+
     fn blank(&self, name: &str) -> Record {
         Record {
             format: FORMAT,
             name: name.to_owned(),
             lab: self.lab,
             grader: self.hash.clone(),
-            seed: self.seed,
+            seed: self.seed(),
             toolchain: self.toolchain.clone(),
             machine: machine(),
             sandboxed: self.sandbox.keeps,
@@ -98,7 +118,7 @@ impl<'a> Grader<'a> {
         path: &Path,
     ) -> (Record, Option<TempDir>) {
         self.try_to_grade(tree, reference, name, path).unwrap_or_else(|error| {
-            let (status, message) = (Status::Failed, said(&error));
+            let (status, message) = (Status::Failed, self.said(&error, path));
             (Record { status, message, ..self.blank(name) }, None)
         })
     }
@@ -112,12 +132,14 @@ impl<'a> Grader<'a> {
     ) -> Result<(Record, Option<TempDir>)> {
         let mut record = self.blank(name);
         let ended = |mut record: Record, status, message: String| {
-            (record.status, record.message) = (status, cut(&message, SAID));
+            (record.status, record.message) = (status, cut(&self.shown(&message, path), SAID));
             Ok((record, None))
         };
         let intake = match self.take(path) {
             Ok(intake) => intake,
-            Err(error) => return ended(record, Status::Unreadable, said(&error)),
+            // The system cannot read it, which is no word about what is in it.
+            Err(error) if is_of_the_system(&error) => return Err(error),
+            Err(error) => return ended(record, Status::Unreadable, format!("{error:#}")),
         };
         (record.left_out, record.changed) = (intake.left_out, intake.changed);
         if intake.files.is_empty() {
@@ -135,17 +157,18 @@ impl<'a> Grader<'a> {
             Err(why) => return ended(record, Status::NotBuilt, why),
         };
         let tasks = record.tasks.iter().map(|task| task.id.as_str());
-        let said = reference.questions.as_ref().context("the solution was not asked")?;
-        let said = said.ask(self.sandbox, folder.path(), tasks, self.seed)?;
+        let questions = reference.questions.as_ref().context("the solution was not asked")?;
+        let said = questions.ask(self.sandbox, folder.path(), tasks, record.seed)?;
         for (task, said) in record.tasks.iter_mut().zip(said) {
             (task.passed, task.share) = (said.wrong.is_none(), said.share);
-            task.message = cut(&said.wrong.unwrap_or_default(), SAID);
+            task.message = cut(&self.shown(&said.wrong.unwrap_or_default(), path), SAID);
             if !said.printed.trim().is_empty() {
                 let path = self.printed.join(name).join(format!("{}.txt", task.id));
                 write_file(&path, cut(&plain(&said.printed), PRINTED))?;
             }
         }
-        whole::check(self.sandbox, folder.path(), &reference.wholes, &mut record.tasks)?;
+        let folders = (folder.path(), reference.programs.path());
+        whole::check(self.sandbox, folders, &self.rubric, record.seed, &mut record.tasks)?;
         Ok((record, Some(folder)))
     }
 }
@@ -155,30 +178,28 @@ pub(crate) struct Reference {
     pub(crate) programs: TempDir,
     /// The lab's questions; none if nothing is to be judged.
     questions: Option<Questions>,
-    /// And what they are as a whole.
-    wholes: Vec<Whole>,
 }
 
 impl Reference {
     /// Builds the solution, and asks it everything if answers are to be `judged`.
     pub(crate) fn build(grader: &Grader<'_>, tree: &Tree, judged: bool) -> Result<Self> {
-        let Grader { kit, lab, sandbox, rubric, seed, .. } = grader;
+        let Grader { kit, lab, sandbox, .. } = grader;
         let programs = tree.reference(kit, sandbox)?;
         if !judged {
-            return Ok(Self { programs, questions: None, wholes: vec![] });
+            return Ok(Self { programs, questions: None });
         }
         let folder = programs.path();
         // Whoever waits for the judge waits for us.
         let judge = Judge::new(kit, *lab, folder.join(JUDGE), 10 * sandbox.limits.run);
-        let questions = Some(Questions::of(sandbox, folder, judge, *seed)?);
-        let wholes = whole::reference(sandbox, folder, rubric, *seed)?;
-        Ok(Self { programs, questions, wholes })
+        let questions = Some(Questions::of(sandbox, folder, judge, grader.seed())?);
+        Ok(Self { programs, questions })
     }
 }
 
-/// An error, as it is written down.
-pub(crate) fn said(error: &anyhow::Error) -> String {
-    cut(&format!("{error:#}"), SAID)
+/// Whether the system refused something, such as a file that the grader may not read.
+fn is_of_the_system(error: &anyhow::Error) -> bool {
+    let refused = |cause: &std::io::Error| cause.raw_os_error().is_some();
+    error.chain().any(|cause| cause.downcast_ref().is_some_and(refused))
 }
 
 /// SHA-256 of sources and their paths.

@@ -14,7 +14,7 @@ use anyhow::{Result, ensure};
 use clap::Args;
 
 use crate::intake;
-use crate::intake::names::{name, named};
+use crate::intake::names::{composed, name, named};
 use crate::record;
 use crate::roll;
 use lab_kit::process::kill_all_on_interrupt;
@@ -72,7 +72,9 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     for path in &options.paths {
         submissions.extend(intake::submissions(kit, path)?);
     }
-    submissions.retain(|path| options.only.as_ref().is_none_or(|only| name(path).contains(only)));
+    submissions.retain(|path| {
+        options.only.as_ref().is_none_or(|only| name(path).contains(&composed(only)))
+    });
     ensure!(!submissions.is_empty(), "there is nothing to grade");
     let submissions = named(submissions);
     let beside = roll::FILES.iter().filter_map(|name| {

@@ -1,13 +1,14 @@
 //! Archives: of either kind, only plain files below labs/labN/src are unpacked, into memory.
 
-use std::io::{Cursor, Read};
+use std::ffi::OsStr;
+use std::io::{self, Cursor, Read};
+use std::os::unix::ffi::OsStrExt;
 use std::path::PathBuf;
 
 use anyhow::{Result, ensure};
 use flate2::read::GzDecoder;
 
 use super::HandedIn;
-use lab_kit::submission::NOT_UTF8;
 
 /// Bytes of an archive that are looked through: what is skipped costs little, but it costs.
 const UNPACKED: u64 = 256 << 20;
@@ -17,13 +18,61 @@ const TOO_LARGE: &str =
 /// The most entries of an archive.
 pub(super) const ENTRIES: usize = 100_000;
 
-/// Takes in a `.tar.gz`.
-pub(crate) fn tar_gz(packed: impl Read) -> Result<HandedIn> {
-    tar(GzDecoder::new(packed))
+/// Bytes of a file that say what it is.
+const HEAD: u64 = 512;
+
+/// The most times that something is packed by gzip: a browser may do it once more.
+const TIMES: usize = 3;
+
+/// Whether a file that begins so is an archive. What it is called does not matter: browsers and platforms rename.
+pub(super) fn is_archive(head: &[u8]) -> bool {
+    is_gzip(head) || is_zip(head) || is_tar(head)
 }
 
-/// Takes in a `.tar`.
-pub(crate) fn tar(unpacked: impl Read) -> Result<HandedIn> {
+fn is_gzip(head: &[u8]) -> bool {
+    head.starts_with(&[0x1f, 0x8b])
+}
+
+fn is_zip(head: &[u8]) -> bool {
+    head.starts_with(b"PK")
+}
+
+/// An old tar has no name of its form, but a sum of its first block.
+fn is_tar(head: &[u8]) -> bool {
+    let Some(block) = head.first_chunk::<512>() else { return false };
+    let mut header = tar::Header::new_old();
+    header.as_mut_bytes().copy_from_slice(block);
+    let said = header.cksum();
+    header.set_cksum();
+    block[0] != 0 && said.is_ok_and(|said| header.cksum().is_ok_and(|sum| sum == said))
+}
+
+/// The first bytes of a file.
+pub(super) fn head(file: impl Read) -> io::Result<Vec<u8>> {
+    let mut head = Vec::new();
+    file.take(HEAD).read_to_end(&mut head)?;
+    Ok(head)
+}
+
+/// Takes in an archive: a zip, a tar, or one that is packed by gzip.
+pub(crate) fn unpack(packed: impl Read) -> Result<HandedIn> {
+    let mut packed: Box<dyn Read + '_> = Box::new(packed);
+    for _ in 0..TIMES {
+        let head = head(&mut packed)?;
+        let begins = head.clone();
+        let whole = Cursor::new(head).chain(packed);
+        if is_zip(&begins) {
+            return zip(whole);
+        }
+        if !is_gzip(&begins) {
+            return tar(whole);
+        }
+        packed = Box::new(GzDecoder::new(whole));
+    }
+    tar(packed)
+}
+
+fn tar(unpacked: impl Read) -> Result<HandedIn> {
     let mut archive = tar::Archive::new(unpacked.take(UNPACKED));
     let (mut handed_in, mut passed) = (HandedIn::default(), 0);
     for (index, entry) in archive.entries()?.enumerate() {
@@ -43,8 +92,7 @@ pub(crate) fn tar(unpacked: impl Read) -> Result<HandedIn> {
     Ok(handed_in)
 }
 
-/// Takes in a `.zip`.
-pub(crate) fn zip(packed: impl Read) -> Result<HandedIn> {
+fn zip(packed: impl Read) -> Result<HandedIn> {
     let mut bytes = Vec::new();
     packed.take(UNPACKED + 1).read_to_end(&mut bytes)?;
     ensure!(bytes.len() as u64 <= UNPACKED, TOO_LARGE);
@@ -62,11 +110,7 @@ pub(crate) fn zip(packed: impl Read) -> Result<HandedIn> {
         }
         let plain = entry.is_file() && !entry.is_symlink();
         let size = entry.size();
-        let Ok(name) = std::str::from_utf8(entry.name_raw()).map(PathBuf::from) else {
-            let shown = String::from_utf8_lossy(entry.name_raw()).into_owned();
-            handed_in.leave_out(shown.as_ref(), NOT_UTF8);
-            continue;
-        };
+        let name = PathBuf::from(OsStr::from_bytes(entry.name_raw()));
         unpacked += handed_in.add(&name, plain, size, || Ok(entry))?;
         ensure!(unpacked <= UNPACKED, TOO_LARGE);
     }

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
 
-use super::names::{ARCHIVES, ELSEWHERE, is_macos, lab_of};
+use super::names::{DEEP, is_built, is_called_archive, is_macos, lab_of};
 use super::{HandedIn, NAMED, archive};
 
-/// The sources of each lab in a submission: a `.tar.gz`, a `.tar` or a `.zip`, or a folder, with labs/ in it
-/// or one folder below, or with archives in it.
+/// The sources of each lab in a submission: an archive, or a folder, with labs/ or archives somewhere in it, or
+/// with loose files.
 ///
 /// # Errors
 /// It is neither, it is damaged, or it is larger than any submission.
@@ -31,29 +31,56 @@ pub(crate) fn read(path: &Path) -> Result<HandedIn> {
 
 type Unpack = fn(File) -> Result<HandedIn>;
 
-/// What unpacks an archive, by its name; none if it is not called like one.
+/// What unpacks a file, if it is an archive by its content, or called like one.
 pub(super) fn unpacker(path: &Path) -> Option<Unpack> {
-    let name = path.file_name()?.to_string_lossy();
-    match *ARCHIVES.iter().find(|ending| name.ends_with(**ending))? {
-        ".zip" => Some(archive::zip),
-        ".tar" => Some(archive::tar),
-        _ => Some(archive::tar_gz),
-    }
+    let is_file = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file());
+    let head = is_file.then(|| archive::head(File::open(path).ok()?).ok()).flatten();
+    let is_archive = head.is_some_and(|head| archive::is_archive(&head));
+    (is_archive || is_called_archive(path)).then_some(archive::unpack as Unpack)
 }
 
 fn folder(path: &Path) -> Result<HandedIn> {
-    let mut tops = vec![path.to_owned()];
-    if !path.join("labs").is_dir() {
-        let entries = fs::read_dir(path)?.filter_map(|entry| Some(entry.ok()?.path()));
-        let is_top =
-            |top: &PathBuf| !top.is_symlink() && !is_macos(top) && top.join("labs").is_dir();
-        tops = entries.filter(is_top).collect();
-        ensure!(tops.len() < 2, "{} has labs/ in more than one folder", path.display());
-    }
-    let Some(top) = tops.first() else { return uploads(path) };
+    let mut all = Below::default();
+    find(path, 0, &mut all)?;
+    ensure!(all.tops.len() < 2, "{} has labs/ in more than one folder", path.display());
+    let Some(top) = all.tops.first() else { return uploads(path, all) };
     let mut handed_in = HandedIn::default();
     walk(top, top, &mut handed_in)?;
     Ok(handed_in)
+}
+
+/// What lies in a folder.
+#[derive(Default)]
+struct Below {
+    /// Folders with labs/ in them, which are not looked into.
+    tops: Vec<PathBuf>,
+    archives: Vec<PathBuf>,
+    others: Vec<PathBuf>,
+}
+
+fn find(folder: &Path, depth: usize, all: &mut Below) -> Result<()> {
+    let labs = fs::read_dir(folder.join("labs")).into_iter().flatten().flatten();
+    if labs.into_iter().any(|entry| lab_of(&entry.file_name().to_string_lossy()).is_some()) {
+        all.tops.push(folder.to_owned());
+        return Ok(());
+    }
+    let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
+    let mut paths = entries.collect::<Result<Vec<_>>>()?;
+    paths.sort();
+    for path in paths.into_iter().filter(|path| !is_macos(path)) {
+        let metadata = fs::symlink_metadata(&path)?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if metadata.is_dir() && depth < DEEP && !is_built(&name) {
+            find(&path, depth + 1, all)?;
+        } else if metadata.is_file() && unpacker(&path).is_some() {
+            all.archives.push(path);
+        } else {
+            all.others.push(path);
+        }
+        let many = all.archives.len() + all.others.len() > archive::ENTRIES;
+        ensure!(!many, "there are more than {} files in it", archive::ENTRIES);
+    }
+    Ok(())
 }
 
 /// Takes what lies in a folder. It goes no deeper where no source of a lab can be.
@@ -81,24 +108,23 @@ fn walk(top: &Path, folder: &Path, handed_in: &mut HandedIn) -> Result<()> {
     Ok(())
 }
 
-/// A folder for a student as learning platforms export it: what was uploaded lies in it, packed.
-fn uploads(folder: &Path) -> Result<HandedIn> {
-    let entries = fs::read_dir(folder)?.filter_map(|entry| Some(entry.ok()?.path()));
-    let plain = |path: &Path| fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file());
-    let (mut archives, others): (Vec<_>, Vec<_>) =
-        entries.partition(|path| plain(path) && unpacker(path).is_some());
-    archives.sort();
+/// A folder for a student as learning platforms export it: what was uploaded lies in it, packed or loose.
+fn uploads(folder: &Path, below: Below) -> Result<HandedIn> {
     let mut all = HandedIn::default();
-    for archive in archives {
-        let HandedIn { labs, left_out } = read(&archive)?;
+    for archive in below.archives {
+        let HandedIn { labs, left_out, loose } = read(&archive)?;
         for (lab, files) in labs {
             let again = all.labs.insert(lab, files).is_some();
             ensure!(!again, "lab {lab} is in more than one archive in {}", folder.display());
         }
         all.left_out.extend(left_out);
+        all.loose.extend(loose);
     }
-    for other in others.iter().filter(|other| !is_macos(other)) {
-        all.left_out.push((other.strip_prefix(folder)?.to_owned(), ELSEWHERE));
+    for other in below.others {
+        let metadata = fs::symlink_metadata(&other)?;
+        let path = other.strip_prefix(folder)?;
+        let plain = metadata.is_file() || metadata.is_dir();
+        all.add(path, plain, metadata.len(), || File::open(&other))?;
     }
     all.left_out.truncate(NAMED);
     Ok(all)

@@ -3,8 +3,8 @@
 mod archive;
 mod folder;
 pub(crate) mod forbidden;
-mod given;
 pub(crate) mod known_wrong;
+mod loose;
 pub(crate) mod names;
 
 use std::collections::BTreeMap;
@@ -19,9 +19,9 @@ use crate::record::LeftOut;
 use crate::roll;
 pub(crate) use folder::read;
 use folder::unpacker;
-pub(crate) use given::Given;
 use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
-use lab_kit::{Kit, Lab};
+use lab_kit::{Given, Kit, Lab};
+use loose::Loose;
 use names::{ELSEWHERE, is_macos, resolve};
 
 /// How the reason begins why a task's file at another place is not taken.
@@ -37,6 +37,8 @@ pub(crate) struct HandedIn {
     pub(crate) labs: BTreeMap<Lab, Sources>,
     /// What is not taken, and why.
     pub(crate) left_out: Vec<(PathBuf, &'static str)>,
+    /// Files elsewhere that may be sources. They are left out too, unless the lab is found nowhere else.
+    loose: Vec<Loose>,
 }
 
 impl HandedIn {
@@ -54,13 +56,13 @@ impl HandedIn {
         let source = if plain { resolve(path) } else { Err(NOT_PLAIN) };
         let source =
             source.and_then(|found| if size > FILE_LIMIT { Err(TOO_LARGE) } else { Ok(found) });
-        let (lab, below) = match source {
-            Ok(source) => source,
-            Err(why) => {
-                self.leave_out(path, why);
-                return Ok(0);
-            }
-        };
+        let is_loose = source == Err(ELSEWHERE) && size <= FILE_LIMIT && loose::may_be(path);
+        if let Err(why) = source {
+            self.leave_out(path, why);
+        }
+        if source.is_err() && (!is_loose || self.loose.len() >= COUNT_LIMIT) {
+            return Ok(0);
+        }
         let mut bytes = Vec::new();
         // Its size is what it says of itself.
         open()?.take(FILE_LIMIT + 1).read_to_end(&mut bytes)?;
@@ -69,6 +71,10 @@ impl HandedIn {
             self.leave_out(path, TOO_LARGE);
             return Ok(read);
         }
+        let Ok((lab, below)) = source else {
+            self.loose.push((path.to_owned(), bytes));
+            return Ok(read);
+        };
         let files = self.labs.entry(lab).or_default();
         ensure!(files.len() < COUNT_LIMIT, "there are more than {COUNT_LIMIT} files in it");
         let twice = files.insert(below, bytes).is_some();
@@ -104,7 +110,12 @@ pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     if !known_wrong.is_empty() {
         return Ok(known_wrong);
     }
-    if !path.is_dir() || own_solutions(kit, path) {
+    if !path.is_dir() {
+        let unlike = "is neither a folder nor an archive (.tar.gz, .tgz, .tar, .zip)";
+        ensure!(unpacker(path).is_some(), "{} {unlike}", path.display());
+        return Ok(vec![path.to_owned()]);
+    }
+    if own_solutions(kit, path) {
         return Ok(vec![path.to_owned()]);
     }
     let (found, hidden) = listed(path)?;
@@ -155,9 +166,14 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
     }
     let mut handed_in = read(path)?;
     let mut files = handed_in.labs.remove(&lab).unwrap_or_default();
+    if !given.tasks.iter().any(|task| files.contains_key(task)) {
+        let (placed, from) = loose::place(lab, &given.tasks, &handed_in.loose);
+        files = placed;
+        handed_in.left_out.retain(|(path, _)| !from.contains(path));
+    }
     let left_out = handed_in.left_out.into_iter().map(|(path, why)| LeftOut {
         path: cut(&path.to_string_lossy(), SHOWN),
-        reason: if why == ELSEWHERE && given.misplaced(&path) {
+        reason: if why == ELSEWHERE && is_misplaced(given, &path) {
             format!("{MISPLACED} labs/lab{lab}/src")
         } else {
             why.to_owned()
@@ -176,6 +192,13 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
         bail!("{path} in it is a file and a folder");
     }
     Ok(Intake { files, left_out, changed })
+}
+
+/// Whether a file that is not below labs/ has the name of one with a task.
+fn is_misplaced(given: &Given, path: &Path) -> bool {
+    let name = path.file_name();
+    let is_task = given.tasks.iter().any(|task| Path::new(task).file_name() == name);
+    is_task && !path.iter().any(|part| part == "labs")
 }
 
 /// Whether there is anything of a lab in it.
@@ -208,5 +231,7 @@ fn own_solutions(kit: &Kit, path: &Path) -> bool {
         && whole(path).is_some_and(|path| Some(path) == whole(&kit.path("solutions")))
 }
 
+#[cfg(test)]
+mod packed;
 #[cfg(test)]
 mod tests;

@@ -2,6 +2,8 @@
 
 use std::path::{Component, Path, PathBuf};
 
+use unicode_normalization::UnicodeNormalization;
+
 use lab_kit::Lab;
 use lab_kit::submission::{NOT_UTF8, refused};
 
@@ -9,7 +11,7 @@ use lab_kit::submission::{NOT_UTF8, refused};
 const MOST: usize = 150;
 
 /// How the names of archives end.
-pub(super) const ARCHIVES: [&str; 4] = [".tar.gz", ".tgz", ".tar", ".zip"];
+const ARCHIVES: [&str; 4] = [".tgz", ".gz", ".tar", ".zip"];
 
 /// Gives every submission a name of its own: whose name another has too is called in full.
 pub(crate) fn named(paths: Vec<PathBuf>) -> Vec<(String, PathBuf)> {
@@ -26,8 +28,31 @@ pub(crate) fn named(paths: Vec<PathBuf>) -> Vec<(String, PathBuf)> {
 
 /// What a submission is called: its file's name without the endings of archives.
 pub(crate) fn name(path: &Path) -> String {
-    let name = full(path);
-    ARCHIVES.iter().find_map(|ending| name.strip_suffix(ending)).unwrap_or(&name).to_owned()
+    bare(&full(path)).to_owned()
+}
+
+/// A name without the endings of archives, and without the number that a browser or a platform puts there when something is
+/// handed in again: `ada.tar-1.gz`, `ada.tar (1).gz`, `ada (2).zip`.
+pub(crate) fn bare(name: &str) -> &str {
+    let mut bare = name;
+    while let Some(shorter) = without_ending(bare) {
+        let copy = shorter.strip_suffix(')').and_then(|rest| rest.rsplit_once(" ("));
+        let again = shorter.rsplit_once('-').filter(|(rest, _)| without_ending(rest).is_some());
+        let numbered = copy.or(again).filter(|(_, number)| number.parse::<u16>().is_ok());
+        bare = numbered.map_or(shorter, |(rest, _)| rest);
+    }
+    bare
+}
+
+fn without_ending(name: &str) -> Option<&str> {
+    let lower = name.to_ascii_lowercase();
+    let ending = ARCHIVES.iter().find(|ending| lower.ends_with(**ending))?;
+    Some(&name[..name.len() - ending.len()]).filter(|rest| !rest.is_empty())
+}
+
+/// Whether a file is called as an archive is.
+pub(super) fn is_called_archive(path: &Path) -> bool {
+    without_ending(&path.file_name().unwrap_or_default().to_string_lossy()).is_some()
 }
 
 fn full(path: &Path) -> String {
@@ -35,9 +60,15 @@ fn full(path: &Path) -> String {
     let whole = || path.canonicalize().ok();
     let name =
         path.file_name().map(ToOwned::to_owned).or_else(|| Some(whole()?.file_name()?.into()));
-    let mut name = name.unwrap_or_default().to_string_lossy().into_owned();
+    let mut name = composed(&name.unwrap_or_default().to_string_lossy());
     name.truncate(name.floor_char_boundary(MOST));
     name
+}
+
+/// A name with each accent in its letter, as most systems write it. macOS writes them apart, so both must be made the
+/// same before names are compared.
+pub(crate) fn composed(name: &str) -> String {
+    name.nfc().collect()
 }
 
 /// Whether the packer of macOS made it, to keep what only macOS knows of files.
@@ -48,27 +79,46 @@ pub(super) fn is_macos(path: &Path) -> bool {
 /// Why a file of a submission is not taken: it is no source of a lab.
 pub(super) const ELSEWHERE: &str = "not below labs/labN/src: grading has its own";
 
+/// The most folders that a submission's labs/ lies in.
+pub(super) const DEEP: usize = 8;
+
 /// The lab that a path in an archive belongs to, and the path below that lab's folder. Anything with
 /// `..`, an absolute path or an odd name leads nowhere.
 pub(super) fn resolve(path: &Path) -> Result<(Lab, String), &'static str> {
+    let parts = parts(path)?;
+    let source = (0..parts.len().min(DEEP)).find_map(|at| {
+        let [labs, lab, below @ ..] = &parts[at..] else { return None };
+        let lab = lab_of(lab).filter(|_| labs == "labs" && !parts[..at].iter().any(is_built))?;
+        Some((lab, below.join("/"))).filter(|(_, below)| below.starts_with("src/"))
+    });
+    let (lab, path) = source.ok_or(ELSEWHERE)?;
+    if path.contains(char::REPLACEMENT_CHARACTER) {
+        return Err(NOT_UTF8);
+    }
+    refused(&path).map_or(Ok((lab, path)), Err)
+}
+
+/// The parts of a path, composed. What is not UTF-8 is marked as that.
+///
+/// # Errors
+/// It leads out of the submission.
+pub(super) fn parts(path: &Path) -> Result<Vec<String>, &'static str> {
     // Windows' own packers write its separators.
-    let path = path.to_str().ok_or(NOT_UTF8)?.replace('\\', "/");
+    let path = composed(&path.to_string_lossy().replace('\\', "/"));
     let mut parts = Vec::new();
     for part in Path::new(&path).components() {
         match part {
-            Component::Normal(part) => parts.push(part.to_str().unwrap_or_default()),
+            Component::Normal(part) => parts.push(part.to_string_lossy().into_owned()),
             Component::CurDir => {}
             _ => return Err("its path leads out of the submission"),
         }
     }
-    let source = || {
-        let labs = parts.iter().take(2).position(|part| *part == "labs")?;
-        let lab = lab_of(parts.get(labs + 1)?)?;
-        let path = parts[labs + 2..].join("/");
-        path.starts_with("src/").then_some((lab, path))
-    };
-    let (lab, path) = source().ok_or(ELSEWHERE)?;
-    refused(&path).map_or(Ok((lab, path)), Err)
+    Ok(parts)
+}
+
+/// Whether a folder is hidden, or what cargo builds, in which copies of the labs lie.
+pub(super) fn is_built(folder: impl AsRef<str>) -> bool {
+    folder.as_ref().starts_with('.') || folder.as_ref() == "target"
 }
 
 /// `lab3` is lab 3.

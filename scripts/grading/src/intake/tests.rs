@@ -12,9 +12,9 @@ use zip::CompressionMethod;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
 use super::names::ELSEWHERE;
-use super::{Given, Intake, SHOWN, listed, nothing, read, submissions, take};
-use lab_kit::Kit;
+use super::{Intake, SHOWN, listed, nothing, read, submissions, take};
 use lab_kit::submission::{COUNT_LIMIT, Sources, pack};
+use lab_kit::{Given, Kit};
 
 /// An archive's file, and what is in it.
 type Archive = (&'static str, Vec<u8>);
@@ -31,7 +31,7 @@ fn taken((name, bytes): &Archive) -> Result<Intake> {
 
 /// A lab of one file.
 fn given() -> Given {
-    Given { files: Sources::new(), tasks: ["src/lib.rs".to_owned()].into() }
+    Given { tasks: ["src/lib.rs".to_owned()].into(), ..Given::default() }
 }
 
 /// What somebody has written.
@@ -175,7 +175,7 @@ fn what_is_broken_or_means_harm_is_refused() {
     cut.truncate(cut.len() / 2);
     let cases: [(Archive, &str); 10] = [
         (("twice.zip", renamed(b"bb")), "two files in it have the same name"),
-        (("file-and-folder.tar.gz", conflict("src/a")), "src/a in it is a file and a folder"),
+        (("file-and-folder.tar.gz", conflict("src/a.rs")), "src/a.rs in it is a file and a folder"),
         (("below-a-file.tgz", conflict("src/lib.rs")), "src/lib.rs in it is a file and a folder"),
         (("broken.tar.gz", b"no archive".to_vec()), "cannot be unpacked"),
         (("broken.zip", b"PK no archive".to_vec()), "cannot be unpacked"),
@@ -220,28 +220,40 @@ fn archives_beside_a_folder_labs_are_not_passed_over() {
 }
 
 #[test]
+fn a_file_that_is_no_archive_is_refused_before_anything_is_built() {
+    let (class, kit) = (tempfile::tempdir().unwrap(), Kit::find().unwrap());
+    let path = class.path().join("essay.pdf");
+    fs::write(&path, "an essay").unwrap();
+    for path in [path.as_path(), "/dev/zero".as_ref()] {
+        let error = submissions(&kit, path).unwrap_err().to_string();
+        assert!(error.contains("is neither a folder nor an archive"), "{error}");
+    }
+}
+
+#[test]
 fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    zip.start_file("lab1/src/lib.rs", PLAIN).unwrap();
+    zip.start_file("lab2/src/lib.rs", PLAIN).unwrap();
     let intake = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap();
     let said = nothing("1".parse().unwrap(), &intake.left_out);
     assert!(
-        intake.files.is_empty() && said.contains("but lab1/src/lib.rs. 'cargo lab submit 1'"),
+        intake.files.is_empty() && said.contains("but lab2/src/lib.rs. 'cargo lab submit 1'"),
         "{said}"
     );
 }
 
 #[test]
-fn a_file_at_the_top_is_said_to_be_in_the_wrong_place() {
+fn a_file_in_two_places_is_said_to_be_in_the_wrong_one() {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    for path in ["lib.rs", "report.pdf"] {
+    for path in ["new/lib.rs", "old/lib.rs", "report.pdf"] {
         zip.start_file(path, PLAIN).unwrap();
     }
     let left_out = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap().left_out;
     let reasons = left_out.iter().map(|left| left.reason.as_str()).collect::<Vec<_>>();
-    assert_eq!(reasons, ["it does not lie in labs/lab1/src", ELSEWHERE]);
+    let misplaced = "it does not lie in labs/lab1/src";
+    assert_eq!(reasons, [misplaced, misplaced, ELSEWHERE]);
     let said = nothing("1".parse().unwrap(), &left_out);
-    assert!(said.contains("in it, but lib.rs. 'cargo lab submit 1'"), "{said}");
+    assert!(said.contains("in it, but new/lib.rs. 'cargo lab submit 1'"), "{said}");
 }
 
 #[test]

@@ -25,6 +25,9 @@ pub(crate) struct Decision {
     pub(crate) reason: String,
 }
 
+/// The most points of a submission. Labs are worth about a hundred: a larger number is a slip.
+const MOST: f64 = 1000.0;
+
 impl Decision {
     /// Whether it can be: of a task that there is, with points that it has.
     pub(crate) fn check(&self, rubric: &Facts) -> Result<()> {
@@ -32,13 +35,15 @@ impl Decision {
         ensure!(!self.student.is_empty(), "it names no student");
         ensure!(self.days.is_none() || self.task.is_none(), "days are of a submission, not a task");
         let most = match &self.task {
-            None => f64::INFINITY,
+            None => MOST,
             Some(task) => worth(rubric, task)
                 .with_context(|| format!("there is no task or measure {task}"))?,
         };
         if let Some(points) = self.points {
             let can_be = points.is_finite() && (0.0..=most).contains(&points);
-            ensure!(can_be, "{points} points cannot be given where there are {most}");
+            // 1e308 has 309 digits.
+            let shown = if points < 1e9 { points.to_string() } else { format!("{points:e}") };
+            ensure!(can_be, "{shown} points cannot be given where there are {most}");
         }
         Ok(())
     }

@@ -11,6 +11,7 @@ use anyhow::{Context, Result, ensure};
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 
+use crate::escape::line;
 use lab_kit::Lab;
 use lab_kit::answers::RegionId;
 use lab_kit::files::{read_bytes, write_file};
@@ -143,6 +144,14 @@ pub(crate) fn read(path: &Path) -> Result<Record> {
     let record: Record = serde_json::from_slice(&read_bytes(path)?)
         .with_context(|| format!("{} is no record", path.display()))?;
     ensure!(record.format == FORMAT, "{} is a record of another form", path.display());
+    // It is written under its name, which could lead anywhere.
+    let own = path.file_name().is_some_and(|name| *name == *format!("{}.json", record.name));
+    ensure!(
+        own,
+        "{} is the record of '{}': name it after that",
+        path.display(),
+        line(&record.name)
+    );
     Ok(record)
 }
 
@@ -258,7 +267,7 @@ impl Record {
 
 #[cfg(test)]
 mod tests {
-    use super::{Record, expect_lab};
+    use super::{Record, expect_lab, read_all};
 
     #[test]
     fn a_folder_holds_the_records_of_one_lab() {
@@ -269,5 +278,21 @@ mod tests {
         expect_lab(folder, one).unwrap();
         let error = expect_lab(folder, two).unwrap_err().to_string();
         assert!(error.ends_with("holds records of lab 1: name another folder"), "{error}");
+    }
+
+    #[test]
+    fn a_record_is_written_where_it_was_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path();
+        Record::sample().write(folder).unwrap();
+        let text = std::fs::read_to_string(folder.join("ada.json")).unwrap();
+        let elsewhere = text.replace("\"name\": \"ada\"", "\"name\": \"../ada\"");
+        assert_ne!(text, elsewhere);
+        std::fs::write(folder.join("ada.json"), elsewhere).unwrap();
+        let error = read_all(folder).unwrap_err().to_string();
+        assert!(
+            error.ends_with("ada.json is the record of '../ada': name it after that"),
+            "{error}"
+        );
     }
 }

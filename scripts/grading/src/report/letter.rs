@@ -28,7 +28,10 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
         out += &format!(" {}", markdown(&sentence));
     }
     out += "\n\n";
-    if let Some(trouble) = trouble(record.status) {
+    if record.status == Status::Failed {
+        // What the machine lacked is for the staff, and may name their folders.
+        out += "It could not be graded yet. The cause is the machine that grades, and not what you handed in.\n\n";
+    } else if let Some(trouble) = trouble(record.status) {
         out += &format!("The submission {trouble}.\n\n{}\n", fenced(&record.message));
         if record.status == Status::NotBuilt {
             out +=
@@ -174,6 +177,14 @@ mod tests {
             .into();
         let text = letter(&record, &Words::default());
         assert!(text.contains("\n- `a_b.rs`: no plain file\n- \\`\\<b\\>\\`: no"), "{text}");
+    }
+
+    #[test]
+    fn a_fault_of_the_machine_is_no_news_for_a_student() {
+        let mut record = Record::sample();
+        (record.status, record.message) = (Status::Failed, "cannot write /home/staff/x".into());
+        let text = letter(&record, &Words::default());
+        assert!(text.contains("could not be graded yet") && !text.contains("/home"), "{text}");
     }
 
     #[test]

@@ -7,6 +7,7 @@ use serde::Deserialize;
 use super::export::{Export, Member};
 use super::roster::{Roster, Student, key};
 use crate::escape::line;
+use crate::intake::names::{bare, composed};
 use crate::record::{Attempt, Record};
 
 /// Which of a student's submissions counts.
@@ -64,7 +65,7 @@ impl Attendance {
                 "Could not be read, graded or found, and has no mark until it can",
                 self.unmarked.iter().map(name).collect(),
             ),
-            ("In the roster under no such name", self.strangers.iter().map(name).collect()),
+            ("Belongs to no one student of the roster", self.strangers.iter().map(name).collect()),
         ];
         all.into_iter().filter(|(_, who)| !who.is_empty()).collect()
     }
@@ -112,7 +113,7 @@ impl<'a> Join<'a> {
         records: &[Record],
     ) -> Self {
         let students = roster.map_or(&[][..], |roster| &roster.students);
-        let whose = records.iter().map(|record| match names.get(&record.name) {
+        let whose = records.iter().map(|record| match names.get(&composed(&record.name)) {
             Some(members) => {
                 members.names().iter().filter_map(|student| the_one(students, student)).collect()
             }
@@ -120,13 +121,7 @@ impl<'a> Join<'a> {
                 let members = export.of(&record.name).into_iter().flat_map(|it| &it.members);
                 members.filter_map(|member| the_member(students, member)).collect()
             }
-            // Platforms put names, numbers and what was uploaded between underscores.
-            None => [record.name.as_str()]
-                .into_iter()
-                .chain(record.name.split('_'))
-                .find_map(|part| the_one(students, part))
-                .into_iter()
-                .collect(),
+            None => by_parts(students, &record.name).into_iter().collect(),
         });
         Self { students, whose: whose.collect() }
     }
@@ -137,7 +132,7 @@ impl<'a> Join<'a> {
         names: &BTreeMap<String, Members>,
         records: &[Record],
     ) -> Vec<String> {
-        let called = |name: &String| records.iter().any(|record| record.name == *name);
+        let called = |name: &String| records.iter().any(|record| composed(&record.name) == *name);
         let submissions = names.keys().filter(|name| !called(name));
         let submissions = submissions.map(|name| format!("no submission is called '{name}'"));
         let students = names.values().flat_map(Members::names);
@@ -149,8 +144,10 @@ impl<'a> Join<'a> {
 
     /// The submission that is called so, or whose student or pseudonym is.
     pub(super) fn find(&self, who: &str, records: &[Record]) -> Option<usize> {
-        let called =
-            |record: &Record| record.name == who || record.pseudonym.as_deref() == Some(who);
+        let name = composed(who);
+        let called = |record: &Record| {
+            composed(&record.name) == name || record.pseudonym.as_deref() == Some(who)
+        };
         records.iter().position(called).or_else(|| {
             let student = the_one(self.students, who)?;
             self.whose.iter().position(|whose| whose.contains(&student))
@@ -228,7 +225,37 @@ fn the_member(students: &[Student], member: &Member) -> Option<usize> {
 
 /// The one student of that name; none if nobody has it, or more than one.
 fn the_one(students: &[Student], name: &str) -> Option<usize> {
+    match all_named(students, name)[..] {
+        [student] => Some(student),
+        _ => None,
+    }
+}
+
+fn all_named(students: &[Student], name: &str) -> Vec<usize> {
     let name = key(name);
-    let mut named = (0..students.len()).filter(|at| students[*at].keys.contains(&name));
-    named.next().filter(|_| named.next().is_none())
+    (0..students.len()).filter(|at| students[*at].keys.contains(&name)).collect()
+}
+
+/// The one student whom a submission's name means. Platforms put names, numbers and what was uploaded between
+/// underscores. Where several students have a name, later parts choose among them. A number that is somebody else's is an
+/// accident; a word is not, and then nobody is meant.
+fn by_parts(students: &[Student], name: &str) -> Option<usize> {
+    let mut meant: Vec<usize> = Vec::new();
+    for part in [name, bare(name)].into_iter().chain(name.split('_').map(bare)) {
+        let named = all_named(students, part);
+        let both: Vec<usize> =
+            named.iter().copied().filter(|student| meant.contains(student)).collect();
+        let is_number = part.bytes().all(|byte| byte.is_ascii_digit());
+        if meant.is_empty() {
+            meant = named;
+        } else if !both.is_empty() {
+            meant = both;
+        } else if !named.is_empty() && !is_number {
+            return None;
+        }
+    }
+    match meant[..] {
+        [student] => Some(student),
+        _ => None,
+    }
 }

@@ -2,27 +2,27 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Error, Result, ensure};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
-use jiff::{Timestamp, Zoned};
-use serde::de::Error;
+use jiff::{Timestamp, ToSpan, Unit, Zoned};
+use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
 
 use super::roster::table;
 use crate::record::Lateness;
 use lab_kit::Lab;
 
-const DAY: f64 = 86_400.0;
-
 /// The `[late]` table of `class.toml`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Late {
-    /// As in `2026-11-20 23:59`: here, where no zone is given.
-    #[serde(deserialize_with = "moment")]
-    deadline: Timestamp,
+    /// As in `2026-11-20 23:59`.
+    deadline: Moment,
+    /// The course's time zone, such as `Europe/Berlin`; this machine's if not given.
+    zone: Option<String>,
     /// Minutes after the deadline that cost nothing.
     #[serde(default)]
     grace: f64,
@@ -36,10 +36,9 @@ pub(super) struct Late {
     /// What it says.
     #[serde(skip)]
     listed: Vec<(String, Timestamp)>,
-}
-
-fn moment<'de, D: Deserializer<'de>>(text: D) -> Result<Timestamp, D::Error> {
-    time(&String::deserialize(text)?).map_err(D::Error::custom)
+    /// The deadline in the course's time zone.
+    #[serde(skip)]
+    due: Option<Zoned>,
 }
 
 fn no_end() -> u32 {
@@ -52,8 +51,15 @@ impl Late {
         let Self { grace, penalty, .. } = self;
         ensure!(*grace >= 0.0, "late: grace: {grace} minutes cannot be");
         ensure!((0.0..=100.0).contains(penalty), "late: penalty: {penalty} % cannot be");
+        let zone = match &self.zone {
+            None => TimeZone::system(),
+            Some(name) => TimeZone::get(name).ok().with_context(|| {
+                format!("late: zone: there is no time zone '{name}'; one is Europe/Berlin")
+            })?,
+        };
+        self.due = Some(self.deadline.at(&zone)?);
         if let Some(path) = &self.times {
-            self.listed = listed(&folder.join(path))?;
+            self.listed = listed(&folder.join(path), &zone)?;
         }
         Ok(())
     }
@@ -63,18 +69,41 @@ impl Late {
         self.listed.iter().map(|(who, time)| (who.as_str(), *time))
     }
 
+    /// The deadline with its time zone.
+    pub(super) fn words(&self) -> Option<String> {
+        let due = self.due.as_ref()?;
+        let zone = due.time_zone().iana_name().unwrap_or("this machine's time zone");
+        Some(format!("{} ({zone})", due.strftime("%Y-%m-%d %H:%M, UTC%:z")))
+    }
+
     /// What a time costs; nothing if it is in time. `days` are what a person made of it.
     pub(super) fn lateness(&self, time: Option<Timestamp>, days: Option<u32>) -> Option<Lateness> {
-        let after = time.map_or(0.0, |time| time.duration_since(self.deadline).as_secs_f64());
-        let begun = if after > 60.0 * self.grace { (after / DAY).ceil() } else { 0.0 };
-        let days = days.unwrap_or(begun as u32);
+        let begun = time.zip(self.due.as_ref()).map_or(0, |(time, due)| self.begun(time, due));
+        let days = days.unwrap_or(begun);
         let lost = if days > self.days { 1.0 } else { 0.01 * self.penalty * f64::from(days) };
         (days > 0).then(|| Lateness { days, lost: lost.min(1.0) })
     }
+
+    /// Days of the calendar that have begun since the deadline: one with a clock change has 23 hours, or 25. Seconds do not
+    /// count: 23:59 lasts until midnight.
+    fn begun(&self, time: Timestamp, due: &Zoned) -> u32 {
+        let time = to_the_minute(&time.to_zoned(due.time_zone().clone()));
+        let due = to_the_minute(due);
+        if time.duration_since(&due).as_secs_f64() <= 60.0 * self.grace {
+            return 0;
+        }
+        let whole = due.until((Unit::Day, &time)).map_or(0, |span| span.get_days());
+        let begins = due.checked_add(whole.days()).is_ok_and(|begins| begins < time);
+        u32::try_from(whole).unwrap_or(0) + u32::from(begins)
+    }
+}
+
+fn to_the_minute(time: &Zoned) -> Zoned {
+    time.with().second(0).subsec_nanosecond(0).build().unwrap_or_else(|_| time.clone())
 }
 
 /// Two columns: whose, and when.
-fn listed(path: &Path) -> Result<Vec<(String, Timestamp)>> {
+fn listed(path: &Path, zone: &TimeZone) -> Result<Vec<(String, Timestamp)>> {
     let (header, rows) = table(path)?;
     ensure!(
         header.len() == 2,
@@ -84,22 +113,50 @@ fn listed(path: &Path) -> Result<Vec<(String, Timestamp)>> {
     );
     let row = |(line, row): &(u64, csv::StringRecord)| {
         let location = || format!("{}, line {line}, column {}", path.display(), &header[1]);
-        Ok((row[0].to_owned(), time(&row[1]).with_context(location)?))
+        let time = row[1].parse::<Moment>().map_err(Error::msg).and_then(|time| time.at(zone));
+        Ok((row[0].to_owned(), time.with_context(location)?.timestamp()))
     };
     rows.iter().map(row).collect()
 }
 
-fn time(text: &str) -> Result<Timestamp> {
-    let text = text.trim();
-    let zoned = text.parse::<Zoned>().map(|zoned| zoned.timestamp());
-    let exact = zoned.or_else(|_| text.parse::<Timestamp>());
-    let here = || text.parse::<DateTime>()?.to_zoned(TimeZone::system());
-    exact
-        .or_else(|_| here().map(|zoned| zoned.timestamp()))
-        .ok()
-        // A day alone would be its first moment.
-        .filter(|_| text.contains(':'))
-        .with_context(|| format!("'{text}' is no time such as 2026-11-20 23:59"))
+/// A time as somebody writes it.
+#[derive(Debug)]
+enum Moment {
+    /// With its zone, or its distance from UTC.
+    Exact(Timestamp),
+    /// On the course's clock.
+    Clock(DateTime),
+}
+
+impl Moment {
+    fn at(&self, zone: &TimeZone) -> Result<Zoned> {
+        Ok(match self {
+            Self::Exact(time) => time.to_zoned(zone.clone()),
+            Self::Clock(time) => time.to_zoned(zone.clone())?,
+        })
+    }
+}
+
+impl FromStr for Moment {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let text = text.trim();
+        let zoned = text.parse::<Zoned>().map(|zoned| zoned.timestamp());
+        let exact = zoned.or_else(|_| text.parse::<Timestamp>()).map(Self::Exact);
+        exact
+            .or_else(|_| text.parse::<DateTime>().map(Self::Clock))
+            .ok()
+            // A day alone would be its first moment.
+            .filter(|_| text.contains(':'))
+            .ok_or_else(|| format!("'{text}' is no time such as 2026-11-20 23:59"))
+    }
+}
+
+impl<'de> Deserialize<'de> for Moment {
+    fn deserialize<D: Deserializer<'de>>(text: D) -> Result<Self, D::Error> {
+        String::deserialize(text)?.parse().map_err(D::Error::custom)
+    }
 }
 
 /// When a submission to a lab was handed in, by the times of its files: the latest of a folder's. None

@@ -22,6 +22,7 @@ use hmac_sha256::HMAC;
 use serde::Deserialize;
 
 use crate::escape::line;
+use crate::intake::names::composed;
 use crate::record::{Decision, Record, scale};
 use export::Export;
 pub(crate) use join::Attendance;
@@ -91,10 +92,12 @@ impl Roll {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Self::default()),
             text => text.with_context(|| format!("cannot read {}", path.display()))?,
         };
+        // Editors of Windows begin a file with a mark that nobody sees.
+        let text = text.trim_start_matches('\u{feff}');
         // What it names lies beside it, wherever a link leads.
         let real = path.canonicalize().unwrap_or_else(|_| path.clone());
         let folder = real.parent().unwrap_or(folder);
-        Self::parse(folder, &text, rubric).with_context(|| path.display().to_string())
+        Self::parse(folder, text, rubric).with_context(|| path.display().to_string())
     }
 
     fn parse(folder: &Path, text: &str, rubric: &Facts) -> Result<Self> {
@@ -105,6 +108,8 @@ impl Roll {
             let end = said.rfind(" at line ").filter(|_| is_toml).unwrap_or(said.len());
             Error::msg(said[..end].to_owned())
         })?;
+        let names = std::mem::take(&mut roll.names).into_iter();
+        roll.names = names.map(|(name, members)| (composed(&name), members)).collect();
         for (number, decided) in (1..).zip(&roll.overrides) {
             decided.check(rubric).with_context(|| format!("override {number}"))?;
         }
@@ -165,6 +170,11 @@ impl Roll {
             records[at].attempt = join.attempt(at, &attendance, records);
         }
         attendance
+    }
+
+    /// The deadline with its time zone, if there is one.
+    pub(crate) fn deadline(&self) -> Option<String> {
+        self.late.as_ref().and_then(Late::words)
     }
 
     /// Whether it says what lateness costs, and leaves it to the times of files when each came.

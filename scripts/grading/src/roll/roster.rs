@@ -6,6 +6,9 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail, ensure};
 use csv::{ReaderBuilder, StringRecord};
 
+use unicode_normalization::char::is_combining_mark;
+
+use crate::intake::names::composed;
 use lab_kit::files::read_bytes;
 
 /// Columns that name a student, each another way.
@@ -146,9 +149,10 @@ impl Roster {
     }
 }
 
-/// What is left of a name where names are compared: letters and digits.
+/// What is left of a name where names are compared: letters with their accents, and digits.
 pub(super) fn key(name: &str) -> String {
-    name.to_lowercase().chars().filter(|c| c.is_alphanumeric()).collect()
+    let lower = composed(&composed(name).to_lowercase());
+    lower.chars().filter(|c| c.is_alphanumeric() || is_combining_mark(*c)).collect()
 }
 
 pub(super) fn column(header: &StringRecord, name: &str) -> Option<usize> {

@@ -233,6 +233,82 @@ fn days_begin_after_the_grace() {
 }
 
 #[test]
+fn days_are_those_of_the_calendar_in_the_course_s_zone() {
+    let days = |late: &str, time: &str| {
+        let said = format!("[late]\n{late}\npenalty = 10\ntimes = \"t.csv\"");
+        let times = format!("student,time\nada,{time}\n");
+        let (records, ..) = marked(&[("class.toml", &said), ("t.csv", &times)], &["ada"]);
+        records[0].late.as_ref().map_or(0, |late| late.days)
+    };
+    // The night before has 25 hours in autumn, and 23 in spring.
+    for (day, next) in [("10-24", "10-25"), ("03-28", "03-29"), ("11-20", "11-21")] {
+        let late = format!("deadline = \"2026-{day} 23:59\"\nzone = \"Europe/Berlin\"");
+        assert_eq!(days(&late, &format!("2026-{day} 23:59:59")), 0, "{day}");
+        assert_eq!(days(&late, &format!("2026-{next} 00:00")), 1, "{day}");
+        assert_eq!(days(&late, &format!("2026-{next} 23:59:30")), 1, "{day}");
+        assert_eq!(days(&format!("{late}\ngrace = 10"), &format!("2026-{next} 00:09")), 0, "{day}");
+    }
+    let autumn = "deadline = \"2026-10-24 23:59\"\nzone = \"Europe/Berlin\"";
+    assert_eq!(days(autumn, "2026-10-26 00:00"), 2);
+    assert_eq!(days(autumn, "2026-10-25T22:59:00Z"), 1, "23:59 in Berlin");
+    let spring = "deadline = \"2026-03-28 23:59\"\nzone = \"Europe/Berlin\"";
+    assert_eq!(days(spring, "2026-03-30 00:00"), 2);
+    let exact = "deadline = \"2026-11-20T10:00:00Z\"\nzone = \"Asia/Kolkata\"";
+    assert_eq!(days(exact, "2026-11-20 15:30:59"), 0);
+    assert_eq!(days(exact, "2026-11-20 15:31"), 1);
+}
+
+#[test]
+fn a_deadline_is_said_with_its_zone() {
+    let said = |late: &str| format!("[late]\npenalty = 1\n{late}");
+    let words = |late: &str| {
+        let folder = folder(&[("class.toml", &said(late))]);
+        Roll::read(folder.path(), &rubric()).unwrap().deadline().unwrap()
+    };
+    let berlin = "deadline = \"2026-10-24 23:59\"\nzone = \"Europe/Berlin\"";
+    assert_eq!(words(berlin), "2026-10-24 23:59, UTC+02:00 (Europe/Berlin)");
+    let why = error(&[("class.toml", &said("deadline = \"2026-10-24 23:59\"\nzone = \"Berlin\""))]);
+    assert_eq!(why, "class.toml: late: zone: there is no time zone 'Berlin'; one is Europe/Berlin");
+}
+
+#[test]
+fn accents_count_however_they_are_written() {
+    let roster = "First name,Last name,ID number,Email address\n\
+        Jos\u{e9},Ruiz,7,jose7@example.org\nJose,Ruiz,8,jose8@example.org\nZo\u{eb},Li,9,zoe@example.org\n";
+    let said = "roster = \"r.csv\"\n[names]\n\"ka\u{308}fer\" = \"9\"";
+    let files = [("class.toml", said), ("r.csv", roster)];
+    // An accent in its letter, and as macOS writes it.
+    let names =
+        ["Jos\u{e9} Ruiz_1", "Jose\u{301} Ruiz_2", "JOSE\u{301} RUIZ", "Jose Ruiz", "k\u{e4}fer"];
+    let (records, ..) = marked(&files, &names);
+    let students: Vec<_> = records.iter().map(|record| record.student.as_deref()).collect();
+    let jose = Some("Jos\u{e9} Ruiz");
+    assert_eq!(students, [jose, jose, jose, Some("Jose Ruiz"), Some("Zo\u{eb} Li")]);
+}
+
+#[test]
+fn nobody_is_guessed_between_two() {
+    let roster = "First name,Last name,ID number,Email address\n\
+        Ada,Li,7,ada@example.org\nAda,Li,8,li@example.org\nBob,Wu,9,bob@example.org\n";
+    let files = [("class.toml", "roster = \"r.csv\""), ("r.csv", roster)];
+    let names = ["Ada Li_4711_lab1", "Ada Li_8_lab1", "Ada Li_9_lab1", "Bob Wu_8_lab1", "bob_ada"];
+    let (records, attendance, _) = marked(&files, &names);
+    let students: Vec<_> = records.iter().map(|record| record.student.as_deref()).collect();
+    assert_eq!(students, [None, Some("Ada Li"), None, Some("Bob Wu"), None]);
+    assert_eq!(
+        (attendance.strangers, attendance.present),
+        (vec![0, 2, 4], [(1, 1), (2, 3)].into())
+    );
+}
+
+#[test]
+fn a_byte_order_mark_is_nobodys_name() {
+    let files = [("class.toml", "\u{feff}roster = \"r.csv\""), ("r.csv", CANVAS)];
+    let (records, ..) = marked(&files, &["ada"]);
+    assert_eq!(records[0].student.as_deref(), Some("Lovelace, Ada"));
+}
+
+#[test]
 fn a_deadline_is_a_moment() {
     let bad = |deadline: &str| {
         error(&[("class.toml", &format!("[late]\npenalty = 1\ndeadline = \"{deadline}\""))])
@@ -257,7 +333,7 @@ fn a_wrong_word_has_no_place_and_a_wrong_form_has() {
 fn a_list_of_times_goes_before_the_files() {
     let said = "[late]\ndeadline = \"2026-11-20T10:00:00Z\"\npenalty = 10\ntimes = \"t.csv\"";
     let times = |text: &str| [("class.toml", said.to_owned()), ("t.csv", text.to_owned())];
-    let list = times("student,time\nada,2026-11-22T10:00:01Z\n");
+    let list = times("\u{feff}student,time\nada,2026-11-22T10:01:00Z\n");
     let list = list.each_ref().map(|(name, text)| (*name, text.as_str()));
     let (records, ..) = marked(&list, &["ada"]);
     assert_eq!(records[0].late.as_ref().unwrap().days, 3);
@@ -288,6 +364,7 @@ fn a_decision_that_cannot_be_is_refused() {
     let much = bad("task = \"1.2\"\npoints = 41");
     assert_eq!(much, "class.toml: override 1: 41 points cannot be given where there are 40");
     assert!(bad("points = -1").contains("-1 points cannot be given"));
+    assert!(bad("points = 1e308").ends_with("1e308 points cannot be given where there are 1000"));
     assert!(bad("task = \"1.1\"\ndays = 1").contains("days are of a submission"));
     assert!(bad("pionts = 1").contains("pionts"));
 }

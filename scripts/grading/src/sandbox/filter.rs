@@ -4,7 +4,8 @@
 //! - The kernel's keyrings belong to the user who started the grader: one program could leave a key for a later one.
 //! - Memory that belongs to no process's addresses is in no limit.
 //! - In a user namespace of its own a program would be root, and so much more of the kernel be in reach.
-//! - Nothing changes a program that runs: not its own memory by way of the kernel, and no other process.
+//! - Where programs need not connect to each other, there are no connections: what waits in one is in no limit.
+//! - Nothing changes or watches a program that runs: not its own memory by way of the kernel, and no other process.
 //!
 //! A refused call fails as if this kernel did not have it.
 
@@ -13,11 +14,11 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
-/// Writes the filter into a folder.
+/// Writes the filter into a folder. With `loopback` programs may connect to each other.
 #[cfg(target_os = "linux")]
-pub(super) fn write(folder: &Path) -> Result<Option<PathBuf>> {
+pub(super) fn write(folder: &Path, loopback: bool) -> Result<Option<PathBuf>> {
     let path = folder.join("calls.bpf");
-    let instructions = program()?.into_iter().map(|it| {
+    let instructions = program(loopback)?.into_iter().map(|it| {
         let ([a, b], [c, d, e, f]) = (it.code.to_ne_bytes(), it.k.to_ne_bytes());
         [a, b, it.jt, it.jf, c, d, e, f]
     });
@@ -26,13 +27,14 @@ pub(super) fn write(folder: &Path) -> Result<Option<PathBuf>> {
 }
 
 #[cfg(target_os = "linux")]
-fn program() -> Result<seccompiler::BpfProgram> {
+fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
     use libc::{SYS_add_key, SYS_keyctl, SYS_memfd_create, SYS_memfd_secret, SYS_request_key};
+    use libc::{SYS_bpf, SYS_kcmp, SYS_perf_event_open, SYS_pidfd_getfd, SYS_userfaultfd};
     use libc::{SYS_clone, SYS_clone3, SYS_sched_setaffinity, SYS_setns, SYS_unshare};
     use libc::{SYS_io_uring_setup, SYS_process_vm_readv, SYS_process_vm_writev, SYS_ptrace};
-    use libc::{SYS_mmap, SYS_msgget, SYS_semget, SYS_setsockopt, SYS_shmget};
+    use libc::{SYS_mmap, SYS_msgget, SYS_semget, SYS_setsockopt, SYS_shmget, SYS_socket};
     use seccompiler::SeccompAction::{Allow, Errno};
-    use seccompiler::SeccompCmpOp::{Eq, MaskedEq};
+    use seccompiler::SeccompCmpOp::{Eq, MaskedEq, Ne};
     use seccompiler::{SeccompCmpArgLen, SeccompCondition, SeccompFilter, SeccompRule};
 
     // Numbers from here on are of the other calls that x86-64 has, with shorter pointers.
@@ -42,6 +44,11 @@ fn program() -> Result<seccompiler::BpfProgram> {
         SYS_process_vm_readv,
         SYS_process_vm_writev,
         SYS_ptrace,
+        SYS_bpf,
+        SYS_kcmp,
+        SYS_perf_event_open,
+        SYS_pidfd_getfd,
+        SYS_userfaultfd,
         SYS_sched_setaffinity,
         SYS_add_key,
         SYS_request_key,
@@ -63,12 +70,15 @@ fn program() -> Result<seccompiler::BpfProgram> {
     let new_user = libc::CLONE_NEWUSER as u64;
     let flagged = if_argument(0, MaskedEq(new_user), new_user)?;
     let without_file = (libc::MAP_SHARED | libc::MAP_ANONYMOUS) as u64;
-    let conditional = [
+    let mut conditional = vec![
         (SYS_clone, flagged.clone()),
         (SYS_unshare, flagged),
         (SYS_mmap, if_argument(3, MaskedEq(without_file), without_file)?),
         (SYS_setsockopt, if_argument(2, Eq, libc::SO_SNDBUF as u64)?),
     ];
+    if !loopback {
+        conditional.push((SYS_socket, if_argument(0, Ne, libc::AF_UNIX as u64)?));
+    }
     let rules = refused.map(|call| (call, Vec::new())).into_iter().chain(conditional);
     let rules = rules.flat_map(|(call, rules)| [(call, rules.clone()), (call | X32, rules)]);
     let architecture = std::env::consts::ARCH.try_into()?;
@@ -79,6 +89,6 @@ fn program() -> Result<seccompiler::BpfProgram> {
 
 /// There is none elsewhere.
 #[cfg(not(target_os = "linux"))]
-pub(super) fn write(_folder: &Path) -> Result<Option<PathBuf>> {
+pub(super) fn write(_folder: &Path, _loopback: bool) -> Result<Option<PathBuf>> {
     Ok(None)
 }

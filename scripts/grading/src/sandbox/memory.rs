@@ -2,9 +2,9 @@
 //!
 //! A limit that the system sets counts by process, and a submission may have many. So every process
 //! that this one started is watched together with all that descend from it, and ended with them
-//! when they hold too much. What counts is their resident memory and what their sockets can hold. Other
-//! memory is small or cannot be had: files in memory have a limit of their own, pipes have the
-//! system's (64 MiB of a user, beyond that a page or two each), and [`super::filter`] refuses the rest.
+//! when they hold too much. What counts is their resident memory, what their sockets can hold, and what their
+//! sandbox holds beside them ([`super::beside`]). Other memory is small or cannot be had: pipes have the
+//! system's limit (64 MiB of a user, beyond that a page or two each), and [`super::filter`] refuses the rest.
 //!
 //! A control group with `memory.max` would count all of it. It needs a group that somebody has delegated to whoever
 //! grades: in containers there is none, and with systemd each program would become a unit of the user's manager.
@@ -18,6 +18,7 @@ use std::time::Duration;
 
 use rustix::process::{Pid, Signal, kill_process_group};
 
+use super::beside;
 use super::processes::{Process, all, family, in_sockets};
 
 /// Bytes of memory of all processes of a submission together, however large the machine.
@@ -70,14 +71,20 @@ fn may_be_held(all: Option<u64>, left: Option<u64>, limit: u64) -> bool {
 
 fn end_the_greedy(all: &BTreeMap<u32, Process>, own: u32, limit: u64) {
     for (&child, _) in all.iter().filter(|(_, process)| process.parent == own) {
-        let held = |(number, process): (u32, &Process)| process.resident + in_sockets(number);
-        if family(all, child).map(held).sum::<u64>() > limit
+        if held(all, child) > limit
             && let Some(group) = i32::try_from(child).ok().and_then(Pid::from_raw)
         {
             // It is the first of its group. If it is gone by now, so is its memory.
             let _ = kill_process_group(group, Signal::KILL);
         }
     }
+}
+
+/// Bytes that a process and its family hold. The youngest is inside their sandbox, if anyone is.
+fn held(all: &BTreeMap<u32, Process>, root: u32) -> u64 {
+    let of = |(number, process): (u32, &Process)| process.resident + in_sockets(number);
+    let youngest = family(all, root).map(|(number, _)| number).last();
+    family(all, root).map(of).sum::<u64>() + youngest.map_or(0, beside::held)
 }
 
 /// Bytes of memory of the machine: `MemTotal:`, `MemAvailable:`.

@@ -3,10 +3,14 @@
 //! Bubblewrap makes it: namespaces of its own, and of the machine only what a compiler and
 //! a program need, read-only. Root ignores limits on processes, so a program never runs as root.
 
+mod beside;
+pub(crate) mod faults;
 mod filter;
 pub(crate) mod memory;
 mod nobody;
 pub(crate) mod processes;
+mod registry;
+pub(crate) mod room;
 mod scratch;
 mod self_test;
 
@@ -19,20 +23,32 @@ use rustix::process::getuid;
 use tempfile::TempDir;
 
 use lab_kit::Kit;
+use registry::Registry;
 use scratch::Scratch;
 
-/// The longest times.
+/// What foreign code may have.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
-    /// Of a program.
+    /// The longest time of a program.
     pub(crate) run: Duration,
-    /// Of the compiler, for one submission.
+    /// The longest time of the compiler, for one submission.
     pub(crate) build: Duration,
+    /// Whether programs may connect to each other through the network's loopback, as ranks do.
+    pub(crate) loopback: bool,
 }
 
 /// What a process of a program may have.
 const PROGRAM: [&str; 5] =
     ["--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256", "--as=4294967296"];
+
+/// Bytes of a file that the build of a submission may write, and of one that the build of the solution may write: it
+/// compiles what the lab depends on.
+pub(crate) const BUILT_FILE: u64 = 1 << 26;
+pub(crate) const GIVEN_FILE: u64 = 1 << 30;
+
+/// Bytes that the build of a submission may write: its objects, of which there are sixteen, its library, and two programs
+/// with an object and a file that describes each.
+pub(crate) const BUILD_QUOTA: u64 = 24 * BUILT_FILE;
 
 /// Bytes of a program's own temporary files, of memory that its ranks share, of a build's temporary files.
 const TEMPORARY: &str = "67108864";
@@ -92,6 +108,8 @@ pub(crate) struct Sandbox {
     sysroot: PathBuf,
     /// Where cargo keeps the sources of dependencies.
     cargo_home: PathBuf,
+    /// And how it reaches them.
+    registry: Registry,
     /// Whether code is kept in: it can be made here.
     pub(crate) keeps: bool,
     /// Whether code runs at least as [`nobody`], where nothing keeps it in.
@@ -118,10 +136,13 @@ impl Sandbox {
         let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
         let cargo_home = home.context("there is no home folder with cargo's in it")?;
         let scratch = Scratch::below(&std::env::temp_dir())?;
-        let filter = filter::write(scratch.path()).context("cannot write a filter")?;
+        let filter = filter::write(scratch.path(), limits.loopback);
+        let filter = filter.context("cannot write a filter")?;
+        let registry = Registry::of(&cargo_home, scratch.path())?;
         let keeps = true;
+        let as_nobody = false;
         let mut sandbox =
-            Self { sysroot, cargo_home, keeps, as_nobody: false, limits, scratch, filter };
+            Self { sysroot, cargo_home, registry, keeps, as_nobody, limits, scratch, filter };
         if let Err(why) = self_test::check(&sandbox) {
             let none = "foreign code cannot be kept in a sandbox here";
             if !trusted {
@@ -137,33 +158,57 @@ impl Sandbox {
         Ok(sandbox)
     }
 
+    /// Folders of this machine that a program or the compiler may name.
+    pub(crate) fn folders(&self) -> [&Path; 3] {
+        [&self.sysroot, &self.cargo_home, self.scratch()]
+    }
+
     /// A new temporary folder, into which programs can look.
     pub(crate) fn folder(&self) -> Result<TempDir> {
         self.scratch.folder()
     }
 
+    /// Whether programs can be started in it now.
+    ///
+    /// # Errors
+    /// They cannot; the message says why.
+    pub(crate) fn works(&self) -> Result<()> {
+        if self.keeps { self_test::check(self) } else { Ok(()) }
+    }
+
+    /// Where its temporary folders are.
+    pub(crate) fn scratch(&self) -> &Path {
+        self.scratch.path()
+    }
+
     /// Cargo, in `tree`, which is `/kit` inside and may be written: no program of a submission
-    /// runs during a build, the compiler only reads its sources.
-    pub(crate) fn cargo(&self, tree: &Path) -> Command {
+    /// runs during a build, the compiler only reads its sources. It writes no larger file than `most` bytes.
+    pub(crate) fn cargo(&self, tree: &Path, most: u64) -> Command {
         let cargo = self.sysroot.join("bin/cargo");
         if !self.keeps {
             let mut command = Command::new(cargo);
             if self.as_nobody {
                 command = nobody::cargo(&self.sysroot, &self.cargo_home, tree);
             }
+            self.registry.set(&mut command);
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
             command.env("CARGO_INCREMENTAL", "0").args(SETTINGS);
             return command;
         }
         let mut command = launcher("prlimit");
-        command.args(["--core=0", "--fsize=1073741824", "bwrap"]);
+        command.args(["--core=0", &format!("--fsize={most}"), "bwrap"]);
         namespaces(&mut command, BUILDS);
         command.arg("--bind").arg(tree).arg("/kit");
         command.arg("--ro-bind").arg(&self.sysroot).arg(&self.sysroot);
         command.args(["--dir", "/cargo"]);
-        for part in ["registry", "config.toml", "git"] {
+        for part in ["registry", "git"] {
             let path = self.cargo_home.join(part);
             command.arg("--ro-bind-try").arg(path).arg(format!("/cargo/{part}"));
+        }
+        command.arg("--ro-bind").arg(self.registry.home.join("config.toml"));
+        command.arg("/cargo/config.toml");
+        for folder in &self.registry.folders {
+            command.arg("--ro-bind-try").args([folder, folder]);
         }
         let path = format!("{}/bin:{PATH}", self.sysroot.display());
         for (name, value) in [
@@ -251,30 +296,4 @@ fn namespaces(command: &mut Command, temporary: &str) {
     for path in SYSTEM {
         command.args(["--ro-bind-try", path, path]);
     }
-}
-
-/// Further attempts to start a sandbox, and the pause before each.
-const RETRIES: usize = 3;
-const PAUSE: Duration = Duration::from_secs(2);
-
-/// Does something again where the sandbox itself was `refused` a process, as a busy machine may do: that is nobody's
-/// mistake.
-pub(crate) fn patiently<T>(
-    once: impl Fn() -> Result<T>,
-    refused: impl Fn(&T) -> bool,
-) -> Result<T> {
-    for _ in 0..RETRIES {
-        let result = once()?;
-        if !refused(&result) {
-            return Ok(result);
-        }
-        std::thread::sleep(PAUSE);
-    }
-    once()
-}
-
-/// Whether a complaint is of the programs that make the sandbox. A submission can write the same:
-/// it then waits some seconds for the same marks.
-pub(crate) fn is_launcher(stderr: &str) -> bool {
-    ["bwrap: ", "setpriv: ", "prlimit: "].iter().any(|who| stderr.starts_with(who))
 }

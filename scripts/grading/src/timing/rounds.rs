@@ -7,9 +7,10 @@ use anyhow::{Result, ensure};
 
 use super::check::{STRAY, difference, is_another};
 use super::plan::SERIAL;
-use super::take::{Taken, is_refused, take};
+use super::take::{Taken, is_doubtful, take};
 use crate::record::{Outcome, Run, Whose};
-use crate::sandbox::{Sandbox, patiently};
+use crate::sandbox::Sandbox;
+use crate::sandbox::faults::believed;
 use lab_measure::experiment::turns;
 
 /// The limit of a run: this time, and this multiple of the solution's time on top of it.
@@ -46,7 +47,7 @@ pub(crate) fn one_round(
         // The serial program is the solution's.
         let folder = if run.whose == Whose::Own { own } else { solution };
         let once = || take(sandbox, folder, run, seed, run.workers, allowed);
-        let taken = match patiently(once, is_refused)? {
+        let taken = match believed(once, is_doubtful, || sandbox.works())? {
             Ok(taken) => taken,
             Err((outcome, why)) => {
                 ensure!(run.whose == Whose::Own, "the solution cannot be timed: {why}");

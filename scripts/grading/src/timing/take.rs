@@ -12,7 +12,8 @@ use anyhow::{Context, Result, ensure};
 
 use super::processors::{confined, seconds};
 use crate::record::{Outcome, Run, Whose};
-use crate::sandbox::{Sandbox, is_launcher};
+use crate::sandbox::Sandbox;
+use crate::sandbox::faults::is_sign;
 use lab_kit::process::{ends, panic_in, start as start_process};
 
 /// The name of the timed program in its folder.
@@ -40,9 +41,14 @@ pub(crate) struct Taken {
 /// Why nothing did: the time was up, or the program ended or talked nonsense.
 pub(crate) type Trouble = (Outcome, String);
 
-/// Whether the sandbox itself was refused a process.
-pub(crate) fn is_refused(taken: &Result<Taken, Trouble>) -> bool {
-    taken.as_ref().is_err_and(|(_, why)| is_launcher(why))
+/// What is said of a program that ended and complained of nothing.
+const SILENT: &str = "it broke off without a result";
+
+/// Whether a fault of the machine could have ended a program.
+pub(crate) fn is_doubtful(taken: &Result<Taken, Trouble>) -> bool {
+    taken
+        .as_ref()
+        .is_err_and(|(outcome, why)| *outcome == Outcome::Wrong && (why == SILENT || is_sign(why)))
 }
 
 /// What a program says, as it says it.
@@ -115,7 +121,7 @@ fn ended(error: RecvTimeoutError, limit: Duration, complaints: &Receiver<String>
     }
     let complaint = complaints.recv_timeout(REST).unwrap_or_default();
     let first = || complaint.lines().find(|line| !line.trim().is_empty());
-    let line = panic_in(&complaint).or_else(first).unwrap_or("it broke off without a result");
+    let line = panic_in(&complaint).or_else(first).unwrap_or(SILENT);
     (Outcome::Wrong, line.chars().take(300).collect())
 }
 

@@ -9,50 +9,38 @@ use anyhow::{Result, anyhow};
 
 use super::check::difference;
 use super::scene;
-use super::take::{Taken, Trouble, is_refused, take};
+use super::take::{Taken, Trouble, is_doubtful, take};
 use crate::record::{Run, Task, Whose, number};
-use crate::sandbox::{Sandbox, patiently};
+use crate::sandbox::Sandbox;
+use crate::sandbox::faults::believed;
 use lab_kit::Facts;
 use oracle::Random;
 
 /// A program on a scene.
-pub(crate) struct Whole {
+struct Whole {
     /// The last task that it is made of.
     task: String,
     run: Run,
     seed: u32,
-    /// The state that the solution's comes to.
-    right: Vec<f64>,
 }
 
-/// What the solution's programs make of drawn scenes, in the order of their tasks.
-pub(crate) fn reference(
-    sandbox: &Sandbox,
-    folder: &Path,
-    rubric: &Facts,
-    seed: u64,
-) -> Result<Vec<Whole>> {
+/// The lab's programs on drawn scenes, in the order of their tasks.
+fn wholes(rubric: &Facts, seed: u64) -> Vec<Whole> {
     let mut random = Random::new(seed);
-    let mut all = Vec::new();
-    for (task, run) in runs(rubric, &mut random) {
-        let seed = scene(&mut random);
-        let right = result(sandbox, folder, &run, seed)?
-            .map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", run.variant))?;
-        all.push(Whole { task, run, seed, right: right.state });
-    }
+    let runs = runs(rubric, &mut random).into_iter();
+    let mut all: Vec<Whole> =
+        runs.map(|(task, run)| Whole { task, run, seed: scene(&mut random) }).collect();
     all.sort_by_key(|program| number(&program.task));
-    Ok(all)
+    all
 }
 
 /// What came of a run on any processors.
 fn result(
     sandbox: &Sandbox,
     folder: &Path,
-    run: &Run,
-    seed: u32,
+    Whole { run, seed, .. }: &Whole,
 ) -> Result<Result<Taken, Trouble>> {
-    let limit = sandbox.limits.run;
-    patiently(|| take(sandbox, folder, run, seed, usize::MAX, limit), is_refused)
+    take(sandbox, folder, run, *seed, usize::MAX, sandbox.limits.run)
 }
 
 /// Each program on a small scene, and those that are timed on one as large as then. The steps are enough to meet others
@@ -73,26 +61,23 @@ fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
     runs
 }
 
-/// Runs a submission's programs. One whose tasks are all right, and that is wrong all the same, costs the last of
-/// them; others that need this task are then not run.
+/// Runs a submission's programs beside the solution's, on scenes from a seed. One whose tasks are all right, and that
+/// is wrong all the same, costs the last of them; others that need this task are then not run.
 pub(crate) fn check(
     sandbox: &Sandbox,
-    folder: &Path,
-    programs: &[Whole],
+    (own, solution): (&Path, &Path),
+    rubric: &Facts,
+    seed: u64,
     tasks: &mut [Task],
 ) -> Result<()> {
-    for Whole { task, run, seed, right } in programs {
-        let needs = |other: &&Task| number(&other.id) <= number(task);
+    for whole in wholes(rubric, seed) {
+        let needs = |other: &&Task| number(&other.id) <= number(&whole.task);
         if !tasks.iter().filter(needs).all(|task| task.passed) {
             continue;
         }
-        let wrong = match result(sandbox, folder, run, *seed)? {
-            Ok(taken) => difference(right, &taken.state, 0.0),
-            Err((_, why)) => Some(why),
-        };
-        let Some(wrong) = wrong else { continue };
-        let Run { variant, n, workers, steps, .. } = run;
-        for own in tasks.iter_mut().filter(|own| own.id == *task) {
+        let Some(wrong) = wrong(sandbox, own, solution, &whole)? else { continue };
+        let Run { variant, n, workers, steps, .. } = &whole.run;
+        for own in tasks.iter_mut().filter(|own| own.id == whole.task) {
             (own.passed, own.share) = (false, 0.0);
             own.message = format!(
                 "every question up to this task is answered rightly, and yet the whole program {variant} is wrong \
@@ -101,6 +86,29 @@ pub(crate) fn check(
         }
     }
     Ok(())
+}
+
+/// What is wrong with a submission's program, if something is.
+///
+/// # Errors
+/// The solution's program fails.
+fn wrong(sandbox: &Sandbox, own: &Path, solution: &Path, whole: &Whole) -> Result<Option<String>> {
+    let right = trusted(sandbox, solution, whole)?;
+    let taken = believed(
+        || result(sandbox, own, whole),
+        is_doubtful,
+        || trusted(sandbox, solution, whole).map(drop),
+    )?;
+    Ok(match taken {
+        Ok(taken) => difference(&right.state, &taken.state, 0.0),
+        Err((_, why)) => Some(why),
+    })
+}
+
+/// What came of the solution's program.
+fn trusted(sandbox: &Sandbox, solution: &Path, whole: &Whole) -> Result<Taken> {
+    let right = result(sandbox, solution, whole)?;
+    right.map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", whole.run.variant))
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! A class that is graded already, and what is said while one is graded.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -53,6 +54,9 @@ fn a_class_gets_the_same_marks_twice_and_is_then_passed_over_without_a_build() {
     assert!(words.contains("untouched: lost 1.1, 1.2, 1.3, 1.4, 1.5\n"), "{words}");
     let before = records(&class, &into);
     assert_eq!(before.len(), class.members.len());
+
+    let seeds: BTreeSet<u64> = before.values().filter_map(|it| it["seed"].as_u64()).collect();
+    assert_eq!(seeds.len(), before.len(), "each is asked from a seed of its own");
 
     let other = class.temporary().join("other");
     assert!(run(grade(&class, &other, TASKS)));

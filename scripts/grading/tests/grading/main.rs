@@ -12,6 +12,7 @@ mod class;
 mod code;
 mod command;
 mod expected;
+mod faults;
 mod finished;
 mod gradescope;
 mod mixed;

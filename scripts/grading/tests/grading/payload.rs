@@ -3,7 +3,7 @@
 use std::fs;
 use std::io::Write;
 use std::iter::from_fn;
-use std::net::{TcpStream, ToSocketAddrs, UdpSocket};
+use std::net::{TcpListener, TcpStream, ToSocketAddrs, UdpSocket};
 use std::os::unix::net::UnixStream;
 use std::process::Command;
 use std::sync::Once;
@@ -21,6 +21,8 @@ pub(crate) fn all() {
         kernels();
         uncounted();
         memories();
+        answers();
+        others();
         overwrites_itself();
     });
 }
@@ -64,6 +66,8 @@ fn sockets() {
     must_fail("a name server", "example.org:80".to_socket_addrs());
     let sent = UdpSocket::bind("0.0.0.0:0").and_then(|socket| socket.send_to(b"x", "1.1.1.1:53"));
     must_fail("a datagram", sent);
+    // What waits in a connection to itself would be memory that no limit counts.
+    must_fail("a connection to itself", TcpListener::bind("127.0.0.1:0"));
 }
 
 /// The user who started this program is not to be seen, nor is what it knows.
@@ -152,8 +156,48 @@ fn memories() {
     call("ptrace(0, 0, 0, 0)");
     call("process_vm_readv(1, None, 0, None, 0, 0)");
     call("process_vm_writev(1, None, 0, None, 0, 0)");
-    // 425 is io_uring_setup.
+    // 425 is io_uring_setup, and 438 pidfd_getfd of the first process, of which 434 makes a descriptor.
     call("syscall(425, 1, ctypes.create_string_buffer(120))");
+    call("syscall(438, libc.syscall(434, 1, 0), 0, 0)");
+    // 323 is userfaultfd, 298 perf_event_open, 321 bpf, 312 kcmp.
+    call("syscall(323, 1)");
+    call("syscall(298, ctypes.create_string_buffer(120), 0, -1, -1, 0)");
+    call("syscall(321, 0, ctypes.create_string_buffer(120), 120)");
+    call("syscall(312, 1, 1, 1, 0, 0)");
+}
+
+/// What judges is not here, and what runs here knows no answer.
+fn answers() {
+    must_fail("the program that judges", fs::read("/kit/judge"));
+    let own = fs::read("/proc/self/exe").unwrap_or_default();
+    // Parts of symbols, and words that only a verdict has. The dash keeps them from being found here.
+    for word in ["6oracle-5model", "6oracle-5right", "which does not point- straight away"] {
+        let word = word.replace('-', "");
+        if own.windows(word.len()).any(|window| window == word.as_bytes()) {
+            succeeded(&word);
+        }
+    }
+}
+
+/// Other processes: their memory, their descriptors, and what they have open.
+fn others() {
+    let own = std::process::id();
+    for number in 1..100 {
+        if number == own {
+            continue;
+        }
+        let process = format!("/proc/{number}");
+        let written = fs::OpenOptions::new().write(true).open(format!("{process}/mem"));
+        must_fail("another's memory to write", written);
+        for entry in fs::read_dir(format!("{process}/fd")).into_iter().flatten().flatten() {
+            let target = fs::read_link(entry.path()).unwrap_or_default();
+            if target.starts_with("/kit") || target.to_string_lossy().contains("grade") {
+                succeeded(&format!("a descriptor of process {number}: {}", target.display()));
+            }
+        }
+    }
+    must_fail("the setting of a process", fs::write("/proc/self/oom_score_adj", "-1000"));
+    must_fail("the setting of a process", fs::write("/proc/1/comm", "x"));
 }
 
 fn overwrites_itself() {

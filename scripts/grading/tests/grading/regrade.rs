@@ -169,3 +169,17 @@ fn who_is_spoken_of_and_is_not_there_is_named() {
     let said = regrade(kit(), folder.path(), &[]).concat();
     assert!(said.contains("class.toml: override 1: no submission belongs to 'adda'"), "{said}");
 }
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_disk_behind_standard_output_is_said_in_one_line() {
+    let (_folder, kit) = kit_of([70, 30]);
+    let full = fs::File::options().write(true).open("/dev/full").unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lab-grading"));
+    let command = command.current_dir(kit.root()).args(["regrade", "records", "--dry-run"]);
+    let output = command.stdout(full).output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.starts_with("error: cannot write to standard output: "), "{said}");
+    assert_eq!(said.lines().count(), 1, "{said}");
+}

@@ -14,10 +14,11 @@ use lab_kit::starter::{Files, GIVEN, Record, generate};
 use lab_kit::{Facts, Kit, Lab, Workers};
 
 /// Files in the top folder that are copied as they are. The README is written for students instead.
-const TOP: [&str; 13] = [
+const TOP: [&str; 14] = [
     ".cargo/config.toml",
     ".config/nextest.toml",
     ".devcontainer/devcontainer.json",
+    ".gitattributes",
     ".gitignore",
     ".helix/languages.toml",
     ".vscode/extensions.json",

@@ -6,7 +6,7 @@ use anyhow::Result;
 
 use lab_kit::files::read_bytes;
 use lab_kit::starter::Files;
-use lab_kit::{Kit, files_below};
+use lab_kit::{Kit, sources_below};
 
 /// Adds a file at its path in the kit.
 pub(super) fn add(kit: &Kit, files: &mut Files, path: &Path) -> Result<()> {
@@ -16,10 +16,8 @@ pub(super) fn add(kit: &Kit, files: &mut Files, path: &Path) -> Result<()> {
 
 /// Adds all files of a folder, without files that builds and editors have left.
 pub(super) fn add_all(kit: &Kit, files: &mut Files, folder: &Path) -> Result<()> {
-    for path in files_below(folder)? {
-        let relative = path.strip_prefix(folder)?;
-        let hidden = |part: &std::ffi::OsStr| part.to_string_lossy().starts_with('.');
-        if !relative.iter().any(|part| part == "target" || hidden(part)) {
+    for path in sources_below(folder)? {
+        if !path.strip_prefix(folder)?.iter().any(|part| part == "target") {
             add(kit, files, &path)?;
         }
     }

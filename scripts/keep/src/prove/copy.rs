@@ -14,7 +14,7 @@ use anyhow::{Context, Result};
 
 use crate::handout::fit;
 use lab_kit::files::{read_bytes, read_text, write_file};
-use lab_kit::{Kit, Lab, files_below};
+use lab_kit::{Kit, Lab, files_below, sources_below};
 
 /// The copy.
 pub(crate) struct Copy {
@@ -37,7 +37,7 @@ impl Copy {
         let mut files = BTreeMap::new();
         let mutated = format!("solutions/lab{lab}/src");
         for folder in ["labs", "scripts", "solutions", "tests"] {
-            for path in files_below(&kit.path(folder))? {
+            for path in sources_below(&kit.path(folder))? {
                 let relative = path.strip_prefix(kit.root())?.to_owned();
                 if !is_left_out(&relative) {
                     files.insert(relative, path);

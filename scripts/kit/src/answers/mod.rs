@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
-use crate::files::{files_below, read_text};
+use crate::files::{read_text, sources_below};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -53,7 +53,7 @@ pub fn read_solution(kit: &Kit, lab: Lab) -> Result<Vec<MarkedFile>> {
     let folder = kit.solution(lab);
     let mut seen: BTreeMap<RegionId, String> = BTreeMap::new();
     let mut files = Vec::new();
-    for path in files_below(&folder.join("src"))? {
+    for path in sources_below(&folder.join("src"))? {
         if path.extension().is_none_or(|e| e != "rs" && e != "wgsl") {
             continue;
         }

@@ -10,6 +10,7 @@ use thiserror::Error;
 
 use super::verdict::Outcome;
 use crate::cargo::run_visibly;
+use crate::fresh;
 use crate::lab::Lab;
 use crate::process;
 
@@ -56,6 +57,14 @@ pub struct Build<'a> {
     pub colour: bool,
 }
 
+/// How snapshots are compared, also where a file `insta.yaml` says otherwise: nothing is written, nothing is hidden.
+const SNAPSHOTS: [(&str, &str); 4] = [
+    ("INSTA_UPDATE", "no"),
+    ("INSTA_FORCE_PASS", "0"),
+    ("INSTA_OUTPUT", "diff"),
+    ("INSTA_REQUIRE_FULL_MATCH", "0"),
+];
+
 /// Builds the tests of a package.
 pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
     let Build { mut cargo, package, lab, shown, colour } = build;
@@ -66,7 +75,11 @@ pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
     let target = format!("lab{lab}");
     cargo.args(["test", "--no-run", "--package", package, "--test", &target]);
     cargo.arg(format!("--message-format={format}"));
-    let output = if shown { run_visibly(&mut cargo) } else { cargo.arg("--quiet").output() };
+    let output = if shown {
+        fresh::build(&mut cargo, run_visibly)
+    } else {
+        fresh::build(cargo.arg("--quiet"), Command::output)
+    };
     let output = output.map_err(|e| trouble(&format!("cargo did not start: {e}")))?;
     let mut program = None;
     let mut errors = Vec::new();
@@ -113,14 +126,19 @@ fn compile_error(message: &Value) -> Option<CompileError> {
 impl TestProgram {
     fn command(&self) -> Command {
         let mut command = Command::new(&self.program);
+        // What somebody has set for the tests of other projects, such as INSTA_FORCE_PASS, is not for these.
+        for (name, _) in std::env::vars_os() {
+            let shown = name.to_string_lossy();
+            if shown.starts_with("INSTA_") || shown.starts_with("RUST_") {
+                command.env_remove(name);
+            }
+        }
         // What cargo would set, and what spares the snapshots a search for the workspace.
         command
             .current_dir(&self.folder)
             .env("CARGO_MANIFEST_DIR", &self.folder)
             .env("INSTA_WORKSPACE_ROOT", &self.top)
-            .env("INSTA_UPDATE", "no")
-            .env_remove("RUST_BACKTRACE")
-            .env_remove("RUST_TEST_THREADS");
+            .envs(SNAPSHOTS);
         command
     }
 
@@ -153,5 +171,30 @@ impl TestProgram {
         let done =
             process::run(&mut command, limit).with_context(|| format!("{test} did not start"))?;
         Ok(Outcome::read(test, &done))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use serde_json::Value;
+
+    use super::SNAPSHOTS;
+    use crate::files::read_toml_at;
+    use crate::kit::Kit;
+
+    /// Cargo sets the same for a plain `cargo test`.
+    #[test]
+    fn no_variable_of_other_projects_decides_about_a_snapshot() {
+        let config = Kit::find().unwrap().path(".cargo/config.toml");
+        let set: BTreeMap<String, Value> = read_toml_at(&config, "/env").unwrap().unwrap();
+        let ours: Vec<_> = set.iter().filter(|(name, _)| name.starts_with("INSTA_")).collect();
+        // All that insta reads without its features for files and for its own command.
+        assert_eq!(ours.len(), 13);
+        assert!(ours.iter().all(|(_, value)| value["force"] == true), "{ours:?}");
+        for (name, value) in SNAPSHOTS {
+            assert_eq!(set[name]["value"], value, "{name}");
+        }
     }
 }

@@ -1,7 +1,6 @@
 //! What the starter of a lab must be, from its solution.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::io::Write;
 use std::iter;
 use std::path::{Path, PathBuf};
@@ -9,25 +8,37 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
+use super::GIVEN;
 use crate::answers::{self, Part, Region};
-use crate::files::{files_below, read_bytes, read_toml_at};
+use crate::files::{read_bytes, read_text, read_toml_at, sources_below, with_unix_lines};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
 /// The files of a starter, by their path in its folder.
 pub type Files = BTreeMap<PathBuf, Vec<u8>>;
 
-/// All files below a folder; none if there is no such folder.
+/// The [sources](sources_below) below a folder; none if there is no such folder.
 pub fn read_below(folder: &Path) -> Result<Files> {
     let read = |path: PathBuf| Ok((path.strip_prefix(folder)?.to_owned(), read_bytes(&path)?));
-    files_below(folder)?.into_iter().map(read).collect()
+    sources_below(folder)?.into_iter().map(read).collect()
 }
 
 /// What lies where a starter's files belong, in src/ and tests/, by path in its folder.
 pub fn own_paths(folder: &Path) -> Result<Vec<PathBuf>> {
-    let mut paths = files_below(&folder.join("src"))?;
-    paths.extend(files_below(&folder.join("tests"))?);
+    let mut paths = sources_below(&folder.join("src"))?;
+    paths.extend(sources_below(&folder.join("tests"))?);
     Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
+}
+
+/// The starter as it was given: as it was kept or, in a kit that has not kept it, made from the solution.
+pub fn given(kit: &Kit, lab: Lab) -> Result<Files> {
+    let kept = kit.starter(lab).join(GIVEN);
+    if kept.is_dir() {
+        let files = read_below(&kept)?.into_iter();
+        return Ok(files.map(|(path, bytes)| (path, with_unix_lines(bytes))).collect());
+    }
+    kit.chosen_solutions(Some(lab))?;
+    generate(kit, lab)
 }
 
 /// Makes the starter of `lab`, in memory.
@@ -51,7 +62,7 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     }
     // What is neither Rust nor a shader is given as it is.
     for (path, bytes) in read_below(&folder.join("src"))? {
-        files.entry(Path::new("src").join(path)).or_insert(bytes);
+        files.entry(Path::new("src").join(path)).or_insert_with(|| with_unix_lines(bytes));
     }
     let manifest = manifest(kit, lab).with_context(|| format!("solutions/lab{lab}/Cargo.toml"))?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
@@ -59,7 +70,8 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     // documentation, which a file that a solution includes cannot have.
     let root = PathBuf::from(format!("tests/lab{lab}.rs"));
     for path in kit.test_sources(lab)? {
-        let (path, mut bytes) = (path.strip_prefix(kit.root())?.to_owned(), read_bytes(&path)?);
+        let (path, mut bytes) =
+            (path.strip_prefix(kit.root())?.to_owned(), with_unix_lines(read_bytes(&path)?));
         if path == root {
             bytes.splice(..0, format!("//! Lab {lab}'s graders.\n\n").into_bytes());
         }
@@ -144,7 +156,7 @@ fn formatted(kit: &Kit, text: &str) -> Result<Vec<u8>> {
 /// about what is unused, because beside a `todo!` everything is. What stands below the lints is the
 /// solution's alone.
 fn manifest(kit: &Kit, lab: Lab) -> Result<String> {
-    let text = fs::read_to_string(kit.solution(lab).join("Cargo.toml"))?;
+    let text = read_text(&kit.solution(lab).join("Cargo.toml"))?;
     let text = rename(&text, lab).replacen(": the solution\"", ": your work\"", 1);
     let (before, _) =
         text.split_once("\n[lints]\nworkspace = true").context("no workspace's lints")?;

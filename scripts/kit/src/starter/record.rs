@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 
 use super::generate::Files;
-use crate::files::{digest, write_file};
+use crate::files::{digest, with_unix_lines, write_file};
 
 /// The hash of each file, by its path in the starter's folder.
 #[derive(Debug, Default, PartialEq)]
@@ -34,7 +34,7 @@ impl Record {
 
     /// The record of exactly these files.
     pub fn of(files: &Files) -> Self {
-        Self(files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect())
+        Self(files.iter().map(|(path, bytes)| (path.clone(), hash(bytes.clone()))).collect())
     }
 
     /// Reads the record of a starter's folder; empty if there is none.
@@ -72,8 +72,7 @@ impl Record {
     /// Whether the file at `path` of `folder` is as the tool wrote it.
     pub fn is_own(&self, folder: &Path, path: &Path) -> bool {
         let recorded = self.0.get(path);
-        recorded.is_some()
-            && recorded == fs::read(folder.join(path)).ok().map(|b| digest(&b)).as_ref()
+        recorded.is_some() && recorded == fs::read(folder.join(path)).ok().map(hash).as_ref()
     }
 
     /// What turns `folder` into the starter `files`.
@@ -94,6 +93,11 @@ impl Record {
         }
         plan
     }
+}
+
+/// The hash of a file. Git on Windows may have given it other line endings.
+fn hash(bytes: Vec<u8>) -> String {
+    digest(&with_unix_lines(bytes))
 }
 
 #[cfg(test)]
@@ -151,6 +155,18 @@ mod tests {
         fs::write(folder.path().join("file"), "same").unwrap();
         let plan = Record::default().plan(folder.path(), &files(&[("file", "same")]));
         assert_eq!(plan, Plan::default());
+    }
+
+    #[test]
+    fn line_endings_change_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let given = files(&[("file", "a\nb\n")]);
+        fs::write(folder.path().join("file"), "a\r\nb\r\n").unwrap();
+        let record = Record::of(&given);
+        assert!(record.is_own(folder.path(), "file".as_ref()));
+        assert_eq!(record, Record::of(&files(&[("file", "a\r\nb\r\n")])));
+        fs::write(folder.path().join("file"), "a\r\nb \r\n").unwrap();
+        assert!(!record.is_own(folder.path(), "file".as_ref()));
     }
 
     #[test]

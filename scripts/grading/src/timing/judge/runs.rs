@@ -115,13 +115,26 @@ fn span(run: &Run) -> Option<Span> {
 
 /// Seconds of a run without those that it takes to make such a scene and to send the result.
 fn net(runs: &[Run], run: &Run) -> Result<Span, Without> {
-    let taken = |run| {
-        let none = || (Verdict::NotTimed, "no take was finished: grade it again".into());
-        span(run).ok_or_else(none)
-    };
-    let idle = || runs.iter().filter(|r| r.whose != Whose::Own && r.steps == 0 && r.n == run.n);
-    let alike = |r: &&Run| (&r.variant, r.workers) == (&run.variant, run.workers);
-    let idle = idle().find(alike).or_else(|| idle().next()).map(taken).transpose()?;
-    let (all, idle) = (taken(run)?, idle.unwrap_or(Span { min: 0.0, median: 0.0 }));
-    Ok(Span::both(|way| (way(&all) - way(&idle)).max(1e-6)))
+    let all = taken(run)?;
+    let without_steps = idle(runs, run).map(taken).transpose()?;
+    Ok(without_steps.map_or(all, |idle| less(all, idle)))
+}
+
+/// Seconds of the takes of a run.
+fn taken(run: &Run) -> Result<Span, Without> {
+    let none = || (Verdict::NotTimed, "no take was finished: grade it again".into());
+    span(run).ok_or_else(none)
+}
+
+/// A trusted run without steps on as many particles, of the same program on as many workers if there is one.
+fn idle<'r>(runs: &'r [Run], run: &Run) -> Option<&'r Run> {
+    let is_idle = |r: &&Run| r.whose != Whose::Own && r.steps == 0 && r.n == run.n;
+    let mut all = runs.iter().filter(is_idle);
+    let first = all.clone().next();
+    all.find(|r| (&r.variant, r.workers) == (&run.variant, run.workers)).or(first)
+}
+
+/// A time less another, and never nothing.
+fn less(all: Span, part: Span) -> Span {
+    Span::both(|way| (way(&all) - way(&part)).max(1e-6))
 }

@@ -1,0 +1,115 @@
+//! Files of a submission that lie in no folder labs/labN/src: taken where their names leave no doubt.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use super::names::{is_built, lab_of, parts};
+use lab_kit::Lab;
+use lab_kit::submission::{Sources, refused};
+
+/// Folders of a kit that are not a student's work.
+const GIVEN: [&str; 4] = ["kept", "scripts", "solutions", "tests"];
+
+/// A file and where it lay.
+pub(super) type Loose = (PathBuf, Vec<u8>);
+
+/// Whether a file may be a source.
+pub(super) fn may_be(path: &Path) -> bool {
+    parts(path).is_ok_and(|parts| {
+        let is_given = |part: &String| GIVEN.contains(&part.as_str()) || is_built(part);
+        !parts.iter().any(is_given) && refused(&parts.join("/")).is_none()
+    })
+}
+
+/// The sources of a lab among loose files, and where they lay; none if a name means two.
+pub(super) fn place(
+    lab: Lab,
+    tasks: &BTreeSet<String>,
+    loose: &[Loose],
+) -> (Sources, BTreeSet<PathBuf>) {
+    let mut found = Found::default();
+    let loose: Vec<&Loose> = loose.iter().filter(|(path, _)| !is_of_another(lab, path)).collect();
+    let folders = source_folders(lab, tasks, &loose);
+    match &folders[..] {
+        [] => found.by_name(tasks, &loose),
+        [folder] => found.whole(folder, &loose),
+        _ => {}
+    }
+    (found.files, found.from)
+}
+
+/// Whether a file lies in the folder of another lab.
+fn is_of_another(lab: Lab, path: &Path) -> bool {
+    let parts = parts(path).unwrap_or_default();
+    parts.iter().filter_map(|part| lab_of(part)).any(|of| of != lab)
+}
+
+/// The folders `src` that have a task's file. Of several only those that the lab's own folder has.
+fn source_folders(lab: Lab, tasks: &BTreeSet<String>, loose: &[&Loose]) -> Vec<String> {
+    let mut folders: BTreeMap<String, bool> = BTreeMap::new();
+    for (path, _) in loose {
+        let parts = parts(path).unwrap_or_default();
+        let Some(at) = parts.iter().rposition(|part| part == "src") else { continue };
+        let is_labs = parts[..at].last().is_some_and(|folder| lab_of(folder) == Some(lab));
+        if tasks.contains(&parts[at..].join("/")) {
+            folders.insert(parts[..=at].join("/"), is_labs);
+        }
+    }
+    if folders.values().any(|is_labs| *is_labs) {
+        folders.retain(|_, is_labs| *is_labs);
+    }
+    folders.into_keys().collect()
+}
+
+#[derive(Default)]
+struct Found {
+    files: Sources,
+    from: BTreeSet<PathBuf>,
+}
+
+impl Found {
+    fn add(&mut self, to: String, (path, bytes): &Loose) {
+        self.files.insert(to, bytes.clone());
+        self.from.insert(path.clone());
+    }
+
+    /// Everything in a folder `src`.
+    fn whole(&mut self, folder: &str, loose: &[&Loose]) {
+        for file in loose {
+            let path = parts(&file.0).unwrap_or_default().join("/");
+            if let Some(below) = path.strip_prefix(folder).and_then(|rest| rest.strip_prefix('/')) {
+                self.add(format!("src/{below}"), file);
+            }
+        }
+    }
+
+    /// Files with the names of tasks, and what lies beside them.
+    fn by_name(&mut self, tasks: &BTreeSet<String>, loose: &[&Loose]) {
+        for task in tasks {
+            let name = Path::new(task).file_name();
+            let alike = tasks.iter().filter(|other| Path::new(other).file_name() == name).count();
+            // Of tasks with one name, such as mod.rs, the folder says which it is.
+            let end = if alike == 1 {
+                Path::new(name.unwrap_or_default())
+            } else {
+                Path::new(&task[4..])
+            };
+            let named: Vec<&&Loose> =
+                loose.iter().filter(|(path, _)| path.ends_with(end)).collect();
+            match named[..] {
+                [] => {}
+                [file] => self.add(task.clone(), file),
+                _ => return *self = Self::default(),
+            }
+        }
+        let folders: BTreeSet<_> = self.from.iter().filter_map(|path| path.parent()).collect();
+        let folders: Vec<PathBuf> = folders.into_iter().map(Path::to_owned).collect();
+        let [folder] = &folders[..] else { return };
+        for file in loose.iter().filter(|(path, _)| path.parent() == Some(folder)) {
+            let name = file.0.file_name().unwrap_or_default().to_string_lossy();
+            if !self.from.contains(&file.0) {
+                self.add(format!("src/{name}"), file);
+            }
+        }
+    }
+}

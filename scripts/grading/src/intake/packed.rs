@@ -1,0 +1,193 @@
+//! A class that packs its work in forty ways. Nobody's mark depends on the name of an archive.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::io::{Cursor, Write};
+use std::os::unix::ffi::OsStrExt;
+use std::path::Path;
+
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use zip::write::{SimpleFileOptions, ZipWriter};
+
+use super::names::name;
+use super::take;
+use lab_kit::{Given, Kit};
+
+const WORK: &[u8] = b"pub fn f() {}\n";
+
+/// Where the one file with a task may lie in an archive.
+const PLACES: [&[u8]; 16] = [
+    b"labs/lab1/src/force.rs",
+    b"./labs/lab1/src/force.rs",
+    b"kit/labs/lab1/src/force.rs",
+    b"home/ada/course/kit-main/labs/lab1/src/force.rs",
+    b"labs/labs/lab1/src/force.rs",
+    b"kit\\labs\\lab1\\src\\force.rs",
+    b"Jos\xe9/labs/lab1/src/force.rs",
+    b"\xff\xfe\\labs\\lab1\\src\\force.rs",
+    b"Jose\xcc\x81/labs/lab1/src/force.rs",
+    b"lab1/src/force.rs",
+    b"my work/final version/src/force.rs",
+    b"src/force.rs",
+    b"force.rs",
+    b"lab1/force.rs",
+    b"handed in/force.rs",
+    b"labs/lab1/force.rs",
+];
+
+/// What archives are called: by platforms, by browsers, by somebody.
+const NAMES: [(&str, &str); 14] = [
+    ("ada.tar.gz", "ada"),
+    ("ada.tgz", "ada"),
+    ("ada.TAR.GZ", "ada"),
+    ("ada.gz", "ada"),
+    ("ada.tar-1.gz", "ada"),
+    ("ada.tar (1).gz", "ada"),
+    ("ada (2).tar.gz", "ada"),
+    ("ada.tar", "ada"),
+    ("ada.ZIP", "ada"),
+    ("ada (1).zip", "ada"),
+    ("ada.tar.gz.gz", "ada"),
+    ("group-1.zip", "group-1"),
+    ("ada.bin", "ada.bin"),
+    ("ada", "ada"),
+];
+
+fn tar(place: &[u8]) -> Vec<u8> {
+    let mut tar = tar::Builder::new(Vec::new());
+    let mut header = tar::Header::new_gnu();
+    header.set_size(WORK.len() as u64);
+    // A path that leads nowhere but is no text is written as it is.
+    header.as_old_mut().name[..place.len()].copy_from_slice(place);
+    header.set_cksum();
+    tar.append(&header, WORK).unwrap();
+    tar.into_inner().unwrap()
+}
+
+fn gzip(bytes: &[u8]) -> Vec<u8> {
+    let mut packed = GzEncoder::new(Vec::new(), Compression::fast());
+    packed.write_all(bytes).unwrap();
+    packed.finish().unwrap()
+}
+
+fn zip(place: &str) -> Vec<u8> {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    zip.start_file(place, SimpleFileOptions::DEFAULT).unwrap();
+    zip.write_all(WORK).unwrap();
+    zip.finish().unwrap().into_inner()
+}
+
+/// What is taken of somebody's lab 1.
+fn taken(path: &Path) -> Vec<u8> {
+    let tasks = ["src/force.rs".to_owned()].into();
+    let given = Given { tasks, ..Given::default() };
+    let intake = take(&Kit::find().unwrap(), "1".parse().unwrap(), &given, path);
+    let mut intake = intake.unwrap_or_else(|why| panic!("{}: {why:#}", path.display()));
+    intake.files.remove("src/force.rs").unwrap_or_else(|| panic!("{}", path.display()))
+}
+
+#[test]
+fn an_archive_is_known_by_its_content() {
+    let class = tempfile::tempdir().unwrap();
+    let plain = tar(PLACES[0]);
+    let forms =
+        [plain.clone(), gzip(&plain), gzip(&gzip(&plain)), zip("kit/labs/lab1/src/force.rs")];
+    for (file, called) in NAMES {
+        let path = class.path().join(file);
+        assert_eq!(name(&path), called);
+        for form in &forms {
+            fs::write(&path, form).unwrap();
+            assert_eq!(taken(&path), WORK, "{file}");
+        }
+    }
+}
+
+#[test]
+fn work_is_found_wherever_it_lies() {
+    let class = tempfile::tempdir().unwrap();
+    for (number, place) in PLACES.iter().enumerate() {
+        let shown = String::from_utf8_lossy(place);
+        let path = class.path().join(format!("{number}.tar.gz"));
+        fs::write(&path, gzip(&tar(place))).unwrap();
+        assert_eq!(taken(&path), WORK, "{shown}");
+        if let Ok(place) = std::str::from_utf8(place) {
+            let path = class.path().join(format!("{number}.zip"));
+            fs::write(&path, zip(place)).unwrap();
+            assert_eq!(taken(&path), WORK, "{shown}");
+        }
+        if place.contains(&b'\\') {
+            continue;
+        }
+        let folder = class.path().join(number.to_string());
+        let file = folder.join(OsStr::from_bytes(place));
+        fs::create_dir_all(file.parent().unwrap()).unwrap();
+        fs::write(file, WORK).unwrap();
+        assert_eq!(taken(&folder), WORK, "a folder with {shown}");
+    }
+}
+
+#[test]
+fn what_platforms_export_is_unpacked() {
+    let class = tempfile::tempdir().unwrap();
+    let archive = gzip(&tar(b"labs/lab1/src/force.rs"));
+    for place in
+        ["lab1.tar-1.gz", "Ada Lovelace_4711/submission/lab1.gz", "lab1", "a/b/c/d/lab1.zip"]
+    {
+        let folder = tempfile::tempdir_in(class.path()).unwrap();
+        let file = folder.path().join(place);
+        fs::create_dir_all(file.parent().unwrap()).unwrap();
+        fs::write(&file, &archive).unwrap();
+        fs::write(folder.path().join("comment.txt"), "please").unwrap();
+        fs::create_dir(folder.path().join("__MACOSX")).unwrap();
+        fs::write(folder.path().join("__MACOSX/._lab1"), "macOS").unwrap();
+        assert_eq!(taken(folder.path()), WORK, "{place}");
+    }
+}
+
+#[test]
+fn a_whole_kit_has_the_lab_once() {
+    let class = tempfile::tempdir().unwrap();
+    for copy in [
+        "target/lab/graded/lab1/labs/lab1/src",
+        "solutions/lab1/src",
+        "kept/lab1-1/src",
+        ".git/labs/lab1/src",
+    ] {
+        let folder = class.path().join(copy.replace('/', "-"));
+        for place in ["kit/labs/lab1/src", &format!("kit/{copy}")] {
+            fs::create_dir_all(folder.join(place)).unwrap();
+            let text = if place.starts_with("kit/labs") { WORK } else { b"another" };
+            fs::write(folder.join(place).join("force.rs"), text).unwrap();
+        }
+        assert_eq!(taken(&folder), WORK, "{copy}");
+        let mut all = tar::Builder::new(Vec::new());
+        all.append_dir_all(".", &folder).unwrap();
+        let path = folder.with_extension("tar");
+        fs::write(&path, all.into_inner().unwrap()).unwrap();
+        assert_eq!(taken(&path), WORK, "{copy}");
+    }
+}
+
+#[test]
+fn a_name_that_means_two_files_is_not_guessed() {
+    let class = tempfile::tempdir().unwrap();
+    let tasks = ["src/force.rs".to_owned(), "src/a/mod.rs".to_owned(), "src/b/mod.rs".to_owned()];
+    let given = Given { tasks: tasks.into(), ..Given::default() };
+    let take = |names: &[&str]| {
+        let folder = tempfile::tempdir_in(class.path()).unwrap();
+        for name in names {
+            let file = folder.path().join(name);
+            fs::create_dir_all(file.parent().unwrap()).unwrap();
+            fs::write(file, WORK).unwrap();
+        }
+        let intake = take(&Kit::find().unwrap(), "1".parse().unwrap(), &given, folder.path());
+        intake.unwrap().files.into_keys().collect::<Vec<_>>()
+    };
+    assert_eq!(take(&["old/force.rs", "new/force.rs"]), [""; 0]);
+    assert_eq!(take(&["old/src/force.rs", "new/src/force.rs"]), [""; 0]);
+    assert_eq!(take(&["force.rs", "mod.rs"]), ["src/force.rs", "src/mod.rs"], "a new file");
+    assert_eq!(take(&["a/mod.rs", "b/mod.rs"]), ["src/a/mod.rs", "src/b/mod.rs"]);
+    assert_eq!(take(&["force.rs", "own.rs", "notes.pdf"]), ["src/force.rs", "src/own.rs"]);
+    assert_eq!(take(&["lab2/src/force.rs"]), [""; 0], "of another lab");
+}

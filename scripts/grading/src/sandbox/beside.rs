@@ -1,0 +1,110 @@
+//! Memory that belongs to a sandbox and to no process in it: files in memory, and what waits in connections.
+
+use std::fs;
+use std::os::unix::fs::MetadataExt;
+use std::path::{Path, PathBuf};
+
+use rustix::fs::statvfs;
+
+/// Where a sandbox has files in memory.
+const FOLDERS: [&str; 2] = ["tmp", "dev/shm"];
+
+/// Bytes of a file in memory that is empty: the system's notes about it, and its name.
+const FILE: u64 = 1280;
+
+/// A byte that waits in a connection takes up to this number of bytes of memory.
+const SPREAD: u64 = 2;
+
+/// Bytes that are held beside a process in a sandbox; 0 of one that is in none.
+pub(super) fn held(number: u32) -> u64 {
+    in_files(number) + in_connections(number)
+}
+
+fn in_files(number: u32) -> u64 {
+    let root = Path::new("/proc").join(number.to_string()).join("root");
+    let folders = FOLDERS.iter().map(|folder| (root.join(folder), Path::new("/").join(folder)));
+    // A sandbox that is being made still has the machine's folders.
+    let own = folders.filter(|(own, machine)| device(own) != device(machine));
+    let disks = own.filter_map(|(own, _)| statvfs(own).ok());
+    let bytes = disks.map(|disk| {
+        let files = disk.f_files.saturating_sub(disk.f_ffree);
+        files * FILE + disk.f_blocks.saturating_sub(disk.f_bfree) * disk.f_frsize
+    });
+    bytes.sum()
+}
+
+/// What the system calls the disk of a folder.
+fn device(folder: &Path) -> Option<u64> {
+    fs::metadata(folder).map(|folder| folder.dev()).ok()
+}
+
+fn in_connections(number: u32) -> u64 {
+    let process = number.to_string();
+    if network(&process).is_none_or(|own| Some(own) == network("self")) {
+        return 0;
+    }
+    let tables =
+        ["tcp", "tcp6"].map(|kind| fs::read_to_string(format!("/proc/{process}/net/{kind}")));
+    SPREAD * tables.into_iter().flatten().map(|table| waiting(&table)).sum::<u64>()
+}
+
+/// The network that a process has.
+fn network(process: &str) -> Option<PathBuf> {
+    fs::read_link(format!("/proc/{process}/ns/net")).ok()
+}
+
+/// Bytes that wait in the connections of a table of the system's: its fifth column, sent and received.
+fn waiting(table: &str) -> u64 {
+    let bytes = table.lines().skip(1).filter_map(|line| {
+        let (sent, received) = line.split_whitespace().nth(4)?.split_once(':')?;
+        Some(u64::from_str_radix(sent, 16).ok()? + u64::from_str_radix(received, 16).ok()?)
+    });
+    bytes.sum()
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use std::process::Stdio;
+    use std::thread::sleep;
+    use std::time::Duration;
+
+    use super::{FILE, held, waiting};
+    use crate::sandbox::processes::{all, family};
+    use crate::sandbox::{Limits, Sandbox};
+    use lab_kit::Kit;
+    use lab_kit::process::start;
+
+    #[test]
+    fn what_waits_is_read() {
+        let table = "  sl  local_address rem_address   st tx_queue rx_queue tr tm->when\n\
+                     0: 0100007F:1F90 00000000:0000 0A 00000000:00000010 00:00000000\n\
+                     1: 0100007F:1F90 0100007F:8AE2 01 00000100:00000001 00:00000000\n";
+        assert_eq!(waiting(table), 0x111);
+        assert_eq!(held(std::process::id()), 0, "it is in no sandbox");
+    }
+
+    #[test]
+    fn empty_files_in_memory_are_counted() {
+        let limit = Duration::from_secs(60);
+        let limits = Limits { run: limit, build: limit, loopback: false };
+        let Ok(sandbox) = Sandbox::find(&Kit::find().unwrap(), false, limits) else {
+            return eprintln!("skipped: there is no sandbox here");
+        };
+        let folder = sandbox.folder().unwrap();
+        let mut command = sandbox.shell(folder.path());
+        let script = "i=0; while [ $i -lt 5000 ]; do : > /dev/shm/$i; i=$((i + 1)); done; sleep 60";
+        let started = start(command.args(["-c", script]).stdin(Stdio::null())).unwrap();
+        let of_youngest = || {
+            let all = all();
+            family(&all, started.child.id()).last().map_or(0, |(number, _)| held(number))
+        };
+        // Making them takes a moment.
+        for _ in 0..600 {
+            if of_youngest() >= 5000 * FILE {
+                return;
+            }
+            sleep(Duration::from_millis(50));
+        }
+        panic!("only {} bytes are counted", of_youngest());
+    }
+}

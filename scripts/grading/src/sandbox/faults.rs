@@ -1,0 +1,152 @@
+//! Telling a fault of the machine from a mistake of a submission.
+//!
+//! A full disk or a missing process ends a right program as a mistake would. The complaints of a program prove nothing,
+//! because a submission can print the same. So each run that a fault could have ended is followed by a control,
+//! which succeeds on a machine that works. The end of a run counts only if it comes [`RUNS`] times and the control
+//! succeeds each time. If the control fails, the submission is not graded.
+
+use std::os::unix::process::ExitStatusExt;
+use std::thread::sleep;
+use std::time::Duration;
+
+use anyhow::{Context, Result};
+
+use lab_kit::process::Finished;
+
+/// The number of doubtful runs after which the last of them counts.
+const RUNS: usize = 3;
+
+/// Attempts at a control, and the pause between them: a busy machine may lack a process for a moment.
+const ATTEMPTS: usize = 4;
+const PAUSE: Duration = Duration::from_secs(2);
+
+/// The beginning of the message about a submission that is not graded.
+const FAULT: &str = "not graded because of a fault of this machine";
+
+/// Words of the system, and of the programs that make the sandbox, about what is missing.
+const SIGNS: [&str; 11] = [
+    "bwrap: ",
+    "setpriv: ",
+    "prlimit: ",
+    "os error ",
+    "Os { code: ",
+    "No space left on device",
+    "Resource temporarily unavailable",
+    "Cannot allocate memory",
+    "Read-only file system",
+    "Input/output error",
+    "Too many open files",
+];
+
+/// Exit codes of a shell that cannot start a program, and of a sandbox whose program was killed.
+const CODES: [i32; 3] = [126, 127, 137];
+
+/// Runs something once, or again if it `is_doubtful` whether the machine or the submission ended it.
+///
+/// # Errors
+/// The control fails, which is a fault of the machine.
+pub(crate) fn believed<T>(
+    once: impl Fn() -> Result<T>,
+    is_doubtful: impl Fn(&T) -> bool,
+    control: impl Fn() -> Result<()>,
+) -> Result<T> {
+    let mut result = once()?;
+    for run in 1..=RUNS {
+        if !is_doubtful(&result) {
+            break;
+        }
+        machine_works(&control)?;
+        if run < RUNS {
+            result = once()?;
+        }
+    }
+    Ok(result)
+}
+
+/// Does the control until it succeeds.
+///
+/// # Errors
+/// It does not succeed.
+pub(crate) fn machine_works(control: impl Fn() -> Result<()>) -> Result<()> {
+    for _ in 1..ATTEMPTS {
+        if control().is_ok() {
+            return Ok(());
+        }
+        sleep(PAUSE);
+    }
+    control().context(FAULT)
+}
+
+/// Whether a fault of the machine could have ended a program.
+pub(crate) fn could_end(finished: &Finished) -> bool {
+    let Some(status) = finished.status.filter(|status| !status.success()) else { return false };
+    let killed = status.signal() == Some(9);
+    killed || status.code().is_some_and(|code| CODES.contains(&code)) || is_sign(&finished.stderr)
+}
+
+/// Whether a complaint is about the machine.
+pub(crate) fn is_sign(complaint: &str) -> bool {
+    SIGNS.iter().any(|sign| complaint.contains(sign))
+}
+
+/// The line of a complaint that names what is missing, or else its first.
+pub(crate) fn named(complaint: &str) -> &str {
+    let mut lines = complaint.lines().map(str::trim).filter(|line| !line.is_empty());
+    let first = lines.clone().next().unwrap_or("it says nothing");
+    lines.find(|line| is_sign(line)).unwrap_or(first)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+    use std::process::Command;
+    use std::time::Duration;
+
+    use anyhow::{Result, bail};
+
+    use super::{RUNS, believed, could_end, named};
+    use lab_kit::process::run;
+
+    fn count(calls: &Cell<usize>) -> Result<()> {
+        calls.set(calls.get() + 1);
+        Ok(())
+    }
+
+    #[test]
+    fn a_doubtful_end_counts_only_on_a_machine_that_works() {
+        let (runs, controls) = (Cell::new(0), Cell::new(0));
+        believed(|| count(&runs), |()| false, || count(&controls)).unwrap();
+        assert_eq!((runs.take(), controls.take()), (1, 0));
+        believed(|| count(&runs), |()| true, || count(&controls)).unwrap();
+        assert_eq!((runs.take(), controls.take()), (RUNS, RUNS));
+        believed(|| count(&runs), |()| runs.get() < 2, || count(&controls)).unwrap();
+        assert_eq!((runs.take(), controls.take()), (2, 1), "the fault was gone");
+        let error = believed(|| count(&runs), |()| true, || bail!("the disk is full")).unwrap_err();
+        assert!(format!("{error:#}").ends_with("a fault of this machine: the disk is full"));
+        assert_eq!(runs.take(), 1);
+    }
+
+    #[test]
+    fn what_is_missing_is_named() {
+        let said =
+            "error: failed to write x\n\nCaused by:\n  No space left on device (os error 28)\n";
+        assert_eq!(named(said), "No space left on device (os error 28)");
+        assert_eq!(named("\nkilled\nby whom?"), "killed");
+    }
+
+    #[test]
+    fn a_panic_is_no_fault_of_the_machine() {
+        for (script, doubtful) in [
+            ("exit 0", false),
+            ("echo 'No space left on device' >&2; exit 0", false),
+            ("echo 'thread main panicked at src/lib.rs' >&2; exit 101", false),
+            ("echo 'Os { code: 28, kind: StorageFull }' >&2; exit 101", true),
+            ("/none", true),
+            ("kill -9 $$", true),
+            ("kill -11 $$", false),
+        ] {
+            let finished = run(Command::new("sh").args(["-c", script]), Duration::from_secs(60));
+            assert_eq!(could_end(&finished.unwrap()), doubtful, "{script}");
+        }
+    }
+}

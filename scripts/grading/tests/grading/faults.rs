@@ -1,0 +1,78 @@
+//! Faults of the machine: nobody loses a mark by them, and the next run grades who was not graded.
+
+use std::fs;
+use std::os::unix::fs::PermissionsExt;
+use std::process::Command;
+
+use crate::class::Class;
+use crate::command::{NO_SANDBOX, TASKS, grade, program, record, script};
+
+/// When a faulty machine does what instead: of the third build and later ones, because the first two are the solution's,
+/// or of asking a program that was built then.
+const FAULTS: [(&str, &str); 2] = [
+    ("building", "echo 'error: failed to write x: No space left on device' >&2; exit 101"),
+    ("asking", "echo '/bin/sh: 1: exec: bwrap: not found' >&2; exit 127"),
+];
+
+/// Lays a bubblewrap that has a fault as long as its folder has a file `building` or `asking`, which says what it
+/// does instead.
+fn lay(class: &Class) -> std::path::PathBuf {
+    let folder = class.temporary().join("bin");
+    fs::create_dir_all(&folder).unwrap();
+    // Programs are started as nobody.
+    fs::set_permissions(&folder, fs::Permissions::from_mode(0o777)).unwrap();
+    let (own, real) = (folder.display(), program("bwrap").unwrap_or_default());
+    let text = format!(
+        "case \" $* \" in\n\
+         *' build '*) echo >> '{own}/builds'; fault='{own}/building'; first=3 ;;\n\
+         *' /kit/answer '*) fault='{own}/asking'; first=4 ;;\n\
+         *) fault=/none ;;\n\
+         esac\n\
+         if [ -e \"$fault\" ] && [ $(wc -l < '{own}/builds') -ge $first ]; then . \"$fault\"; fi\n\
+         exec '{}' \"$@\"",
+        real.display()
+    );
+    script(&folder.join("bwrap"), &text);
+    folder
+}
+
+#[test]
+fn a_fault_of_the_machine_costs_no_marks() {
+    let class = Class::alone(1);
+    let (into, bin) = (class.temporary().join("records"), lay(&class));
+    let path = format!("{}:{}", bin.display(), std::env::var("PATH").unwrap());
+    let run = |options: &[&str]| {
+        let _ = fs::remove_file(bin.join("builds"));
+        let output = grade(&class, &into, options).env("PATH", &path).output().unwrap();
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    for (when, fault) in FAULTS {
+        fs::write(bin.join(when), fault).unwrap();
+        let (code, said) = run(TASKS);
+        if said.contains(NO_SANDBOX) {
+            return eprintln!("skipped: {said}");
+        }
+        let record = record(&into, "solved").unwrap();
+        assert_eq!((code, &record["status"]), (Some(1), &"failed".into()), "{fault}: {said}");
+        assert!(said.contains("because of a fault of this machine: "), "{fault}: {said}");
+        fs::remove_file(bin.join(when)).unwrap();
+    }
+    let (code, said) = run(&["--no-timing", "--seed", "7"]);
+    let record = record(&into, "solved").unwrap();
+    assert_eq!((code, &record["points"]), (Some(0), &100.0.into()), "{said}");
+    assert_eq!(record["seed"], 7, "it can be asked the same again");
+}
+
+#[test]
+fn records_that_cannot_be_written_are_noticed_before_a_build() {
+    let class = Class::alone(1);
+    // Nobody can make a folder there.
+    let mut command: Command = grade(&class, "/proc/records".as_ref(), TASKS);
+    let output = command.output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    if said.contains(NO_SANDBOX) {
+        return eprintln!("skipped: {said}");
+    }
+    assert_eq!(output.status.code(), Some(2));
+    assert!(said.starts_with("error: cannot write in /proc/records: "), "{said}");
+}

@@ -1,0 +1,218 @@
+//! The lab as the grader builds it: the files that would be handed in, beside the kit's own.
+//!
+//! A workspace below `target/lab/graded` has links to everything in the kit but the lab itself. There the lab's package has
+//! another name: cargo builds what it depends on once for both, and takes neither for the other.
+
+use std::fs;
+use std::io;
+use std::os::unix::fs::symlink;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result};
+
+use lab_kit::files::{read_text, write_file};
+use lab_kit::harness::{Build, BuildError, build};
+use lab_kit::submission::{Collected, Sources};
+use lab_kit::{Facts, Given, Kit, Lab};
+
+use crate::test::own_build;
+
+/// A lab that is laid as it is graded.
+pub(crate) struct Graded {
+    lab: Lab,
+    tree: Kit,
+    /// Where the kit is built.
+    target: PathBuf,
+    /// The package of the lab there.
+    package: String,
+    /// Given files that the student changed, which are not what is built.
+    pub(crate) changed: Vec<String>,
+}
+
+impl Graded {
+    /// Lays the lab of which these files are handed in.
+    pub(crate) fn lay(kit: &Kit, lab: Lab, collected: &Collected) -> Result<Self> {
+        let given = Given::of(kit, lab)?;
+        let mut files = collected.files.clone();
+        let changed = given.put(&mut files);
+        let package = format!("graded{lab}");
+        for (path, mut bytes) in given.beside {
+            if path == "Cargo.toml" {
+                bytes = renamed(&String::from_utf8_lossy(&bytes), lab, &package).into_bytes();
+            }
+            files.insert(path, bytes);
+        }
+        let folder = kit.memory().join(format!("graded/lab{lab}"));
+        lay(kit, lab, &files, &folder).context("the lab cannot be laid as it is graded")?;
+        let target = std::env::var_os("CARGO_TARGET_DIR");
+        let target = target.map_or_else(|| kit.path("target"), |target| kit.path(target));
+        Ok(Self { lab, tree: Kit::at(&folder), target, package, changed })
+    }
+
+    /// How its tests are built.
+    pub(crate) fn tests(&self) -> Build<'_> {
+        own_build(self.cargo(), self.lab, &self.package)
+    }
+
+    /// Builds it, and returns what is not well with that.
+    pub(crate) fn trouble(&self) -> Option<String> {
+        match build(self.tests()) {
+            Ok(_) => None,
+            Err(BuildError::Compile(_)) => Some(self.unbuilt()),
+            Err(BuildError::Cargo(why)) => Some(format!("it could not be built here: {why}")),
+        }
+    }
+
+    /// What is said of a lab that does not compile so.
+    pub(crate) fn unbuilt(&self) -> String {
+        let said = "it does not compile as the grader builds it";
+        match &self.changed[..] {
+            [] => said.to_owned(),
+            changed => format!(
+                "{said}, with the kit's own {}. Of yours it takes only the declarations of new files",
+                changed.join(" and ")
+            ),
+        }
+    }
+
+    fn cargo(&self) -> Command {
+        let mut cargo = self.tree.cargo();
+        cargo.env("CARGO_TARGET_DIR", &self.target);
+        // The grader builds for speed. Only these two settings of that can change an answer, and what the lab depends on
+        // need not be built again for them.
+        for setting in ["debug-assertions", "overflow-checks"] {
+            cargo.arg("--config");
+            cargo.arg(format!("profile.dev.package.{}.{setting}=false", self.package));
+        }
+        cargo
+    }
+}
+
+/// The lab's manifest with another package, whose library has the lab's name.
+fn renamed(manifest: &str, lab: Lab, package: &str) -> String {
+    let name = format!("name = \"lab{lab}\"\n");
+    let manifest = manifest.replacen(&name, &format!("name = \"{package}\"\n"), 1);
+    let (head, tail) = manifest.split_once("[lib]\n").unwrap_or((&manifest, ""));
+    format!("{head}\n[lib]\n{name}{tail}")
+}
+
+/// Lays the workspace. Files that are right already keep their times.
+fn lay(kit: &Kit, lab: Lab, files: &Sources, folder: &Path) -> Result<()> {
+    let own = format!("lab{lab}");
+    let labs = folder.join("labs");
+    fs::create_dir_all(labs.join(&own))?;
+    let beside = ["README.md", Facts::FILE];
+    link(kit.root(), folder, |name| ["scripts", "solutions", "tests"].contains(&name))?;
+    link(&kit.path("labs"), &labs, |name| name != own && !name.starts_with('.'))?;
+    link(&kit.starter(lab), &labs.join(&own), |name| beside.contains(&name))?;
+    put(&folder.join("Cargo.toml"), read_text(&kit.path("Cargo.toml"))?.as_bytes())?;
+    put(&folder.join("Cargo.lock"), read_text(&kit.path("Cargo.lock"))?.as_bytes())?;
+    for old in lab_kit::files_below(&labs.join(&own))? {
+        let below = old.strip_prefix(labs.join(&own))?.display().to_string();
+        if !old.is_symlink() && !files.contains_key(&below) {
+            fs::remove_file(&old)?;
+        }
+    }
+    for (path, bytes) in files {
+        put(&labs.join(&own).join(path), bytes)?;
+    }
+    Ok(())
+}
+
+fn put(path: &Path, bytes: &[u8]) -> Result<()> {
+    if path.is_symlink() || fs::read(path).is_ok_and(|there| there == bytes) {
+        return Ok(());
+    }
+    write_file(path, bytes)
+}
+
+/// Makes a link in `to` to everything in `from` whose name is `wanted`.
+fn link(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> io::Result<()> {
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        let link = to.join(entry.file_name());
+        let is_wanted = wanted(&entry.file_name().to_string_lossy());
+        if is_wanted && fs::read_link(&link).ok() != Some(entry.path()) {
+            // One into a kit that was moved since.
+            let _ = fs::remove_file(&link);
+            symlink(entry.path(), link)?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Graded;
+    use lab_kit::submission::collect;
+    use lab_kit::{Kit, files_below};
+
+    const MANIFEST: &str = "[package]\nname = \"lab1\"\nedition = \"2024\"\n";
+    const TESTS: &str = "#[test]\nfn task() {\n    assert_eq!(lab1::task::f(), 1);\n}\n";
+
+    /// What is not well with a lab of these files, instead of those that were given.
+    fn trouble(own: &[(&str, &str)]) -> Option<String> {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path().canonicalize().unwrap();
+        let given = [
+            ("Cargo.toml", MANIFEST),
+            ("src/lib.rs", "pub mod task;\n"),
+            ("src/task.rs", "pub fn f() -> u8 {\n    todo!(\"task 1.1: a number\")\n}\n"),
+            ("tests/lab1.rs", TESTS),
+        ];
+        let kit = Kit::of_files(
+            &root,
+            &[
+                ("Cargo.toml", "[workspace]\nmembers = [\"labs/lab*\"]\nresolver = \"3\"\n"),
+                ("Cargo.lock", "version = 4\n"),
+            ],
+        );
+        for (path, text) in given {
+            let paths = ["", ".given/"].map(|folder| format!("labs/lab1/{folder}{path}"));
+            Kit::of_files(&root, &paths.each_ref().map(|path| (path.as_str(), text)));
+        }
+        for (path, text) in own {
+            Kit::of_files(&root, &[(&format!("labs/lab1/{path}"), text)]);
+        }
+        let lab = "1".parse().unwrap();
+        let before = files_below(&kit.starter(lab)).unwrap();
+        let graded = Graded::lay(&kit, lab, &collect(&kit.starter(lab)).unwrap()).unwrap();
+        let trouble = graded.trouble();
+        assert_eq!(files_below(&kit.starter(lab)).unwrap(), before);
+        trouble
+    }
+
+    #[test]
+    fn what_the_grader_does_not_compile_is_not_well() {
+        let said = "it does not compile as the grader builds it";
+        let lib = "pub mod task;\npub fn g() -> u8 {\n    1\n}\n";
+        let uses = "pub fn f() -> u8 {\n    crate::g()\n}\n";
+        let why = trouble(&[("src/lib.rs", lib), ("src/task.rs", uses)]).unwrap();
+        assert!(why.starts_with(&format!("{said}, with the kit's own src/lib.rs. Of")), "{why}");
+        let hidden = [
+            ("src/task.rs", "include!(\".own.rs\");\n"),
+            ("src/.own.rs", "pub fn f() -> u8 { 1 }\n"),
+        ];
+        assert_eq!(trouble(&hidden).as_deref(), Some(said));
+        let outside =
+            [("src/task.rs", "include!(\"../own.rs\");\n"), ("own.rs", "pub fn f() -> u8 { 1 }\n")];
+        assert_eq!(trouble(&outside).as_deref(), Some(said), "it is not handed in");
+        let debug = "#[cfg(debug_assertions)]\npub fn f() -> u8 {\n    1\n}\n";
+        assert_eq!(trouble(&[("src/task.rs", debug)]).as_deref(), Some(said));
+    }
+
+    #[test]
+    fn new_modules_are_well_however_they_are_declared() {
+        assert_eq!(trouble(&[]), None);
+        let uses = ("src/task.rs", "pub fn f() -> u8 {\n    crate::own::g()\n}\n");
+        let own = "pub fn g() -> u8 {\n    1\n}\n";
+        for (lib, path) in [
+            ("pub mod task;\nmod own; // a comment\n", "src/own.rs"),
+            ("pub mod task; mod own;\n", "src/own/mod.rs"),
+            ("pub mod task;\n#[path = \"target/x.rs\"]\nmod own;\n", "src/target/x.rs"),
+        ] {
+            assert_eq!(trouble(&[("src/lib.rs", lib), uses, (path, own)]), None, "{lib}");
+        }
+    }
+}
