@@ -173,9 +173,13 @@ fn without_namespaces_a_submission_reads_no_solution_and_writes_no_results() {
     };
     let denied = "read Err(PermissionDenied), wrote Err(PermissionDenied), Err(PermissionDenied)";
     assert!(seen.to_string().contains(denied), "{seen}");
-    assert_eq!((&seen["score"], &seen["extra_data"]["sandboxed"]), (&85.0.into(), &false.into()));
+    assert_eq!(seen["extra_data"]["sandboxed"], false);
+    assert!(
+        (1.0..100.0).contains(&seen["score"].as_f64().unwrap()),
+        "the results are the grader's: {seen}"
+    );
 
-    let by_the_compiler = "panic!(include_str!(\"TOP/source/kit/solutions/lab1/src/force.rs\"));";
+    let by_the_compiler = "panic!(\"{}\", include_str!(\"TOP/source/kit/solutions/lab1/src/force.rs\"));";
     let built = graded_without_namespaces(|submission| reach(submission, by_the_compiler)).unwrap();
     assert_eq!(built["score"], 0.0, "{built}");
     assert!(built["output"].as_str().unwrap().contains("does not compile"), "{built}");
