@@ -179,7 +179,8 @@ fn without_namespaces_a_submission_reads_no_solution_and_writes_no_results() {
         "the results are the grader's: {seen}"
     );
 
-    let by_the_compiler = "panic!(\"{}\", include_str!(\"TOP/source/kit/solutions/lab1/src/force.rs\"));";
+    let by_the_compiler =
+        "panic!(\"{}\", include_str!(\"TOP/source/kit/solutions/lab1/src/force.rs\"));";
     let built = graded_without_namespaces(|submission| reach(submission, by_the_compiler)).unwrap();
     assert_eq!(built["score"], 0.0, "{built}");
     assert!(built["output"].as_str().unwrap().contains("does not compile"), "{built}");
