@@ -3,7 +3,7 @@
 use std::env;
 use std::io::IsTerminal;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Whether a stream is a terminal that knows escape codes: an editor's shell calls itself dumb.
 pub fn can_draw(stream: &impl IsTerminal) -> bool {
@@ -14,10 +14,10 @@ fn is_clever(terminal: Option<&str>) -> bool {
     terminal.is_none_or(|terminal| terminal != "dumb")
 }
 
-/// A bar on a terminal; nothing elsewhere.
+/// A bar on a terminal. Elsewhere it draws nothing, but it counts.
 pub fn progress(length: u64) -> ProgressBar {
     if !can_draw(&std::io::stderr()) {
-        return ProgressBar::hidden();
+        return ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::hidden());
     }
     let style = ProgressStyle::with_template("{bar:30} {pos} of {len}, {eta} left  {msg}")
         .expect("the template is valid");
@@ -26,7 +26,12 @@ pub fn progress(length: u64) -> ProgressBar {
 
 #[cfg(test)]
 mod tests {
-    use super::is_clever;
+    use super::{is_clever, progress};
+
+    #[test]
+    fn a_bar_counts_wherever_it_is() {
+        assert_eq!(progress(7).length(), Some(7));
+    }
 
     #[test]
     fn nothing_is_drawn_on_a_dumb_terminal() {
