@@ -70,7 +70,8 @@ impl Case {
     fn seen(&self, bins: &VecBins) -> Vec<f64> {
         let grid = &self.grid;
         let mut counts = Vec::new();
-        for row in self.rows.clone() {
+        let Range { start, end } = self.rows;
+        for row in start..end {
             let mut count = [0; 2];
             for (p, q) in
                 Self::row(bins, row).flat_map(|p| self.particles.iter().map(move |q| (p, q)))
