@@ -30,7 +30,7 @@ const KILLED: &str = "it was ended: it needed more memory than it may have";
 const MUCH: usize = 1 << 19;
 const PRINTS: &str = "it prints too much: take out what prints for each particle or pair";
 
-/// What is said of a task of which no question could be asked: nothing is known to be right.
+/// Message for a task whose questions all need another task that is wrong.
 const UNASKED: &str = "not asked, because each of its questions needs a task that is wrong";
 
 /// The name of the program that answers, and of the one that judges.

@@ -1,4 +1,5 @@
-//! Whether the program that runs a submission knows an answer: looked up in its symbols and strings.
+//! Tests that the program that runs a submission contains no right answer, by its symbols and
+//! strings.
 
 use std::fs;
 use std::process::Command;
@@ -9,7 +10,8 @@ use crate::asking::{ANSWER, JUDGE};
 use crate::sandbox::{Limits, Sandbox};
 use lab_kit::Kit;
 
-/// What compares an answer or computes a right one, as parts of symbols, and words that only a verdict has.
+/// Parts of symbols of the code that compares answers or computes right ones, and texts that only a
+/// verdict contains.
 const KNOWING: [&str; 7] = [
     "6oracle5model",
     "6oracle9diagnosis",
@@ -38,7 +40,7 @@ fn the_program_that_runs_a_submission_knows_no_answer() {
     )
     .unwrap();
     tree.programs.show(&root.join(super::PACKAGE)).unwrap();
-    // With symbols, and without debugging information, which names functions that are not in the program.
+    // Debugging information is left out, because it names functions that are not in the program.
     let mut cargo = Command::new("cargo");
     cargo.current_dir(root).args(["build", "--quiet", "--offline", "--release"]);
     cargo.args(["--config", "profile.release.debug=false"]);

@@ -1,7 +1,8 @@
-//! What a lab depends on, compiled once and kept for the next grading.
+//! Cache of a lab's compiled dependencies, kept for the next grading.
 //!
-//! It is kept before anybody's submission comes near it, in a folder that no sandbox shows. Cargo
-//! itself sees what of it is up to date by the times of the kit's files: they are made old.
+//! The cache is written before any submission is built, in a folder that no sandbox shows. Cargo
+//! compares the times of files to see whether the cache is up to date. So the kit's files get an
+//! old time.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -13,12 +14,13 @@ use anyhow::{Context, Result, ensure};
 use lab_kit::files::{digest, read_bytes};
 use lab_kit::{Kit, files_below};
 
-/// Where that is. The last lab's is kept, for it is some hundred megabytes.
+/// Returns the folder of the cache. It holds the last lab only, because one lab takes some hundred
+/// megabytes.
 pub(crate) fn of(kit: &Kit) -> PathBuf {
     kit.memory().join("compiled/probe")
 }
 
-/// Puts what is kept into a new tree, if it was built from the same.
+/// Copies the cache into a new tree if both have the same sources.
 pub(crate) fn put_into(kept: &Path, tree: &Path) -> Result<()> {
     if fs::read_to_string(kept.join("sources")).is_ok_and(|kept| Some(kept) == sources(tree).ok()) {
         copy(&kept.join("target"), &tree.join("target")).context("cannot copy a build")?;
@@ -29,8 +31,9 @@ pub(crate) fn put_into(kept: &Path, tree: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Keeps what is built in a tree, unless the same is kept already. A program that is killed
-/// half-way leaves what nobody takes.
+/// Copies the build of a tree into the cache, unless the cache has it already.
+///
+/// If the grader is killed half-way, it leaves a folder that is never used.
 pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
     let sources = sources(tree)?;
     if fs::read_to_string(kept.join("sources")).is_ok_and(|kept| kept == sources) {
@@ -43,21 +46,22 @@ pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
     copy(&tree.join("target"), &new.path().join("target")).with_context(unkept)?;
     fs::write(new.path().join("sources"), sources).with_context(unkept)?;
     let old = tempfile::tempdir_in(folder).with_context(unkept)?;
-    // Somebody else may do the same at this moment; then theirs is as good.
+    // Another grading may do the same at this moment. Its copy is as good.
     let _ = fs::rename(kept, old.path().join("old"));
     let _ = fs::rename(new.path(), kept);
     Ok(())
 }
 
-/// Copies a folder with the times of its files, from which cargo sees what is up to date. No file is
-/// shared: what is built in one tree reaches no other.
+/// Copies a folder with the times of its files, because Cargo compares times.
+///
+/// No file is shared, so a build in one tree cannot change another tree.
 pub(crate) fn copy(from: &Path, to: &Path) -> Result<()> {
     let output = Command::new("cp").arg("-a").arg(from.join(".")).arg(to).output()?;
     ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr).trim());
     Ok(())
 }
 
-/// SHA-256 of what it is built from: versions, and given code.
+/// Returns the SHA-256 of the sources of the cache: versions and given code.
 fn sources(tree: &Path) -> Result<String> {
     let files = ["Cargo.lock", "Cargo.toml", "rust-toolchain.toml"].map(|file| tree.join(file));
     let mut all = Vec::new();
@@ -68,8 +72,9 @@ fn sources(tree: &Path) -> Result<String> {
     Ok(digest(&all))
 }
 
-/// The files of a tree that no submission brings and no lab's questions: the given code, earlier solutions, and the
-/// oracle.
+/// Returns the files of a tree that belong neither to a submission nor to a lab's questions.
+///
+/// These are the given code, earlier solutions, and the oracle.
 fn given(tree: &Path) -> Result<Vec<PathBuf>> {
     let labs = tree.join("labs");
     let mut others = files_below(&tree.join("solutions"))?;

@@ -1,4 +1,4 @@
-//! The tree that a submission is built in: a handout of its lab, with the programs that ask it.
+//! The tree in which a submission is built: a handout of its lab, with the programs that call it.
 
 #[cfg(test)]
 mod answers;
@@ -25,26 +25,26 @@ use lab_kit::submission::{Sources, of_solution};
 use lab_kit::{Kit, Lab, files_below};
 use programs::{NAMES, Programs};
 
-/// The solution's build takes no longer: it compiles what the lab depends on.
+/// Time limit for building the solution, whose dependencies are compiled too.
 const FIRST: Duration = Duration::from_secs(900);
 
-/// The beginning of what is said of a build that was not done in time.
+/// Beginning of the message about a build that exceeded its time limit.
 const LATE: &str = "no build within";
 
-/// The package of the programs that ask a submission, and its folder in a tree.
+/// Name of the package whose programs call a submission, and its folder in a tree.
 const PROBE: &str = "probe";
 const PACKAGE: &str = "labs/lab-probe";
 
-/// A tree for one submission after another.
+/// A tree in which submissions are built one after another.
 pub(crate) struct Tree {
     folder: TempDir,
     lab: Lab,
     programs: Programs,
-    /// What builds on a machine that works.
+    /// Sources of the solution, which can be built on a machine that works.
     solution: Sources,
 }
 
-/// What is built: sources, names of programs, and the time and bytes of a file that it may take.
+/// Order for a build: sources, names of programs, time limit, and limit of a file in bytes.
 #[derive(Clone, Copy)]
 struct Order<'a> {
     sources: &'a Sources,
@@ -59,11 +59,12 @@ impl<'a> Order<'a> {
     }
 }
 
-/// A folder of the programs that were built; or what the compiler said, or that it took too long.
+/// Folder of the programs that were built, or the compiler's errors, or the message about the time
+/// limit.
 type Built = std::result::Result<TempDir, String>;
 
 impl Tree {
-    /// Lays a tree: no solution of `lab` or of a later one is in it.
+    /// Makes a tree, without any solution of `lab` or of a later lab.
     pub(crate) fn lay(kit: &Kit, lab: Lab, sandbox: &Sandbox) -> Result<Self> {
         let folder = sandbox.folder()?;
         handout::lay(kit, lab, folder.path())?;
@@ -76,7 +77,7 @@ impl Tree {
         Ok(Self { folder, lab, programs, solution: of_solution(kit, lab)? })
     }
 
-    /// Another one, with all that is built in this.
+    /// Copies the tree with its compiled files.
     pub(crate) fn copy(&self, sandbox: &Sandbox) -> Result<Self> {
         let folder = sandbox.folder()?;
         cache::copy(self.folder.path(), folder.path()).context("cannot copy a tree for builds")?;
@@ -84,11 +85,13 @@ impl Tree {
         Ok(Self { folder, lab: self.lab, programs, solution })
     }
 
-    /// Builds the programs of a submission with these sources. Only the compiler runs: a submission brings
-    /// no manifest, so no build script and no macro of its own.
+    /// Builds the programs of a submission.
+    ///
+    /// Only the compiler runs. A submission has no manifest, so it has no build script and no
+    /// procedural macro.
     ///
     /// # Errors
-    /// The solution cannot be built now either: that is no submission's mistake.
+    /// If the solution cannot be built now either. The submission is not the cause.
     pub(crate) fn build(&self, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
         let built = believed(
             || self.build_once(sandbox, &Order::of_submission(sandbox, sources)),
@@ -110,8 +113,10 @@ impl Tree {
         }
     }
 
-    /// First the submission, with nothing of our programs in reach; then these, with nothing of the
-    /// submission but what the compiler made of it.
+    /// Builds in two passes, so that neither side can read the other's sources.
+    ///
+    /// The first pass compiles the submission, without the grader's programs in the tree. The
+    /// second compiles the grader's programs, with the submission's compiled library only.
     fn build_once(&self, sandbox: &Sandbox, order: &Order<'_>) -> Result<Built> {
         let (root, until) = (self.folder.path(), Instant::now() + order.limit);
         let Order { sources, names, .. } = *order;
@@ -123,7 +128,7 @@ impl Tree {
         empty(root, self.lab, sources)?;
         self.programs.show(&root.join(PACKAGE))?;
         clean(root, &[PROBE], sandbox)?;
-        // In short, because nobody is to read a line of the questions.
+        // Short messages quote no line of the questions, which a student must not read.
         if let Some(why) = compile(root, sandbox, order, until, "short")? {
             let what = "it compiles, but not together with what asks it";
             return Ok(Err(format!("{what}:\n{why}")));
@@ -136,7 +141,7 @@ impl Tree {
         Ok(Ok(folder))
     }
 
-    /// Bytes of the tree on its disk, and of what one more build adds to it.
+    /// Returns the bytes of the tree on its disk, plus the bytes that another build adds.
     pub(crate) fn room(&self) -> Result<u64> {
         let mut bytes = BUILD_QUOTA;
         for path in files_below(self.folder.path())? {
@@ -145,19 +150,20 @@ impl Tree {
         Ok(bytes)
     }
 
-    /// The solution's programs, and the one that judges. What they depend on is kept for the next time.
+    /// Builds the solution's programs and the judging program, and keeps their compiled
+    /// dependencies for the next grading.
     pub(crate) fn reference(&self, kit: &Kit, sandbox: &Sandbox) -> Result<TempDir> {
         let unbuilt = || format!("the solution of lab {} cannot be built", self.lab);
         let names = &[&NAMES[..], &[asking::JUDGE]].concat();
         let order = Order { sources: &self.solution, names, limit: FIRST, most: GIVEN_FILE };
         let built = self.build_once(sandbox, &order).with_context(unbuilt)?;
         let built = built.map_err(|why| anyhow!("{}:\n{why}", unbuilt()))?;
-        // It knows what is right, and nobody who is asked may look into it.
+        // The judge contains right answers, so no submission may read it.
         fs::set_permissions(built.path().join(asking::JUDGE), Permissions::from_mode(0o700))?;
-        // Of the solution itself nothing is kept.
+        // Nothing of the solution is kept.
         put(self.folder.path(), self.lab, &Sources::new(), sandbox)?;
         cache::keep(&cache::of(kit), self.folder.path())?;
-        // The oracle is compiled now, and no submission is to include its source.
+        // The oracle is compiled now. Emptying its sources keeps a submission from including them.
         for path in files_below(&self.folder.path().join("tests"))? {
             if path.extension().is_some_and(|extension| extension == "rs") {
                 File::create(&path)?.set_modified(SystemTime::UNIX_EPOCH)?;
@@ -167,7 +173,7 @@ impl Tree {
     }
 }
 
-/// Compiles the programs of the sources that are in a tree; returns why it cannot.
+/// Compiles the programs in a tree; returns the errors if it fails.
 fn compile(
     root: &Path,
     sandbox: &Sandbox,
@@ -194,31 +200,33 @@ fn compile(
     })
 }
 
-/// Whether a build failed because of the sources: it took too long, or an error has a place in one.
+/// Whether the sources are the reason of a failed build: it took too long, or an error has a
+/// location in a source.
 fn is_of_a_source(why: &str) -> bool {
     is_late(why) || why.lines().any(names_a_place)
 }
 
-/// Whether a build was not done in time, alone or together with what asks it.
+/// Whether a build exceeded its time limit, in either pass.
 fn is_late(why: &str) -> bool {
     why.lines().any(|line| line.starts_with(LATE))
 }
 
-/// Whether a line of the compiler's is `--> src/lib.rs:3:5` or `src/lib.rs:3:5: error`.
+/// Whether a line of the compiler is `--> src/lib.rs:3:5` or `src/lib.rs:3:5: error`.
 fn names_a_place(line: &str) -> bool {
     let mut parts = line.split(": error").next().unwrap_or_default().rsplit(':');
     let mut is_number = || parts.next().is_some_and(|part| part.parse::<u32>().is_ok());
     line.trim_start().starts_with("--> ") || is_number() && is_number()
 }
 
-/// Downloads what the programs of a laid tree depend on, and this machine lacks: a build in the
-/// sandbox has no network. To list the dependencies is to have them; if that fails, the build says
-/// what is missing.
+/// Downloads missing dependencies of a new tree, because a build in the sandbox has no network.
+///
+/// Listing the dependencies downloads them. If the download fails, the build reports the missing
+/// package.
 fn fetch(root: &Path) {
     let _ = Kit::at(root).cargo().args(["tree", "--package", PROBE]).output();
 }
 
-/// Replaces the sources that were built before, of which nothing is left.
+/// Replaces the previous submission's sources and removes everything that was built from them.
 fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<()> {
     let name = format!("lab{lab}");
     clean(root, &[&name, PROBE], sandbox)?;
@@ -231,7 +239,8 @@ fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<()
     Ok(())
 }
 
-/// Removes what was built of packages; what they depend on stays. `include_bytes!` would reach it.
+/// Removes the compiled files of packages, which `include_bytes!` could read. Dependencies stay
+/// compiled.
 fn clean(root: &Path, packages: &[&str], sandbox: &Sandbox) -> Result<()> {
     let mut cargo = sandbox.cargo(root, GIVEN_FILE);
     cargo.args(["clean", "--quiet", "--offline", "--release"]);
@@ -251,7 +260,7 @@ fn empty(root: &Path, lab: Lab, sources: &Sources) -> Result<()> {
     Ok(())
 }
 
-/// Leaves nothing in a tree of which a submission could make its answers: no tests, no snapshots, no book.
+/// Removes everything from a tree that contains answers: tests, snapshots and the book.
 fn strip(root: &Path, lab: Lab) -> Result<()> {
     let tests = root.join("tests");
     let mut folders = vec![root.join("book"), root.join(format!("labs/lab{lab}/tests"))];
@@ -266,12 +275,13 @@ fn strip(root: &Path, lab: Lab) -> Result<()> {
             fs::remove_file(path)?;
         }
     }
-    // While a submission's sources are exchanged, the package has this target.
+    // The package has this target while a submission's sources are replaced.
     write_file(&root.join(format!("labs/lab{lab}/tests/none.rs")), "")
 }
 
-/// What grading depends on: questions and solution. Not the rubric: marks can be computed again from
-/// records.
+/// Returns the files that a grade depends on: the questions and the solution.
+///
+/// The rubric is not among them, because marks can be computed from records again.
 pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
     let mut sources = of_solution(kit, lab)?;
     for path in programs::files(kit, lab)? {

@@ -1,5 +1,4 @@
-//! The package beside a submission: the program that answers questions, the one that judges answers, and
-//! the one that runs all of the lab's programs for their times.
+//! The package beside a submission: its answering, judging and timed programs.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,21 +11,21 @@ use lab_kit::files::{read_bytes, write_file};
 use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab, files_below};
 
-/// Its manifest and its sources, by their paths in it.
+/// Manifest and sources of the package, by their paths in it.
 #[derive(Clone)]
 pub(super) struct Programs {
     manifest: String,
     sources: Sources,
 }
 
-/// What the programs of a submission are called.
+/// Names of the programs of a submission.
 pub(super) const NAMES: [&str; 2] = [asking::ANSWER, timing::PROGRAM];
 
-/// What a lab's tests need and its questions do not.
+/// Packages that a lab's tests need and its questions do not.
 const ONLY_TESTS: [&str; 1] = ["insta"];
 
 impl Programs {
-    /// Those of a lab, laid beside `folder`, the lab's own.
+    /// Collects the programs of a lab, for a package beside the lab's `folder`.
     pub(super) fn of(kit: &Kit, lab: Lab, rubric: &Facts, folder: &Path) -> Result<Self> {
         let serial = rubric.scaling.is_some();
         let mut sources = Sources::new();
@@ -49,8 +48,8 @@ impl Programs {
         Ok(Self { manifest: manifest(folder, lab, serial)?, sources })
     }
 
-    /// Puts programs that do nothing into `package`: as long as a submission is compiled, there is nothing
-    /// of ours for it to include.
+    /// Puts empty programs into `package`, so that a submission that is being compiled cannot
+    /// include the real ones.
     pub(super) fn hide(&self, package: &Path) -> Result<()> {
         if package.exists() {
             fs::remove_dir_all(package)?;
@@ -65,20 +64,21 @@ impl Programs {
         write_file(&package.join("Cargo.toml"), self.manifest.as_bytes())
     }
 
-    /// Puts the programs themselves there.
+    /// Puts the real programs into `package`.
     pub(super) fn show(&self, package: &Path) -> Result<()> {
         self.sources.iter().try_for_each(|(path, text)| write_file(&package.join(path), text))
     }
 }
 
-/// The sources of a lab's questions.
+/// Returns the paths of a lab's questions.
 fn questions(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     let sources = kit.test_sources(lab)?;
     ensure!(!sources.is_empty(), "there is no tests/lab{lab}.rs: lab {lab} cannot be graded");
     Ok(sources)
 }
 
-/// The module that carries out an order: with the lab's program of that name, or with the serial one.
+/// Writes the module that runs an order, with the lab's program of that name or with the serial
+/// program.
 fn scene(lab: Lab, rubric: &Facts) -> String {
     let (mut modules, mut run) = (String::new(), String::from("None"));
     for (discs, variants) in timing::programs(rubric) {
@@ -92,7 +92,8 @@ fn scene(lab: Lab, rubric: &Facts) -> String {
     format!("{modules}\npub fn run(order: &crate::Order) -> Option<Vec<f64>> {{\n    {run}\n}}\n")
 }
 
-/// It needs the lab, what the lab needs, for their types go in and out, and what its questions need.
+/// Writes the manifest. The package depends on the lab, on the lab's dependencies, because their
+/// types are arguments and results, and on the dependencies of the questions.
 fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
     let text = fs::read_to_string(folder.join("Cargo.toml"))?;
     let section = |name: &str| {
@@ -114,8 +115,8 @@ fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
     ))
 }
 
-/// What the programs are made of, by paths in the kit: questions, the right tables, the oracle, and the
-/// timed program.
+/// Returns the paths of the programs' sources in the kit: questions, right tables, oracle and timed
+/// program.
 pub(super) fn files(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     let mut files = questions(kit, lab)?;
     files.extend(kit.snapshots(lab)?);

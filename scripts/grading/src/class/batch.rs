@@ -1,4 +1,4 @@
-//! A lab's submissions, several at a time, and where to go on after a stop.
+//! Grades a lab's submissions, several at a time, and continues after an interruption.
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -26,9 +26,10 @@ use lab_kit::machine::{cores, on_all_cores};
 use lab_kit::progress::progress;
 use lab_kit::{Kit, Lab, Workers};
 
-/// Grades the submissions of a lab and leaves their records in `into`. A record is written whole or
-/// not at all: who is killed half-way goes on where it was. Where nothing is left to be asked or
-/// timed, nothing is built.
+/// Grades the submissions of a lab and writes their records into `into`.
+///
+/// A record is written completely or not at all, so a grading that was killed continues where it
+/// stopped. If every submission is judged and timed, nothing is built.
 pub(crate) fn grade(
     kit: &Kit,
     lab: Lab,
@@ -42,7 +43,7 @@ pub(crate) fn grade(
     let sandbox = &Sandbox::find(kit, options.trusted, limits)?;
     room::make_for_records(into)?;
     let grader = Grader::new(kit, lab, options, sandbox, into)?;
-    // What is wrong with it is better said now than when all are graded.
+    // A mistake in `class.toml` is better reported before grading than after it.
     Roll::read(into, &grader.rubric)?;
     let left = Left::of(&grader, submissions, into, options);
     if options.seed.is_some() && left.open.iter().any(|(name, _)| !record_of(into, name).exists()) {
@@ -59,11 +60,11 @@ pub(crate) fn grade(
     Ok(if all_timed { ended } else { ExitCode::FAILURE })
 }
 
-/// What is left to do.
+/// Work that is left to do.
 struct Left<'a> {
-    /// Submissions whose tasks are to be asked.
+    /// Submissions whose tasks must be judged.
     open: Vec<&'a Named>,
-    /// Submissions of which times are to be taken.
+    /// Submissions that must be timed.
     untimed: Vec<&'a Named>,
 }
 
@@ -86,17 +87,17 @@ impl<'a> Left<'a> {
     }
 }
 
-/// Where somebody's record is.
+/// Returns the path of a submission's record.
 fn record_of(into: &Path, name: &str) -> PathBuf {
     into.join(format!("{name}.json"))
 }
 
-/// Builds and asks what is open and takes times, and returns whether all times could be taken.
+/// Builds and judges open submissions and times untimed ones. Returns whether all could be timed.
 fn work(grader: &Grader<'_>, left: &Left<'_>, all: usize, into: &Path) -> Result<bool> {
     let mut jobs = cores().min(left.open.len()).max(1);
     let _guard = Guard::set(jobs);
     eprintln!("Building the solution of lab {}, to compare with", grader.lab);
-    // Seconds that go by until the solution is built.
+    // Shows the seconds that pass while the solution is built.
     let clock = progress(0).with_style(ProgressStyle::with_template("{spinner} {elapsed}")?);
     clock.enable_steady_tick(Duration::from_secs(1));
     let first = Tree::lay(grader.kit, grader.lab, grader.sandbox)?;
@@ -115,18 +116,18 @@ fn work(grader: &Grader<'_>, left: &Left<'_>, all: usize, into: &Path) -> Result
     finish::time(grader, &reference, &tree, &left.untimed, into, programs)
 }
 
-/// How many trees there is room for on the disk that has the `first`.
+/// Returns the number of trees, including `first`, for which the disk has space.
 ///
 /// # Errors
-/// There is no room for a build.
+/// If there is no space for a build.
 fn fitting(sandbox: &Sandbox, first: &Tree) -> Result<usize> {
     room::expect(sandbox.scratch(), BUILD_QUOTA)?;
     let each = first.room()?;
     Ok(1 + ((room::free(sandbox.scratch())? - BUILD_QUOTA) / each) as usize)
 }
 
-/// Asks submissions about their tasks, in all trees at once, and returns the programs that
-/// were built, by the submissions' names.
+/// Judges the tasks of submissions, in all trees at once. Returns the programs that were built, by
+/// the submissions' names.
 fn judge(
     grader: &Grader<'_>,
     reference: &Reference,
@@ -146,26 +147,27 @@ fn judge(
     on_all_cores(open, work).into_iter().filter_map(Result::transpose).collect()
 }
 
-/// One of the trees: there are as many as workers.
+/// Takes one of the trees. There are as many trees as workers.
 fn taken(trees: &Mutex<Vec<Tree>>) -> Tree {
     trees.lock().expect("popping does not panic").pop().expect("a tree for each worker")
 }
 
-/// A bar on a terminal for `of` submissions, of which nothing is left to do for `done`.
+/// Makes a progress bar for `of` submissions, of which `done` are finished already.
 pub(crate) fn bar(what: &'static str, of: usize, done: usize) -> ProgressBar {
     let bar = progress(of as u64).with_position(done as u64).with_message(what);
     bar.tick();
     bar
 }
 
-/// One more submission is done, and this came of it: a line where there is no terminal.
+/// Advances the bar by one submission. Without a terminal, it prints a line with the result
+/// instead.
 pub(crate) fn done(bar: &ProgressBar, name: &str, said: impl Display) {
-    // Held while it is written: lines come in the order of their numbers.
+    // The lock is held while the line is written, so lines appear in the order of their numbers.
     let mut lines = stderr().lock();
     bar.inc(1);
     if bar.is_hidden() {
         let (at, of) = (bar.position(), bar.length().unwrap_or_default());
-        // Where nobody can read it, grading goes on.
+        // If stderr is closed, grading continues.
         let _ = writeln!(lines, "{}, {at} of {of}: {}: {said}", bar.message(), line(name));
     }
 }
@@ -176,7 +178,7 @@ fn is_timed(grader: &Grader<'_>, record: &Path) -> bool {
     record.is_ok_and(|record| timing::is_done_on(cores(), &record, &grader.rubric))
 }
 
-/// Whether a new judgement of this submission would be equal to its record.
+/// Whether judging this submission again would give the same record.
 fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>) -> bool {
     let record =
         fs::read(record).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());

@@ -1,4 +1,4 @@
-//! When everybody's tasks are judged: times, points, pages.
+//! Finishes a class whose tasks are judged: times, points, pages.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -19,8 +19,10 @@ use crate::roll::late::file_time;
 use crate::score::score;
 use crate::{report, timing};
 
-/// Times one submission after another, and returns whether that could be done for all. Of a submission judged just
-/// now `programs` has the programs; those of others are built again in `tree`.
+/// Times one submission after another. Returns whether all could be timed.
+///
+/// `programs` has the programs of submissions that were judged just now. The programs of other
+/// submissions are built again in `tree`.
 pub(crate) fn time(
     grader: &Grader<'_>,
     reference: &Reference,
@@ -45,7 +47,7 @@ pub(crate) fn time(
         };
         let taken = take();
         if taken.is_err() {
-            // They are open, and taken the next time.
+            // The times are open, and the next grading takes them.
             (record.timed, record.runs) = (false, Vec::new());
             all = false;
         }
@@ -57,8 +59,10 @@ pub(crate) fn time(
     Ok(all)
 }
 
-/// Gives points and writes the pages. It is a failure if a submission could not be dealt with, or if
-/// one of the kit's known-wrong solutions has other marks than its manifest says.
+/// Computes points and writes the pages.
+///
+/// Returns failure if a submission could not be graded, or if one of the kit's known-wrong
+/// solutions has other marks than its manifest says.
 pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<ExitCode> {
     let mut records = record::read_all(into)?;
     for (name, path) in submissions {
@@ -103,14 +107,14 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
     Ok(ended)
 }
 
-/// The programs of a submission that was graded before.
+/// Builds the programs of a submission that was graded before.
 fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<TempDir> {
     let intake = grader.take(path)?;
     let built = tree.build(grader.sandbox, &intake.files)?;
     built.map_err(|why| anyhow!("it was graded, and cannot be built now: {why}"))
 }
 
-/// What came of a submission's times, in a few words.
+/// Summarises the result of timing a submission in a few words.
 fn times(record: &Record) -> String {
     let measures = record.measures.iter().map(|measure| {
         let kind = measure.kind.name();
@@ -122,7 +126,7 @@ fn times(record: &Record) -> String {
     }
 }
 
-/// And of its tasks and its hand-in time.
+/// Summarises a submission's tasks, open measures and lateness in a few words.
 pub(crate) fn summary(record: &Record) -> String {
     match record.status {
         Status::Graded => {

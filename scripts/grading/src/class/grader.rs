@@ -1,4 +1,4 @@
-//! Grading one submission: what it is asked, and the record of what it said.
+//! Grades one submission: asks its questions and writes its record.
 
 use std::hash::{BuildHasher, RandomState};
 use std::path::{Path, PathBuf};
@@ -22,22 +22,22 @@ use lab_kit::rubric;
 use lab_kit::submission::Sources;
 use lab_kit::{Given, Kit, Lab};
 
-/// Characters kept of what is said about a submission or a task.
+/// Maximal number of characters kept of a message about a submission or a task.
 const SAID: usize = 4000;
 
-/// Characters kept of what it prints about a task.
+/// Maximal number of characters kept of the output of a task.
 const PRINTED: usize = 1 << 16;
 
-/// What all submissions are graded by.
+/// Settings and files with which all submissions are graded.
 pub(crate) struct Grader<'a> {
     pub(crate) kit: &'a Kit,
     pub(crate) lab: Lab,
     pub(crate) rubric: Facts,
     pub(crate) sandbox: &'a Sandbox,
-    /// The seed of every submission; drawn for each if not given.
+    /// Seed of every submission; `None` if each submission gets a random seed.
     seed: Option<u64>,
     given: Given,
-    /// Where to keep what programs print, for the staff.
+    /// Folder in which the output of programs is kept for the staff.
     printed: PathBuf,
     /// SHA-256 of questions and solution.
     pub(crate) hash: String,
@@ -45,7 +45,7 @@ pub(crate) struct Grader<'a> {
 }
 
 impl<'a> Grader<'a> {
-    /// Reads what there is to grade by. Nothing is built for that.
+    /// Reads the files that grading needs. Nothing is built.
     pub(crate) fn new(
         kit: &'a Kit,
         lab: Lab,
@@ -64,26 +64,26 @@ impl<'a> Grader<'a> {
         Ok(Self { kit, lab, rubric, sandbox, seed, given, printed, hash, toolchain })
     }
 
-    /// Takes in one submission.
+    /// Reads one submission.
     pub(crate) fn take(&self, path: &Path) -> Result<Intake> {
         intake::take(self.kit, self.lab, &self.given, path)
     }
 
-    /// A seed that nothing tells of another: what one submission was asked helps no other.
+    /// Returns a random seed, so that knowing one submission's questions does not help another.
     fn seed(&self) -> u64 {
         self.seed.unwrap_or_else(|| RandomState::new().hash_one(()))
     }
 
-    /// An error about the submission at `path`, as it is written down.
+    /// Formats an error about the submission at `path` for its record.
     pub(crate) fn said(&self, error: &anyhow::Error, path: &Path) -> String {
         cut(&self.shown(&format!("{error:#}"), path), SAID)
     }
 
-    /// A text without the folders of this machine: a student reads it.
+    /// Removes the folders of this machine from a text, because students read it.
     fn shown(&self, text: &str, path: &Path) -> String {
         let class = path.parent().unwrap_or(path);
         let own = self.sandbox.folders().into_iter().chain([self.kit.root(), class]);
-        // The longest first: one may be in another.
+        // The longest folder comes first, because a folder may be inside another.
         let mut folders: Vec<String> = own.map(|folder| folder.display().to_string()).collect();
         folders.sort_by_key(|folder| std::cmp::Reverse(folder.len()));
         folders.retain(|folder| folder.len() > 1 && folder.starts_with('/'));
@@ -108,8 +108,10 @@ impl<'a> Grader<'a> {
         }
     }
 
-    /// The record of a submission, without times, and its programs if there are any. Whatever goes
-    /// wrong with a submission is in its record: the others are graded all the same.
+    /// Grades a submission without timing it. Returns its record, and its programs if they were
+    /// built.
+    ///
+    /// Every failure is written into the record, so the other submissions are graded nevertheless.
     pub(crate) fn grade(
         &self,
         tree: &Tree,
@@ -137,7 +139,8 @@ impl<'a> Grader<'a> {
         };
         let intake = match self.take(path) {
             Ok(intake) => intake,
-            // The system cannot read it, which is no word about what is in it.
+            // The system cannot read the submission, which does not mean that its contents are
+            // wrong.
             Err(error) if is_of_the_system(&error) => return Err(error),
             Err(error) => return ended(record, Status::Unreadable, format!("{error:#}")),
         };
@@ -173,15 +176,15 @@ impl<'a> Grader<'a> {
     }
 }
 
-/// The solution's programs and what they say.
+/// The solution's programs, and the questions that it has answered.
 pub(crate) struct Reference {
     pub(crate) programs: TempDir,
-    /// The lab's questions; none if nothing is to be judged.
+    /// The lab's questions; `None` if no answers are judged.
     questions: Option<Questions>,
 }
 
 impl Reference {
-    /// Builds the solution, and asks it everything if answers are to be `judged`.
+    /// Builds the solution, and asks it all questions if answers are to be `judged`.
     pub(crate) fn build(grader: &Grader<'_>, tree: &Tree, judged: bool) -> Result<Self> {
         let Grader { kit, lab, sandbox, .. } = grader;
         let programs = tree.reference(kit, sandbox)?;
@@ -189,20 +192,20 @@ impl Reference {
             return Ok(Self { programs, questions: None });
         }
         let folder = programs.path();
-        // Whoever waits for the judge waits for us.
+        // The judge is the grader's own program, so a generous limit is safe.
         let judge = Judge::new(kit, *lab, folder.join(JUDGE), 10 * sandbox.limits.run);
         let questions = Some(Questions::of(sandbox, folder, judge, grader.seed())?);
         Ok(Self { programs, questions })
     }
 }
 
-/// Whether the system refused something, such as a file that the grader may not read.
+/// Whether the system refused an operation, such as reading a file.
 fn is_of_the_system(error: &anyhow::Error) -> bool {
     let refused = |cause: &std::io::Error| cause.raw_os_error().is_some();
     error.chain().any(|cause| cause.downcast_ref().is_some_and(refused))
 }
 
-/// SHA-256 of sources and their paths.
+/// Returns the SHA-256 of sources and their paths.
 pub(crate) fn hash(files: &Sources) -> String {
     let lines = files.iter().map(|(path, bytes)| format!("{} {path}\n", digest(bytes)));
     digest(lines.collect::<String>().as_bytes())

@@ -1,7 +1,8 @@
-//! `cargo lab grade`: a class, graded by what its programs compute.
+//! `cargo lab grade`: grades a class by running its programs.
 //!
-//! [`grader`] judges the tasks of one submission, [`batch`] those of all, several at a time, and goes on
-//! where it was stopped. Then, alone on the machine, times are taken and pages written ([`finish`]).
+//! [`grader`] judges the tasks of one submission. [`batch`] judges all submissions, several at a
+//! time, and continues after an interruption. Then [`finish`] takes times, alone on the machine,
+//! and writes the pages.
 
 mod batch;
 mod finish;
@@ -22,7 +23,7 @@ use lab_kit::rubric;
 use lab_kit::system;
 use lab_kit::{Kit, Lab};
 
-/// A submission: its name, and where it is.
+/// A submission: its name and its path.
 type Named = (String, PathBuf);
 
 /// Grade submissions (for instructors)
@@ -66,7 +67,7 @@ pub(crate) struct Options {
     into: Option<PathBuf>,
 }
 
-/// Grades, and says how many points each got.
+/// Grades the submissions and prints the points of each.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut submissions = Vec::new();
     for path in &options.paths {
@@ -97,7 +98,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let top = options.into.clone().unwrap_or_else(|| kit.memory().join("grade"));
     let (mut graded, mut all_well) = (false, true);
     for lab in rubric::all(kit)?.into_keys() {
-        // A submission that cannot be read may be of any lab, and shows up in the first.
+        // A submission that cannot be read may be for any lab. It appears in the first.
         let handed_in = |path: &PathBuf| intake::holds(kit, lab, path).unwrap_or(!graded);
         let of_lab = submissions.iter().filter(|(_, path)| handed_in(path));
         let of_lab: Vec<_> = of_lab.cloned().collect();

@@ -1,4 +1,4 @@
-//! What a record keeps of a person's decisions, and of the clock's.
+//! The part of a record that people and the clock decide.
 
 use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
@@ -6,30 +6,33 @@ use serde::{Deserialize, Serialize};
 use super::{Record, Status};
 use lab_kit::Facts;
 
-/// What a person decided, whatever the grader found: an `[[override]]` of `class.toml`. In a record it
-/// does not say whose it is, and how late that is the record says itself.
+/// A person's decision, which overrides the grader: an `[[override]]` of `class.toml`.
+///
+/// In a record, a decision has neither the student nor the days late, because the record has both
+/// itself.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Decision {
     /// A submission, or a student of the roster.
     #[serde(default, skip_serializing)]
     pub(crate) student: String,
-    /// A task or a measure; the whole submission if there is none.
+    /// A task or a measure; `None` for the whole submission.
     pub(crate) task: Option<String>,
-    /// Points, if it gives any; without them it is a comment.
+    /// Points that replace the grader's; `None` if the decision is only a comment.
     pub(crate) points: Option<f64>,
-    /// Days late, whatever the clock says.
+    /// Days late that replace those of the clock.
     #[serde(default, skip_serializing)]
     pub(crate) days: Option<u32>,
-    /// Why: what the student reads.
+    /// Reason that the student reads.
     pub(crate) reason: String,
 }
 
-/// The most points of a submission. Labs are worth about a hundred: a larger number is a slip.
+/// Largest number of points of a submission. Labs are worth about a hundred, so a larger number is
+/// a mistake.
 const MOST: f64 = 1000.0;
 
 impl Decision {
-    /// Whether it can be: of a task that there is, with points that it has.
+    /// Checks that the task exists and is worth that many points.
     pub(crate) fn check(&self, rubric: &Facts) -> Result<()> {
         ensure!(!self.reason.trim().is_empty(), "it has no reason");
         ensure!(!self.student.is_empty(), "it names no student");
@@ -49,7 +52,7 @@ impl Decision {
     }
 }
 
-/// What a task or a measure is worth, if there is one of that name.
+/// Returns the points that a task or a measure is worth; `None` if it does not exist.
 fn worth(rubric: &Facts, task: &str) -> Option<f64> {
     let timed = match task {
         "complexity" => &rubric.complexity,
@@ -60,37 +63,37 @@ fn worth(rubric: &Facts, task: &str) -> Option<f64> {
     Some(timed.as_ref()?.points)
 }
 
-/// How late a submission is.
+/// Lateness of a submission.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Lateness {
-    /// Days that have begun.
+    /// Days late; a day that has begun counts.
     pub(crate) days: u32,
-    /// The share of the points that is lost, 0 to 1.
+    /// Share of the points that is lost, 0 to 1.
     pub(crate) lost: f64,
 }
 
-/// Whether its student's mark is made of it.
+/// Whether a submission determines its student's mark.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Attempt {
-    /// Yes, if it has a mark.
+    /// It does, if it has a mark.
     #[default]
     Counts,
-    /// Another one of the student's counts.
+    /// Another submission of the student counts.
     Another,
-    /// The student has several, and nobody has said which counts.
+    /// The student has several submissions, and `class.toml` does not say which one counts.
     Undecided,
 }
 
 impl Lateness {
-    /// `a day`, `3 days`.
+    /// Formats the days: `a day`, `3 days`.
     pub(crate) fn days(&self) -> String {
         if self.days == 1 { "a day".to_owned() } else { format!("{} days", self.days) }
     }
 }
 
 impl Record {
-    /// What was decided about a task or a measure, or about the whole.
+    /// Returns the decisions about a task or a measure; with `None`, about the whole submission.
     pub(crate) fn decided<'a>(
         &'a self,
         task: Option<&'a str>,
@@ -98,18 +101,18 @@ impl Record {
         self.by_hand.iter().filter(move |decision| decision.task.as_deref() == task)
     }
 
-    /// Whether there was anything to mark, or a person gave points all the same.
+    /// Whether there was anything to mark, or a person gave points nevertheless.
     pub(crate) fn has_mark(&self) -> bool {
         let nothing = matches!(self.status, Status::Unreadable | Status::Empty | Status::Failed);
         !nothing || self.decided(None).any(|decision| decision.points.is_some())
     }
 
-    /// Whether it has a mark that is its student's.
+    /// Whether it has a mark, and this mark is the student's.
     pub(crate) fn counts(&self) -> bool {
         self.has_mark() && self.attempt == Attempt::Counts
     }
 
-    /// Whether points of a task or a measure were given by hand.
+    /// Whether a person gave the points of a task or a measure.
     pub(crate) fn is_by_hand(&self, task: &str) -> bool {
         self.decided(Some(task)).any(|decision| decision.points.is_some())
     }

@@ -1,4 +1,4 @@
-//! What is written down about one submission.
+//! The record of one graded submission.
 
 mod by_hand;
 mod times;
@@ -19,82 +19,82 @@ use lab_kit::files::{read_bytes, write_file};
 pub(crate) use by_hand::{Attempt, Decision, Lateness};
 pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 
-/// The form of a record; a reader refuses what it does not know.
+/// Number of the format of records. A record with another number is refused.
 pub(crate) const FORMAT: u8 = 1;
 
-/// One submission, graded. One JSON file each.
+/// Record of one graded submission, in a JSON file.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub(crate) struct Record {
-    /// [`FORMAT`].
+    /// Format of the record, which is [`FORMAT`].
     pub(crate) format: u8,
-    /// Whose: the name of the archive or folder.
+    /// Name of the submission: the name of its archive or folder.
     pub(crate) name: String,
-    /// The lab.
+    /// Number of the lab.
     pub(crate) lab: Lab,
-    /// How far it came.
+    /// Stage that grading reached.
     pub(crate) status: Status,
-    /// Why it came no further, as the compiler or the unpacking said it; empty if it did.
+    /// Reason why grading stopped, from the compiler or the unpacking; empty if it did not stop.
     pub(crate) message: String,
     /// SHA-256 of all sources taken, with their paths.
     pub(crate) hash: String,
     /// SHA-256 of each source taken, by its path below the lab's folder.
     pub(crate) files: BTreeMap<String, String>,
-    /// What was not taken, and why.
+    /// Files that were not taken, with the reasons.
     pub(crate) left_out: Vec<LeftOut>,
-    /// Given files that the student changed: the kit's were compiled.
+    /// Given files that the student changed. The kit's own versions were compiled.
     pub(crate) changed: Vec<String>,
-    /// SHA-256 of what it was graded by: questions, snapshots, oracle, solution.
+    /// SHA-256 of the grader's files: questions, snapshots, oracle, solution.
     pub(crate) grader: String,
-    /// The inputs of the questions come from this number.
+    /// Seed of the questions' inputs.
     pub(crate) seed: u64,
-    /// What `rustc --version` says.
+    /// Compiler, as `rustc --version` prints it.
     pub(crate) toolchain: String,
-    /// Processor and cores.
+    /// Processor and number of cores of the machine.
     pub(crate) machine: String,
-    /// Whether foreign code was kept in a sandbox.
+    /// Whether the submission ran in a sandbox.
     pub(crate) sandboxed: bool,
-    /// The tasks; when it has points, by their numbers.
+    /// Results of the tasks; in a record with points, in the order of their numbers.
     pub(crate) tasks: Vec<Task>,
-    /// Whether times were asked for.
+    /// Whether the submission was to be timed.
     pub(crate) timed: bool,
-    /// What was timed, as it was: measures are judged from this, and can be anew.
+    /// Timed runs, unchanged. Measures are computed from them and can be computed again.
     pub(crate) runs: Vec<Run>,
-    /// What the times are worth.
+    /// Grades of the times.
     pub(crate) measures: Vec<Measure>,
-    /// When it was handed in, by its file.
+    /// Time of the hand-in, from the file.
     pub(crate) handed_in: Option<Timestamp>,
-    /// How late that was; none if it was in time.
+    /// Lateness; `None` if the submission was in time.
     pub(crate) late: Option<Lateness>,
-    /// What a person decided.
+    /// Decisions by a person.
     pub(crate) by_hand: Vec<Decision>,
-    /// Whether it counts, of several that its student handed in.
+    /// Whether this submission counts, if its student handed in several.
     pub(crate) attempt: Attempt,
-    /// Whose it is, by the roster.
+    /// Name of its student in the roster; `None` without a roster.
     pub(crate) student: Option<String>,
-    /// What graders see instead of names.
+    /// Pseudonym that graders see instead of names.
     pub(crate) pseudonym: Option<String>,
-    /// Points of all tasks and of all measures.
+    /// Points of all tasks and all measures.
     pub(crate) points: f64,
-    /// Points that could be had, those among them that are still open.
+    /// Largest possible number of points, including points that are still open.
     pub(crate) out_of: f64,
 }
 
-/// How far a submission came.
+/// Stage that the grading of a submission reached.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Status {
-    /// It could not be read.
+    /// The submission could not be read.
     Unreadable,
-    /// It holds no source of this lab.
+    /// The submission has no source of this lab.
     Empty,
-    /// It says what no source may say.
+    /// A source contains forbidden code.
     Refused,
-    /// It does not compile.
+    /// The submission does not compile.
     NotBuilt,
-    /// The grader could not deal with it: it is tried again the next time.
+    /// The grader failed. The next grading tries again.
     Failed,
-    /// Its tasks were asked.
+    /// The tasks were judged.
     #[default]
     Graded,
 }
@@ -102,49 +102,49 @@ pub(crate) enum Status {
 /// A file that was not taken.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub(crate) struct LeftOut {
-    /// Its path as far as it can be written.
+    /// Path of the file, as far as it can be written.
     pub(crate) path: String,
-    /// Why.
+    /// Reason why it was not taken.
     pub(crate) reason: String,
 }
 
-/// A task's marks. They come from the answers to its questions and nothing else.
+/// Result of a task. It depends on the answers to the task's questions only.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Task {
-    /// Such as `1.3`.
+    /// Number of the task, such as `1.3`.
     pub(crate) id: String,
     /// Whether all answers were right.
     pub(crate) passed: bool,
-    /// The share of them that were.
+    /// Share of the answers that were right, from 0 to 1.
     #[serde(default)]
     pub(crate) share: f64,
-    /// The first thing that was wrong; empty if nothing was.
+    /// First mistake; empty if there was none.
     pub(crate) message: String,
-    /// Points given.
+    /// Points of the submission in this task.
     pub(crate) points: f64,
-    /// Points that could be had.
+    /// Points that the task is worth.
     pub(crate) out_of: f64,
 }
 
 impl Task {
-    /// One that nobody has asked. What it is worth, the rubric says later.
+    /// Makes the result of a task that was not judged. The rubric sets its points later.
     pub(crate) fn unasked(id: &str) -> Self {
         let (id, message) = (id.to_owned(), String::new());
         Self { id, passed: false, share: 0.0, message, points: 0.0, out_of: 0.0 }
     }
 }
 
-/// A task by its number.
+/// Parses a task's number, for sorting; `None` if it is not a number of a task.
 pub(crate) fn number(id: &str) -> Option<lab_kit::answers::Task> {
     id.parse::<RegionId>().ok().map(|id| id.task)
 }
 
-/// The record in a file.
+/// Reads a record from a file.
 pub(crate) fn read(path: &Path) -> Result<Record> {
     let record: Record = serde_json::from_slice(&read_bytes(path)?)
         .with_context(|| format!("{} is no record", path.display()))?;
     ensure!(record.format == FORMAT, "{} is a record of another form", path.display());
-    // It is written under its name, which could lead anywhere.
+    // The record is written under its name, which could be a path to any place.
     let own = path.file_name().is_some_and(|name| *name == *format!("{}.json", record.name));
     ensure!(
         own,
@@ -155,7 +155,7 @@ pub(crate) fn read(path: &Path) -> Result<Record> {
     Ok(record)
 }
 
-/// The records in a folder, by name.
+/// Reads the records in a folder, sorted by name.
 pub(crate) fn read_all(folder: &Path) -> Result<Vec<Record>> {
     let mut records =
         files(folder)?.iter().map(|path| read(path)).collect::<Result<Vec<Record>>>()?;
@@ -163,15 +163,15 @@ pub(crate) fn read_all(folder: &Path) -> Result<Vec<Record>> {
     Ok(records)
 }
 
-/// Whether records of a lab can be written into a folder.
+/// Checks that records of a lab can be written into a folder.
 ///
 /// # Errors
-/// It holds those of another lab.
+/// If the folder has records of another lab.
 pub(crate) fn expect_lab(folder: &Path, lab: Lab) -> Result<()> {
     if !folder.is_dir() {
         return Ok(());
     }
-    // Those of another form are graded anew.
+    // Records of another format are skipped, because they are graded again.
     for record in files(folder)?.iter().filter_map(|path| read(path).ok()) {
         let (folder, other) = (folder.display(), record.lab);
         ensure!(other == lab, "{folder} holds records of lab {other}: name another folder");
@@ -189,19 +189,20 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// Puts records in the order of their names.
+/// Sorts records by their names.
 pub(crate) fn sort(records: &mut [Record]) {
     records.sort_by_cached_key(|record| (record.name.to_lowercase(), record.name.clone()));
 }
 
 impl Record {
-    /// Writes it into a folder, under its name.
+    /// Writes the record into a folder, under its name.
     pub(crate) fn write(&self, folder: &Path) -> Result<()> {
         let text = serde_json::to_string_pretty(self)?;
         write_file(&folder.join(format!("{}.json", self.name)), &text)
     }
 
-    /// As a page shows it: under its pseudonym, or else under its student's name.
+    /// Returns the record as a page shows it: under its pseudonym, or else under its student's
+    /// name.
     pub(crate) fn shown(&self) -> Self {
         let mut shown = self.clone();
         if let Some(pseudonym) = &self.pseudonym {
@@ -212,14 +213,14 @@ impl Record {
         shown
     }
 
-    /// Points that could be had in tasks, and in measures that are `among`.
+    /// Returns the points that the tasks are worth, plus those of the measures that are `among`.
     pub(crate) fn worth(&self, among: impl Fn(&Measure) -> bool) -> f64 {
         let measures = self.measures.iter().filter(|measure| among(measure));
         let measures: f64 = measures.map(|measure| measure.out_of).sum();
         self.tasks.iter().map(|task| task.out_of).sum::<f64>() + measures
     }
 
-    /// Points that hang on times which could not be judged. Where there is no program, none do.
+    /// Returns the points of measures that could not be judged; 0 if there is no program.
     pub(crate) fn open_points(&self) -> f64 {
         if self.status != Status::Graded {
             return 0.0;
@@ -229,14 +230,14 @@ impl Record {
     }
 }
 
-/// The points that all of a class are marked out of, those among them that are open.
+/// Returns the points that a whole class is marked out of, including open points.
 pub(crate) fn scale(records: &[Record]) -> f64 {
     let asked = |record: &Record| record.worth(|measure| measure.verdict != Verdict::NotTimed);
     let most = records.iter().map(asked).fold(0.0, f64::max);
     if most > 0.0 { most } else { 1.0 }
 }
 
-/// Points as people write them: 15, 7.5, 12.36.
+/// Formats points as people write them: 15, 7.5, 12.36.
 pub(crate) fn points(points: f64) -> String {
     let text = format!("{points:.2}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -244,12 +245,12 @@ pub(crate) fn points(points: f64) -> String {
 
 #[cfg(test)]
 impl Record {
-    /// Ada's, who has one of two tasks of lab 1.
+    /// Returns the record of Ada, who has one of two tasks of lab 1.
     pub(crate) fn sample() -> Self {
         serde_json::from_str(include_str!("../../tests/record.json")).unwrap()
     }
 
-    /// The same, with 25 points for speed that she does not have.
+    /// Returns Ada's record with 25 possible points for speed, none of which she has.
     pub(crate) fn sample_of_speed(verdict: Verdict) -> Self {
         let mut record = Self::sample();
         record.measures.push(Measure {

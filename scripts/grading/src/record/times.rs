@@ -1,33 +1,36 @@
-//! What was timed, and what it is worth.
+//! Timed runs, and the grades of their times.
 
 use serde::{Deserialize, Serialize};
 
-/// The takes of one program on scenes of one size. The grader's clock timed them, from the moment
-/// when the program heard of the scene to the moment when its last particle had come back.
+/// The takes of one program on scenes of one size.
+///
+/// The grader's clock times a take from the moment when the program receives the scene until its
+/// last particle has come back.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Run {
-    /// Whose program.
+    /// Owner of the program.
     pub(crate) whose: Whose,
-    /// Which program of the lab.
+    /// Name of the program in the lab.
     pub(crate) variant: String,
-    /// Particles.
+    /// Number of particles.
     pub(crate) n: usize,
-    /// Threads.
+    /// Number of workers: threads or ranks.
     pub(crate) workers: usize,
-    /// Time steps; none shows what it takes to make a scene and to send the result.
+    /// Number of time steps; with 0, the run shows the time for making a scene and sending the
+    /// result.
     pub(crate) steps: u64,
     /// Seconds of each take.
     pub(crate) seconds: Vec<f64>,
-    /// Seconds of processors in all takes; none where the system does not say.
+    /// Processor time of all takes, in seconds; `None` if the system does not report it.
     pub(crate) processors: Option<f64>,
-    /// Whether these times say anything.
+    /// Whether the times are valid.
     pub(crate) outcome: Outcome,
-    /// Why they do not; empty if they do.
+    /// Reason why the times are not valid; empty if they are.
     pub(crate) message: String,
 }
 
 impl Run {
-    /// Without any take yet.
+    /// Makes a run without takes.
     pub(crate) fn planned(
         whose: Whose,
         variant: &str,
@@ -49,84 +52,84 @@ impl Run {
     }
 }
 
-/// How runs ended.
+/// Outcome of a run.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Outcome {
-    /// With the right result, every time.
+    /// Every take had the right result.
     Timed,
-    /// Not within the time that is allowed, the last of `seconds`.
+    /// A take exceeded its time limit, which is the last of `seconds`.
     TooSlow,
-    /// With none or with a wrong one.
+    /// A take had no result or a wrong result.
     Wrong,
 }
 
-/// Whose program runs.
+/// Owner of a program.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Whose {
-    /// The submission's.
+    /// The submission.
     Own,
-    /// The solution's.
+    /// The solution.
     Solution,
-    /// The best serial program of the labs before.
+    /// The best serial program of earlier labs.
     Serial,
 }
 
-/// What times are worth.
+/// The grade of a measure of times.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Measure {
-    /// Which measure.
+    /// Kind of the measure.
     pub(crate) kind: Kind,
-    /// Which program of the lab.
+    /// Name of the program in the lab.
     pub(crate) variant: String,
-    /// Whether it could be graded.
+    /// Whether the measure could be graded.
     pub(crate) verdict: Verdict,
-    /// What was measured, or why it is not graded, in words.
+    /// The measurement in words, or the reason why there is no grade.
     pub(crate) message: String,
-    /// 0 to 100; none if it is not graded.
+    /// Grade from 0 to 100; `None` if there is none.
     pub(crate) grade: Option<f64>,
-    /// Points given.
+    /// Points of the submission.
     pub(crate) points: f64,
-    /// Points that could be had. They are open as long as it is not graded.
+    /// Points that the measure is worth. They are open until the measure is graded.
     pub(crate) out_of: f64,
 }
 
-/// What is measured.
+/// Kind of a measure.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Kind {
-    /// How the time grows with the number of particles.
+    /// Growth of the time with the number of particles.
     Complexity,
-    /// What more workers bring.
+    /// Speedup by more workers.
     Scaling,
-    /// How long it takes beside the solution.
+    /// Time relative to the solution's.
     Speed,
 }
 
-/// Whether times could be judged.
+/// Whether a measure could be graded.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Verdict {
-    /// Yes.
+    /// The measure is graded.
     Graded,
-    /// The program did not compute what it should, so its time is worth nothing.
+    /// The program's result was wrong, so its time gives no points.
     Wrong,
     /// The takes differ too much from each other.
     TooNoisy,
-    /// Nobody timed it.
+    /// The program was not timed.
     NotTimed,
 }
 
 impl Measure {
-    /// Whether it is graded; else its points are open.
+    /// Whether the measure is graded. If not, its points are open.
     pub(crate) fn counts(&self) -> bool {
         matches!(self.verdict, Verdict::Graded | Verdict::Wrong)
     }
 }
 
 impl Kind {
-    /// As it is called.
+    /// Returns the name of the kind.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Complexity => "complexity",

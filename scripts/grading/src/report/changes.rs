@@ -1,4 +1,4 @@
-//! What changed between two records.
+//! Differences between two records.
 
 use similar::{ChangeTag, TextDiff};
 
@@ -6,8 +6,8 @@ use super::{Words, letter, points};
 use crate::escape::line;
 use crate::record::Record;
 
-/// The points before and after, and the lines that a student reads otherwise; none if nothing that
-/// matters did.
+/// Describes the differences: points before and after, and the changed lines of the letter; `None`
+/// if nothing that matters changed.
 pub(crate) fn changes(before: &Record, after: &Record) -> Option<String> {
     let measures = |record: &Record| -> Vec<_> {
         let all = record.measures.iter();
@@ -31,7 +31,7 @@ pub(crate) fn changes(before: &Record, after: &Record) -> Option<String> {
     Some(out)
 }
 
-/// What a student reads, and what the marks rest on.
+/// Returns the letter to the student, with the files and programs that the marks depend on.
 fn text(record: &Record) -> String {
     let mut out = letter::said(record, &Words::default());
     for (path, digest) in &record.files {

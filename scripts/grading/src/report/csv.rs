@@ -6,7 +6,7 @@ use super::{points, scale, trouble};
 use crate::escape;
 use crate::record::Record;
 
-/// Names, totals, points of each task and measure, and the first thing that went wrong.
+/// Writes the table: names, totals, points of each task and measure, and the first mistake.
 pub(crate) fn csv(records: &[Record]) -> Result<String> {
     let Some(first) = records.first() else { return Ok(String::new()) };
     let full = scale(records);
@@ -18,7 +18,7 @@ pub(crate) fn csv(records: &[Record]) -> Result<String> {
     Ok(String::from_utf8(out.into_inner()?)?)
 }
 
-/// A row, with the columns of the first record and their names.
+/// Returns a row with the columns of the first record: pairs of a column's name and its text.
 fn row(record: &Record, first: &Record, full: f64) -> Vec<(String, String)> {
     let decided = record.by_hand.iter().filter_map(|one| match (one.points, one.days) {
         (Some(_), _) => Some(one.task.as_deref().unwrap_or("all")),

@@ -1,7 +1,8 @@
 //! `gradescope/NAME.json`: Gradescope's results.json.
 //!
-//! Its documentation: <https://gradescope-autograders.readthedocs.io/en/latest/specs/>. Above the tests stands the
-//! letter, in Markdown; outputs of tests are shown as text, so nothing of them is markup.
+//! Its documentation: <https://gradescope-autograders.readthedocs.io/en/latest/specs/>. The letter
+//! is shown above the tests, as Markdown. The output of a test is shown as text, so it cannot
+//! contain markup.
 
 use serde_json::{Value, json};
 
@@ -9,7 +10,7 @@ use super::{Words, letter, words};
 use crate::escape::line;
 use crate::record::Record;
 
-/// What Gradescope shows of a record: a test for each task and each measure.
+/// Converts a record for Gradescope: a test for each task and each measure.
 pub(crate) fn results(record: &Record, words: &Words) -> Value {
     let tasks = record.tasks.iter().map(|task| {
         let mut output = line(&task.message);
@@ -25,7 +26,7 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
         })
     });
     let measures = record.measures.iter().map(|measure| {
-        // What is not graded must not lower the total.
+        // An open measure must not lower the total.
         let (score, most) =
             if measure.counts() { (measure.points, measure.out_of) } else { (0.0, 0.0) };
         json!({
@@ -59,7 +60,7 @@ mod tests {
     use crate::record::{Record, Status, Verdict};
     use crate::report::Words;
 
-    /// What is documented.
+    /// Keys that Gradescope documents.
     const KEYS: &str = "extra_data output output_format score stdout_visibility tests";
     const KEYS_OF_A_TEST: &str = "max_score name number output score";
 
@@ -67,7 +68,7 @@ mod tests {
         object.as_object().unwrap().keys()
     }
 
-    /// What is shown above the tests, and the points of each of them.
+    /// Returns the text above the tests, and the points of each test with their maximum.
     fn check(record: &Record) -> (String, Vec<[f64; 2]>) {
         let results = results(record, &Words::default());
         assert!(keys(&results).eq(KEYS.split(' ')));

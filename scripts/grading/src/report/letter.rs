@@ -1,21 +1,22 @@
-//! `feedback/NAME.md`: what a student gets back.
+//! `feedback/NAME.md`: the letter to a student.
 
 use super::{Words, points, trouble, words};
 use crate::escape::{fenced, line, markdown};
 use crate::record::{Attempt, Record, Status, Task};
 
-/// The letter, in Markdown.
+/// Writes the letter, in Markdown.
 pub(crate) fn letter(record: &Record, words: &Words) -> String {
     let name = markdown(record.student.as_ref().unwrap_or(&record.name));
     format!("# {}\n\n**{name}**: {}", words.lab, said(record, words))
 }
 
-/// What it says, without whose it is.
+/// Writes the body of the letter, without the student's name.
 pub(crate) fn said(record: &Record, words: &Words) -> String {
     around(record, words, &tasks(record, words))
 }
 
-/// The same, with what is said of tasks, if they were asked.
+/// Writes the body of the letter around the text about the `tasks`, which is left out if no task
+/// was judged.
 pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     let mut out = standing(record, words);
     if record.open_points() > 0.0 {
@@ -29,7 +30,7 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     }
     out += "\n\n";
     if record.status == Status::Failed {
-        // What the machine lacked is for the staff, and may name their folders.
+        // The cause is for the staff only, and may name their folders.
         out += "It could not be graded yet. The cause is the machine that grades, and not what you handed in.\n\n";
     } else if let Some(trouble) = trouble(record.status) {
         out += &format!("The submission {trouble}.\n\n{}\n", fenced(&record.message));
@@ -62,12 +63,12 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     out
 }
 
-/// A path as code, which nothing of it can leave.
+/// Formats a path as Markdown code that the path cannot end.
 fn file(path: &str) -> String {
     if path.contains('`') { markdown(path) } else { format!("`{}`", line(path)) }
 }
 
-/// The points, and whether they are the student's mark.
+/// Says how many points there are, and whether they are the student's mark.
 fn standing(record: &Record, words: &Words) -> String {
     let given = format!("{} of {} points.", points(record.points), points(words.full(record)));
     match (record.has_mark(), record.attempt) {

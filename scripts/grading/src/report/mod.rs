@@ -1,4 +1,4 @@
-//! What people read of a class's records: a page, a table, a letter to each, Gradescope's file.
+//! Reports about a class: a page, a table, a letter to each student, and Gradescope's file.
 
 mod changes;
 mod csv;
@@ -20,23 +20,25 @@ use lab_kit::files::write_file;
 use lab_kit::hints;
 use lab_kit::{Facts, Kit, Lab};
 
-/// What a reader needs beside a record.
+/// Texts that a report needs in addition to a record.
 #[derive(Default)]
 struct Words {
-    /// The lab and what it is called.
+    /// Number and title of the lab.
     lab: String,
-    /// The points that all of the class are marked out of.
+    /// Points that the whole class is marked out of.
     full: f64,
-    /// Titles by task.
+    /// Titles of tasks, by their numbers.
     titles: BTreeMap<String, String>,
-    /// The lab's chapter, if it is written.
+    /// Address of the lab's chapter; `None` if there is no chapter yet.
     chapter: Option<String>,
-    /// What the lab's workers are, and the sections of the chapter.
+    /// Facts about the lab, among them its kind of workers and the sections of the chapter.
     facts: Facts,
 }
 
-/// Writes everything below `folder`: `index.html`, `class.csv`, `feedback/NAME.md`,
-/// `gradescope/NAME.json`, and `marks.csv` where there is a roster.
+/// Writes all reports into `folder`.
+///
+/// These are `index.html`, `class.csv`, `feedback/NAME.md`, `gradescope/NAME.json`, and, with a
+/// roster, `marks.csv`.
 pub(crate) fn write(
     kit: &Kit,
     lab: Lab,
@@ -48,7 +50,7 @@ pub(crate) fn write(
     let shown = shown(records);
     let mut to_see_to = attendance.words(records);
     if records.iter().any(|record| record.pseudonym.is_some()) {
-        // A page with pseudonyms names nobody.
+        // A page with pseudonyms contains no names.
         to_see_to.iter_mut().for_each(|(_, who)| *who = vec![who.len().to_string()]);
     }
     write_file(&folder.join("index.html"), page::page(&shown, &to_see_to, &words))?;
@@ -60,7 +62,7 @@ pub(crate) fn write(
         let of =
             |kind: &str, ending: &str| folder.join(kind).join(format!("{}.{ending}", record.name));
         write_file(&of("feedback", "md"), letter::letter(record, &words))?;
-        // The grader's own failure is no submission's, and must not be uploaded as a 0.
+        // If the grader failed, the submission must not be uploaded with 0 points.
         if record.status != Status::Failed {
             let results = serde_json::to_string_pretty(&gradescope::results(record, &words))?;
             write_file(&of("gradescope", "json"), &results)?;
@@ -69,7 +71,8 @@ pub(crate) fn write(
     Ok(())
 }
 
-/// Records as a page shows them. Of one name for several the submissions tell them apart.
+/// Returns the records as a page shows them. If several have the same name, the submission's name
+/// is added.
 fn shown(records: &[Record]) -> Vec<Record> {
     let mut shown: Vec<Record> = records.iter().map(Record::shown).collect();
     let mut many: BTreeMap<String, usize> = BTreeMap::new();
@@ -96,18 +99,18 @@ impl Words {
         })
     }
 
-    /// The points that a record is marked out of: on every page the same.
+    /// Returns the points that a record is marked out of, which are the same in every report.
     fn full(&self, record: &Record) -> f64 {
         self.full.max(scale(std::slice::from_ref(record)))
     }
 
-    /// `Task 3.2: which rows belong to which thread`.
+    /// Returns the title of a task: `Task 3.2: which rows belong to which thread`.
     fn task(&self, id: &str) -> String {
         let title = self.titles.get(id);
         title.map_or(format!("Task {id}"), |title| format!("Task {id}: {title}"))
     }
 
-    /// Chapter, section and file to read about a task.
+    /// Returns the chapter and section to read about a task.
     fn reading(&self, id: &str) -> Option<String> {
         let chapter = self.chapter.as_ref()?;
         let section = self.facts.tasks.get(id).map(|task| &task.section);
@@ -118,7 +121,7 @@ impl Words {
     }
 }
 
-/// How far a submission came, in a few words; nothing if it was graded.
+/// Returns the stage that a submission reached, in a few words; `None` if it was graded.
 fn trouble(status: Status) -> Option<&'static str> {
     match status {
         Status::Unreadable => Some("could not be read"),

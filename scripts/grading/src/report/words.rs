@@ -1,4 +1,4 @@
-//! Speed in words: what a student learns from the times.
+//! Sentences about speed, which a student reads.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use crate::timing::seconds_of;
 use lab_kit::Workers;
 use lab_kit::table::three_digits;
 
-/// `scaling of team: 18.5 of 20 points`.
+/// Returns the heading of a measure: `scaling of team: 18.5 of 20 points`.
 pub(crate) fn heading(measure: &Measure) -> String {
     let what = format!("{} of {}", measure.kind.name(), measure.variant);
     match measure.verdict {
@@ -20,14 +20,15 @@ pub(crate) fn heading(measure: &Measure) -> String {
     }
 }
 
-/// What was measured, as a sentence.
+/// Returns the measurement as a sentence.
 pub(crate) fn measured(measure: &Measure) -> String {
     let mut letters = measure.message.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
     first.chain(letters).chain(['.']).collect()
 }
 
-/// What a person decided about a task or a measure, or about the whole and its lateness.
+/// Returns a person's decisions about a task or a measure as sentences; with `None`, about the
+/// whole and its lateness.
 pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
     let mut said = Vec::new();
     let late = record.late.as_ref().filter(|_| record.has_mark());
@@ -45,10 +46,10 @@ pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
     said
 }
 
-/// What the submission did with its time, a sentence each.
+/// Returns sentences about the speed of the submission's programs.
 pub(crate) fn speed(record: &Record, words: &Words) -> Vec<String> {
     let own = |run: &&Run| run.whose == Whose::Own && run.steps > 0;
-    // One for each variant says enough: on the largest scene, with the most threads.
+    // One run of each variant is enough: the largest scene with the most threads.
     let mut chosen: BTreeMap<&str, &Run> = BTreeMap::new();
     for run in record.runs.iter().filter(own).filter(|run| run.outcome == Outcome::Timed) {
         let largest = chosen.entry(&run.variant).or_insert(run);

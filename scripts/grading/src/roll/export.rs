@@ -1,5 +1,5 @@
-//! `submission_metadata.yml`, which Gradescope puts beside the submissions that it exports: whose each is, and when it
-//! was handed in.
+//! Gradescope's `submission_metadata.yml`: the students and the hand-in time of each exported
+//! submission.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -10,25 +10,25 @@ use anyhow::{Context, Result, ensure};
 use jiff::Timestamp;
 use yaml_rust2::{Yaml, YamlLoader};
 
-/// The file's name.
+/// Name of the file.
 pub(crate) const FILE: &str = "submission_metadata.yml";
 
-/// What it tells of each submission, by the name of its folder. Where there is no file, nothing is told.
+/// Hand-ins by the names of their folders; empty if there is no file.
 #[derive(Debug, Default)]
 pub(super) struct Export(BTreeMap<String, HandIn>);
 
-/// A submission of one student, or of a group.
+/// Hand-in of one student or of a group.
 #[derive(Debug, Default)]
 pub(super) struct HandIn {
     pub(super) members: Vec<Member>,
     pub(super) time: Option<Timestamp>,
 }
 
-/// A student, as Gradescope knows them.
+/// A student, as Gradescope lists them.
 #[derive(Debug)]
 pub(super) struct Member {
     pub(super) name: String,
-    /// The e-mail address, the number and the name, as far as they are there.
+    /// E-mail address, number and name, as far as the file has them.
     pub(super) keys: Vec<String>,
 }
 
@@ -36,7 +36,7 @@ impl Export {
     /// Reads the file in a folder of records.
     ///
     /// # Errors
-    /// It cannot be read, or is no export of Gradescope.
+    /// If the file cannot be read, or is not an export of Gradescope.
     pub(super) fn read(folder: &Path) -> Result<Self> {
         let path = folder.join(FILE);
         match fs::read_to_string(&path) {
@@ -59,12 +59,12 @@ impl Export {
         Ok(Self(submissions))
     }
 
-    /// What is told of a submission.
+    /// Returns the hand-in of a submission; `None` if the file does not list it.
     pub(super) fn of(&self, submission: &str) -> Option<&HandIn> {
         self.0.get(submission)
     }
 
-    /// Whether nothing is told.
+    /// Whether the file lists no submission.
     pub(super) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -79,7 +79,7 @@ impl HandIn {
         Ok(Self { members, time })
     }
 
-    /// All names, for a class without a roster.
+    /// Returns all names, for a class without a roster.
     pub(super) fn names(&self) -> String {
         let names: Vec<&str> = self.members.iter().map(|member| member.name.as_str()).collect();
         names.join(" and ")
@@ -100,7 +100,7 @@ impl Member {
     }
 }
 
-/// Such as `2026-11-20 21:59:03.123456000 Z`, with a space before the zone.
+/// Parses a time such as `2026-11-20 21:59:03.123456000 Z`, with a space before the zone.
 fn time(text: &str) -> Result<Timestamp> {
     let parts: Vec<&str> = text.split_whitespace().collect();
     let [day, rest @ ..] = &parts[..] else { return Ok(text.parse()?) };

@@ -1,4 +1,4 @@
-//! Which submission is whose.
+//! Assigns submissions to the students of a roster.
 
 use std::collections::BTreeMap;
 
@@ -10,35 +10,37 @@ use crate::escape::line;
 use crate::intake::names::{bare, composed};
 use crate::record::{Attempt, Record};
 
-/// Which of a student's submissions counts.
+/// Rule for the submission that counts if a student has several.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Attempts {
-    /// The one that was handed in last.
+    /// The latest submission counts.
     Latest,
-    /// The one with most points.
+    /// The submission with the most points counts.
     Best,
 }
 
-/// Who handed in what.
+/// Students with and without submissions, and submissions without a student.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(crate) struct Attendance {
-    /// By row of the roster, the submission of a student who has one.
+    /// Index of the submission that counts, by the student's row in the roster.
     pub(crate) present: BTreeMap<usize, usize>,
-    /// Students without a submission.
+    /// Names of students without a submission.
     pub(crate) absent: Vec<String>,
-    /// Students with more than one: their names, the submission that counts, and all.
+    /// Students with several submissions: their names, the submission that counts, and all their
+    /// submissions.
     pub(crate) twice: Vec<(String, Option<usize>, Vec<usize>)>,
-    /// Which of these should count; none does if nothing is said.
+    /// Rule for the submission that counts; `None` if no submission counts without a decision.
     pub(crate) attempts: Option<Attempts>,
-    /// Submissions of nobody in the roster.
+    /// Submissions whose student is not in the roster.
     pub(crate) strangers: Vec<usize>,
-    /// Submissions in which there was nothing to mark, and no other counts.
+    /// Submissions with nothing to mark whose students have no other submission that counts.
     pub(crate) unmarked: Vec<usize>,
 }
 
 impl Attendance {
-    /// What an instructor has to see to: a sentence, and whom it is about.
+    /// Returns the matters that an instructor must attend to: a sentence, and the students or
+    /// submissions concerned.
     pub(crate) fn words(&self, records: &[Record]) -> Vec<(&'static str, Vec<String>)> {
         let name = |at: &usize| records[*at].name.clone();
         let twice = self.twice.iter().map(|(student, counts, own)| {
@@ -70,7 +72,7 @@ impl Attendance {
         all.into_iter().filter(|(_, who)| !who.is_empty()).collect()
     }
 
-    /// The same, on stdout.
+    /// Prints these matters on stdout.
     pub(crate) fn say(&self, records: &[Record]) {
         for (what, who) in self.words(records) {
             println!("{what}: {}", line(&who.join("; ")));
@@ -78,13 +80,13 @@ impl Attendance {
     }
 }
 
-/// Whose a submission is, as a person says it.
+/// Owners of a submission, as an instructor writes them.
 #[derive(Debug, Deserialize)]
 #[serde(untagged)]
 pub(super) enum Members {
-    /// A student's.
+    /// One student.
     One(String),
-    /// A group's.
+    /// A group.
     Several(Vec<String>),
 }
 
@@ -97,15 +99,16 @@ impl Members {
     }
 }
 
-/// Submissions and the students of a roster.
+/// Submissions joined with the students of a roster.
 pub(super) struct Join<'a> {
     students: &'a [Student],
-    /// The indices of its students, by submission.
+    /// Indices of the students, by submission.
     whose: Vec<Vec<usize>>,
 }
 
 impl<'a> Join<'a> {
-    /// Joins by name, number or e-mail address. What `names` says of a submission goes first, then Gradescope's export.
+    /// Joins by name, number or e-mail address. Entries of `names` have priority over Gradescope's
+    /// export.
     pub(super) fn new(
         roster: Option<&'a Roster>,
         names: &BTreeMap<String, Members>,
@@ -126,7 +129,7 @@ impl<'a> Join<'a> {
         Self { students, whose: whose.collect() }
     }
 
-    /// What `names` says of submissions and students that are not there.
+    /// Lists entries of `names` whose submission or student does not exist.
     pub(super) fn wrong(
         &self,
         names: &BTreeMap<String, Members>,
@@ -142,7 +145,7 @@ impl<'a> Join<'a> {
         submissions.chain(unknown).collect()
     }
 
-    /// The submission that is called so, or whose student or pseudonym is.
+    /// Finds the submission whose name, student or pseudonym is `who`.
     pub(super) fn find(&self, who: &str, records: &[Record]) -> Option<usize> {
         let name = composed(who);
         let called = |record: &Record| {
@@ -154,13 +157,13 @@ impl<'a> Join<'a> {
         })
     }
 
-    /// Who handed in a submission, as the roster says it.
+    /// Returns the names of a submission's students in the roster; `None` if it has none.
     pub(super) fn student(&self, submission: usize) -> Option<String> {
         let names = self.whose[submission].iter().map(|at| self.students[*at].name.as_str());
         Some(names.collect::<Vec<_>>().join(" and ")).filter(|names| !names.is_empty())
     }
 
-    /// Who handed in what, and which of several submissions counts.
+    /// Finds out who handed in, and which of several submissions counts.
     pub(super) fn attendance(&self, attempts: Option<Attempts>, records: &[Record]) -> Attendance {
         let mut all = Attendance { attempts, ..Attendance::default() };
         if self.students.is_empty() {
@@ -195,14 +198,14 @@ impl<'a> Join<'a> {
         all
     }
 
-    /// A student's name; of several with one name, their address too.
+    /// Returns a student's name, with the address if several students have the same name.
     fn called(&self, student: &Student) -> String {
         let Student { name, address, .. } = student;
         let several = self.students.iter().filter(|other| other.name == *name).count() > 1;
         if several { format!("{name} ({address})") } else { name.clone() }
     }
 
-    /// Whether a submission counts. It does if it is the mark of one of its students.
+    /// Returns whether a submission counts. It counts if it is the mark of one of its students.
     pub(super) fn attempt(&self, at: usize, all: &Attendance, records: &[Record]) -> Attempt {
         let students = self.whose[at].iter().map(|student| self.students[*student].row);
         let counts: Vec<_> = students.map(|row| all.present.get(&row).copied()).collect();
@@ -218,12 +221,12 @@ impl<'a> Join<'a> {
     }
 }
 
-/// The student of the roster whom Gradescope means.
+/// Finds the student of the roster for a student of Gradescope's file.
 fn the_member(students: &[Student], member: &Member) -> Option<usize> {
     member.keys.iter().find_map(|key| the_one(students, key))
 }
 
-/// The one student of that name; none if nobody has it, or more than one.
+/// Finds the only student with that name; `None` if there is no such student, or more than one.
 fn the_one(students: &[Student], name: &str) -> Option<usize> {
     match all_named(students, name)[..] {
         [student] => Some(student),
@@ -236,9 +239,12 @@ fn all_named(students: &[Student], name: &str) -> Vec<usize> {
     (0..students.len()).filter(|at| students[*at].keys.contains(&name)).collect()
 }
 
-/// The one student whom a submission's name means. Platforms put names, numbers and what was uploaded between
-/// underscores. Where several students have a name, later parts choose among them. A number that is somebody else's is an
-/// accident; a word is not, and then nobody is meant.
+/// Finds the only student whom a submission's name denotes.
+///
+/// Platforms join names, numbers and the name of the uploaded file with underscores. If several
+/// students have a name, later parts of the submission's name choose among them. A number that
+/// belongs to a different student is a coincidence. A word that belongs to a different student is a
+/// contradiction, and then no student is found.
 fn by_parts(students: &[Student], name: &str) -> Option<usize> {
     let mut meant: Vec<usize> = Vec::new();
     for part in [name, bare(name)].into_iter().chain(name.split('_').map(bare)) {

@@ -1,4 +1,4 @@
-//! Deadline, hand-in times, and what a day costs.
+//! Deadline, hand-in times, and penalties for late days.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,24 +19,25 @@ use lab_kit::Lab;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Late {
-    /// As in `2026-11-20 23:59`.
+    /// Deadline, such as `2026-11-20 23:59`.
     deadline: Moment,
-    /// The course's time zone, such as `Europe/Berlin`; this machine's if not given.
+    /// The course's time zone, such as `Europe/Berlin`; this machine's if it is not given.
     zone: Option<String>,
-    /// Minutes after the deadline that cost nothing.
+    /// Minutes after the deadline without a penalty.
     #[serde(default)]
     grace: f64,
-    /// Per cent of the points for each day that has begun.
+    /// Penalty for each day that has begun, in per cent of the points.
     penalty: f64,
-    /// What comes after this number of days has no points; no end if not given.
+    /// Number of days after which a submission gets no points; unlimited if it is not given.
     #[serde(default = "no_end")]
     days: u32,
-    /// A CSV of students and times; the files' own times if not given.
+    /// Path of a CSV file with students and times. Without it, the times of the submitted files
+    /// count.
     times: Option<PathBuf>,
-    /// What it says.
+    /// Students and times of that file.
     #[serde(skip)]
     listed: Vec<(String, Timestamp)>,
-    /// The deadline in the course's time zone.
+    /// Deadline in the course's time zone.
     #[serde(skip)]
     due: Option<Zoned>,
 }
@@ -46,7 +47,7 @@ fn no_end() -> u32 {
 }
 
 impl Late {
-    /// Reads the times that it names, and sees whether the rest can be.
+    /// Reads the file of times, and checks the other settings.
     pub(super) fn read(&mut self, folder: &Path) -> Result<()> {
         let Self { grace, penalty, .. } = self;
         ensure!(*grace >= 0.0, "late: grace: {grace} minutes cannot be");
@@ -64,19 +65,20 @@ impl Late {
         Ok(())
     }
 
-    /// Who handed in when, where a file says so.
+    /// Returns the students or submissions, and times, of the file of times.
     pub(super) fn listed(&self) -> impl Iterator<Item = (&str, Timestamp)> {
         self.listed.iter().map(|(who, time)| (who.as_str(), *time))
     }
 
-    /// The deadline with its time zone.
+    /// Formats the deadline with its time zone.
     pub(super) fn words(&self) -> Option<String> {
         let due = self.due.as_ref()?;
         let zone = due.time_zone().iana_name().unwrap_or("this machine's time zone");
         Some(format!("{} ({zone})", due.strftime("%Y-%m-%d %H:%M, UTC%:z")))
     }
 
-    /// What a time costs; nothing if it is in time. `days` are what a person made of it.
+    /// Computes the lateness of a hand-in time; `None` if it is in time. `days` replaces the days
+    /// of the clock.
     pub(super) fn lateness(&self, time: Option<Timestamp>, days: Option<u32>) -> Option<Lateness> {
         let begun = time.zip(self.due.as_ref()).map_or(0, |(time, due)| self.begun(time, due));
         let days = days.unwrap_or(begun);
@@ -84,8 +86,10 @@ impl Late {
         (days > 0).then(|| Lateness { days, lost: lost.min(1.0) })
     }
 
-    /// Days of the calendar that have begun since the deadline: one with a clock change has 23 hours, or 25. Seconds do not
-    /// count: 23:59 lasts until midnight.
+    /// Counts the days that have begun since the deadline.
+    ///
+    /// Days are days of the calendar: a day with a clock change has 23 or 25 hours. Seconds do not
+    /// count, so 23:59 lasts until midnight.
     fn begun(&self, time: Timestamp, due: &Zoned) -> u32 {
         let time = to_the_minute(&time.to_zoned(due.time_zone().clone()));
         let due = to_the_minute(due);
@@ -102,7 +106,7 @@ fn to_the_minute(time: &Zoned) -> Zoned {
     time.with().second(0).subsec_nanosecond(0).build().unwrap_or_else(|_| time.clone())
 }
 
-/// Two columns: whose, and when.
+/// Reads a table of two columns: student and time.
 fn listed(path: &Path, zone: &TimeZone) -> Result<Vec<(String, Timestamp)>> {
     let (header, rows) = table(path)?;
     ensure!(
@@ -119,12 +123,12 @@ fn listed(path: &Path, zone: &TimeZone) -> Result<Vec<(String, Timestamp)>> {
     rows.iter().map(row).collect()
 }
 
-/// A time as somebody writes it.
+/// A time as a person writes it.
 #[derive(Debug)]
 enum Moment {
-    /// With its zone, or its distance from UTC.
+    /// A time with its zone or its offset from UTC.
     Exact(Timestamp),
-    /// On the course's clock.
+    /// A time in the course's zone.
     Clock(DateTime),
 }
 
@@ -147,7 +151,7 @@ impl FromStr for Moment {
         exact
             .or_else(|_| text.parse::<DateTime>().map(Self::Clock))
             .ok()
-            // A day alone would be its first moment.
+            // A date without a time would mean the beginning of that day.
             .filter(|_| text.contains(':'))
             .ok_or_else(|| format!("'{text}' is no time such as 2026-11-20 23:59"))
     }
@@ -159,8 +163,8 @@ impl<'de> Deserialize<'de> for Moment {
     }
 }
 
-/// When a submission to a lab was handed in, by the times of its files: the latest of a folder's. None
-/// if it cannot be said.
+/// Returns the hand-in time of a submission by the times of its files; of a folder, the latest.
+/// `None` if there is no time.
 pub(crate) fn file_time(path: &Path, lab: Lab) -> Option<Timestamp> {
     let metadata = fs::symlink_metadata(path).ok()?;
     if !metadata.is_dir() {

@@ -1,4 +1,4 @@
-//! A roster as its platform takes it back: the same columns, with marks.
+//! Writes a roster in the format of its platform: the same columns, with marks.
 
 use std::collections::BTreeMap;
 
@@ -8,12 +8,14 @@ use csv::{StringRecord, Writer};
 use super::roster::{Form, Roster, column};
 use crate::record::points;
 
-/// What Canvas calls the row that says how many points there are.
+/// Name of the row in which Canvas has the possible points.
 const POSSIBLE: &str = "Points Possible";
 
 impl Roster {
-    /// The file as it came, with marks: of each row with one, the share of all points, 0 to 1. Where the
-    /// file says how many points there are, marks are on that scale, elsewhere of `full` points.
+    /// Returns the file with marks added. `shares` has the share of all points, 0 to 1, by row.
+    ///
+    /// Marks are scaled to the possible points of the file, or to `full` points if the file does
+    /// not contain them.
     pub(super) fn with_marks(
         &self,
         name: &str,
@@ -47,7 +49,7 @@ impl Roster {
         Ok(String::from_utf8(out.into_inner()?)?)
     }
 
-    /// The column of the marks, if the platform has one already.
+    /// Returns the column of the marks; `None` if the file has no such column yet.
     fn marks_column(&self, name: &str) -> Option<usize> {
         let numbered = format!("{name} (");
         let assignment = format!("Assignment: {name} (");
@@ -60,7 +62,7 @@ impl Roster {
         }
     }
 
-    /// How many points the platform gives for all, if it says so.
+    /// Returns the possible points in the file; `None` if it does not contain them.
     fn most(&self, at: usize, line: u64, cells: &StringRecord) -> Result<Option<f64>> {
         let (text, line) = match self.form {
             Form::Gradebook | Form::Gradescope | Form::Classroom => return Ok(None),

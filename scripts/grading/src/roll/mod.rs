@@ -1,9 +1,9 @@
-//! What an instructor knows of a class and no program can find out: `class.toml`, in the folder of
-//! records.
+//! `class.toml` in the folder of records: an instructor's information about a class.
 //!
-//! Who is in it ([`roster`], joined with what was handed in by [`join`], given back with [`marks`]),
-//! what lateness costs ([`late`]), and what a person decided ([`Decision`]). [`Roll::tell`] writes it into the records, and
-//! points are made from those alone: marks anew keep it.
+//! It contains the students ([`roster`], joined with submissions by [`join`], written with marks by
+//! [`marks`]), the penalties for lateness ([`late`]), and a person's decisions ([`Decision`]).
+//! [`Roll::tell`] writes this information into the records. Points are computed from the records
+//! alone, so it is kept when marks are computed again.
 
 pub(crate) mod export;
 mod join;
@@ -31,25 +31,25 @@ use lab_kit::Facts;
 use late::Late;
 use roster::Roster;
 
-/// The file's name.
+/// Name of the file.
 pub(crate) const FILE: &str = "class.toml";
 
-/// Digits of a pseudonym.
+/// Number of digits of a pseudonym.
 const DIGITS: usize = 6;
 
-/// What is known of a class. Where there is no `class.toml`, nothing is.
+/// Information about a class; empty if there is no `class.toml`.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub(crate) struct Roll {
-    /// The roster's file.
+    /// Path of the roster.
     roster: Option<PathBuf>,
-    /// What it says.
+    /// Contents of the roster.
     #[serde(skip)]
     students: Option<Roster>,
     column: Option<String>,
     pseudonyms: Option<String>,
     names: BTreeMap<String, Members>,
-    /// What Gradescope says of them, where `names` says nothing.
+    /// Gradescope's export, for submissions that are not in `names`.
     #[serde(skip)]
     export: Export,
     attempts: Option<Attempts>,
@@ -58,13 +58,13 @@ pub(crate) struct Roll {
     overrides: Vec<Decision>,
 }
 
-/// The files beside submissions that tell of them: the instructor's and Gradescope's.
+/// Names of the two files about submissions: the instructor's and Gradescope's.
 pub(crate) const FILES: [&str; 2] = [FILE, export::FILE];
 
-/// Takes one of [`FILES`] that lies beside the submissions for that of a folder of records.
+/// Links one of [`FILES`] beside the submissions into a folder of records.
 ///
 /// # Errors
-/// The folder has another.
+/// If the folder has a different file of that name.
 pub(crate) fn link(beside: &Path, folder: &Path) -> Result<()> {
     let own = folder.join(beside.file_name().unwrap_or_default());
     let beside = beside.canonicalize()?;
@@ -80,7 +80,8 @@ impl Roll {
     /// Reads `class.toml` in a folder of records, and the files that it names.
     ///
     /// # Errors
-    /// One of them cannot be read, or says what cannot be: file, line and column are named.
+    /// If a file cannot be read or has an invalid entry. The message names the file, line and
+    /// column.
     pub(crate) fn read(folder: &Path, rubric: &Facts) -> Result<Self> {
         let export = Export::read(folder)?;
         Ok(Self { export, ..Self::read_own(folder, rubric)? })
@@ -92,9 +93,9 @@ impl Roll {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Self::default()),
             text => text.with_context(|| format!("cannot read {}", path.display()))?,
         };
-        // Editors of Windows begin a file with a mark that nobody sees.
+        // Editors on Windows begin a file with an invisible byte order mark.
         let text = text.trim_start_matches('\u{feff}');
-        // What it names lies beside it, wherever a link leads.
+        // Paths in the file are relative to the real file, even if this is a link to it.
         let real = path.canonicalize().unwrap_or_else(|_| path.clone());
         let folder = real.parent().unwrap_or(folder);
         Self::parse(folder, text, rubric).with_context(|| path.display().to_string())
@@ -102,7 +103,7 @@ impl Roll {
 
     fn parse(folder: &Path, text: &str, rubric: &Facts) -> Result<Self> {
         let mut roll: Self = basic_toml::from_str(text).map_err(|error| {
-            // Where the form is right, it does not know the place of a wrong word.
+            // In a well-formed file, the parser's location of a wrong entry is not reliable.
             let is_toml = basic_toml::from_str::<serde_json::Value>(text).is_ok();
             let said = error.to_string();
             let end = said.rfind(" at line ").filter(|_| is_toml).unwrap_or(said.len());
@@ -119,8 +120,9 @@ impl Roll {
         Ok(roll)
     }
 
-    /// Writes into each record whose it is, how late it is and what was decided about it. Who is
-    /// spoken of and handed in nothing is named on stderr.
+    /// Writes into each record its student, lateness and decisions.
+    ///
+    /// Entries that match no submission are reported on stderr.
     pub(crate) fn tell(&self, records: &mut [Record]) {
         for record in &mut *records {
             record.pseudonym = self.pseudonyms.as_ref().map(|key| {
@@ -162,7 +164,8 @@ impl Roll {
         }
     }
 
-    /// Who handed in what, by records that have their points. Writes into each whether it counts.
+    /// Finds out who handed in, from records with points. Writes into each record whether it
+    /// counts.
     pub(crate) fn attendance(&self, records: &mut [Record]) -> Attendance {
         let join = Join::new(self.students.as_ref(), &self.names, &self.export, records);
         let attendance = join.attendance(self.attempts, records);
@@ -172,21 +175,22 @@ impl Roll {
         attendance
     }
 
-    /// The deadline with its time zone, if there is one.
+    /// Returns the deadline with its time zone; `None` without a deadline.
     pub(crate) fn deadline(&self) -> Option<String> {
         self.late.as_ref().and_then(Late::words)
     }
 
-    /// Whether it says what lateness costs, and leaves it to the times of files when each came.
+    /// Whether there are penalties for lateness, but hand-in times come only from the submitted
+    /// files.
     pub(crate) fn trusts_files(&self) -> bool {
         let untold = self.late.as_ref().is_some_and(|late| late.listed().next().is_none());
         untold && self.export.is_empty()
     }
 
-    /// The roster with a column of marks; none if there is no roster.
+    /// Returns the roster with a column of marks; `None` if there is no roster.
     ///
     /// # Errors
-    /// The roster says how many points there are, and that is no number.
+    /// If the possible points in the roster are not a number.
     pub(crate) fn marks(
         &self,
         records: &[Record],

@@ -1,4 +1,4 @@
-//! A platform's list of students: the CSV that Canvas, Moodle, Gradescope or Classroom 50 exports.
+//! Lists of students: CSV files exported by Canvas, Moodle, Gradescope or Classroom 50.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ use unicode_normalization::char::is_combining_mark;
 use crate::intake::names::composed;
 use lab_kit::files::read_bytes;
 
-/// Columns that name a student, each another way.
+/// Columns that identify a student, in different ways.
 const NAMES: [&str; 2] = ["Student", "Full name"];
 const NAME_PARTS: [(&str, &str); 4] = [
     ("First name", "Last name"),
@@ -34,21 +34,22 @@ const IDS: [&str; 12] = [
     "username",
 ];
 
-/// The student that Canvas makes up.
+/// Name of the artificial student that Canvas adds.
 const TEST_STUDENT: &str = "Student, Test";
 
-/// Where a platform's file has the marks.
+/// Platform and kind of a file, which determine where the marks are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
-    /// The gradebook of Canvas: `Lab 3 (4711)`, and how many points there are in a row of its own.
+    /// Gradebook of Canvas: a column `Lab 3 (4711)`, and the possible points in an extra row.
     Canvas,
-    /// The grading worksheet of one assignment in Moodle: `Grade`, and `Maximum Grade` beside it.
+    /// Grading worksheet of one assignment in Moodle: a column `Grade`, and `Maximum Grade` beside
+    /// it.
     Worksheet,
-    /// The gradebook of Moodle: `Assignment: Lab 3 (Real)`.
+    /// Gradebook of Moodle: a column `Assignment: Lab 3 (Real)`.
     Gradebook,
-    /// The roster of Gradescope: no marks, and a role of each person.
+    /// Roster of Gradescope: no marks, and a role for each person.
     Gradescope,
-    /// The roster of Classroom 50, by the names of users at GitHub: no marks.
+    /// Roster of Classroom 50, with GitHub user names: no marks.
     Classroom,
 }
 
@@ -62,14 +63,14 @@ pub(super) struct Roster {
     pub(super) students: Vec<Student>,
 }
 
-/// A row that is a student.
+/// A student, from one row of the roster.
 #[derive(Debug)]
 pub(super) struct Student {
     pub(super) row: usize,
     pub(super) name: String,
-    /// An e-mail address, or else what the platform tells students apart by.
+    /// E-mail address, or else the platform's identifier of the student.
     pub(super) address: String,
-    /// What a submission of theirs may be called.
+    /// Names under which this student's submission may appear.
     pub(super) keys: Vec<String>,
 }
 
@@ -121,7 +122,7 @@ impl Roster {
             if self.form == Form::Canvas && (own.is_empty() || name == TEST_STUDENT) {
                 continue;
             }
-            // Gradescope's roster has the staff too.
+            // Gradescope's roster also lists the staff.
             if self.form == Form::Gradescope && cell("Role").is_some_and(|role| role != "Student") {
                 continue;
             }
@@ -149,7 +150,7 @@ impl Roster {
     }
 }
 
-/// What is left of a name where names are compared: letters with their accents, and digits.
+/// Reduces a name for comparisons to its letters, with their accents, and digits, in lower case.
 pub(super) fn key(name: &str) -> String {
     let lower = composed(&composed(name).to_lowercase());
     lower.chars().filter(|c| c.is_alphanumeric() || is_combining_mark(*c)).collect()
@@ -159,8 +160,9 @@ pub(super) fn column(header: &StringRecord, name: &str) -> Option<usize> {
     header.iter().position(|own| own.trim() == name)
 }
 
-/// The first line of a CSV file, and the others with their numbers. Fields end at a comma, a semicolon or
-/// a tab, whichever the first line has most of.
+/// Reads a CSV file: the first line, and the other lines with their numbers.
+///
+/// The delimiter is the comma, semicolon or tab, whichever is most frequent in the first line.
 pub(super) fn table(path: &Path) -> Result<(StringRecord, Vec<(u64, StringRecord)>)> {
     let text = String::from_utf8(read_bytes(path)?).ok();
     let text = text.with_context(|| format!("{} is not in UTF-8", path.display()))?;

@@ -1,4 +1,5 @@
-//! Rosters as platforms export them, clocks, decisions: what a `class.toml` may say and may not.
+//! Tests of rosters as platforms export them, of clocks and decisions, and of valid and invalid
+//! entries in `class.toml`.
 
 use std::fs;
 
@@ -31,21 +32,21 @@ fn rubric() -> Facts {
     Facts { tasks: tasks.into(), speed: Some(speed), ..Facts::default() }
 }
 
-/// A folder with files, and what its `class.toml` says.
+/// Makes a folder with these files, among them `class.toml`.
 fn folder(files: &[(&str, &str)]) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     files.iter().for_each(|(name, text)| fs::write(folder.path().join(name), text).unwrap());
     folder
 }
 
-/// Why such a class cannot be.
+/// Returns the error of an invalid class.
 fn error(files: &[(&str, &str)]) -> String {
     let folder = folder(files);
     let error = Roll::read(folder.path(), &rubric()).unwrap_err();
     format!("{error:#}").replace(&format!("{}/", folder.path().display()), "")
 }
 
-/// Ada's record under other names, marked in such a class, and the roster with marks.
+/// Marks copies of Ada's record under other names, and returns the roster with marks.
 fn marked(
     files: &[(&str, &str)],
     names: &[&str],
@@ -74,7 +75,7 @@ fn canvas_gets_its_own_columns_back() {
     let (records, attendance, marks) = marked(&files, &names);
     assert_eq!(records[0].student.as_deref(), Some("Lovelace, Ada"));
     assert_eq!((attendance.absent, attendance.strangers), (vec!["Hopper, Grace".into()], vec![1]));
-    // 60 of 100 are 30 of 50; what was in the file stays.
+    // 60 of 100 are 30 of 50. The rest of the file is unchanged.
     let marks = marks.unwrap();
     assert!(marks.contains("\"Lovelace, Ada\",11,S1,ada,One,30,3\n"), "{marks}");
     assert!(marks.contains("\"Hopper, Grace\",12,S2,ghopper,One,,\n"), "{marks}");
@@ -103,7 +104,7 @@ fn moodle_tells_two_of_one_name_apart() {
         marks.contains("Participant 4712,Ada Lovelace,ada2@example.org,,30,\"50,00\""),
         "{marks}"
     );
-    // Nobody can say which of the two this is.
+    // The name fits both students.
     let (_, attendance, _) = marked(&files, &["Ada Lovelace"]);
     assert_eq!(attendance.strangers, [0]);
 }
@@ -277,7 +278,7 @@ fn accents_count_however_they_are_written() {
         Jos\u{e9},Ruiz,7,jose7@example.org\nJose,Ruiz,8,jose8@example.org\nZo\u{eb},Li,9,zoe@example.org\n";
     let said = "roster = \"r.csv\"\n[names]\n\"ka\u{308}fer\" = \"9\"";
     let files = [("class.toml", said), ("r.csv", roster)];
-    // An accent in its letter, and as macOS writes it.
+    // An accented letter in one character, and in two as macOS writes it.
     let names =
         ["Jos\u{e9} Ruiz_1", "Jose\u{301} Ruiz_2", "JOSE\u{301} RUIZ", "Jose Ruiz", "k\u{e4}fer"];
     let (records, ..) = marked(&files, &names);

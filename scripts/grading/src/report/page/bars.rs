@@ -1,4 +1,4 @@
-//! The class in bars: how many points, and which tasks.
+//! Bar charts of a class: the distribution of points, and the tasks.
 
 use std::collections::BTreeMap;
 
@@ -8,13 +8,13 @@ use crate::escape::{cut, line};
 use crate::record::Record;
 use crate::report::Words;
 
-/// Characters shown of a message.
+/// Maximal number of characters shown of a message.
 const SHOWN: usize = 200;
 
-/// Bars of the histogram.
+/// Number of bars in the histogram.
 const BARS: usize = 10;
 
-/// How many submissions got which share of the points.
+/// Draws the number of submissions for each range of points.
 pub(crate) fn histogram(records: &[Record], full: f64) -> Markup {
     let mut counts = [0_usize; BARS];
     for record in records {
@@ -40,7 +40,7 @@ pub(crate) fn histogram(records: &[Record], full: f64) -> Markup {
     }
 }
 
-/// How many have each task, and what most others were told.
+/// Draws how many submissions have each task, with the most frequent message of the others.
 pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
     let tasks = records.first().map_or(&[][..], |first| &first.tasks);
     let count = |id: &str| {
@@ -64,8 +64,10 @@ pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
     }
 }
 
-/// The message that most submissions have in a task, and how many. Numbers in it follow from each
-/// submission's own inputs, and make no difference.
+/// Returns the most frequent message about a task, and its number; `None` if no message occurs
+/// twice.
+///
+/// Numbers in a message come from each submission's own inputs, so they are ignored.
 fn commonest(records: &[Record], id: &str) -> Option<(String, usize)> {
     let mut said: BTreeMap<Vec<&str>, (String, usize)> = BTreeMap::new();
     let tasks = records.iter().flat_map(|record| &record.tasks);
@@ -77,7 +79,7 @@ fn commonest(records: &[Record], id: &str) -> Option<(String, usize)> {
     said.into_values().max_by_key(|(_, count)| *count).filter(|(_, count)| *count > 1)
 }
 
-/// A share of something, 0 to 1.
+/// Draws a share, from 0 to 1, as a bar.
 pub(crate) fn bar(share: f64) -> Markup {
     html! { span.bar { i style=(format!("width:{:.0}%", 100.0 * share)) {} } }
 }

@@ -1,4 +1,5 @@
-//! `index.html`: a class at a glance. One file, no scripts, nothing loaded from elsewhere.
+//! `index.html`: an overview of a class, in one file without scripts that loads nothing from
+//! elsewhere.
 
 mod bars;
 mod table;
@@ -13,10 +14,10 @@ use super::{Words, letter, points, scale, trouble};
 use crate::escape::line;
 use crate::record::Record;
 
-/// Something that an instructor has to see to, and whom it is about.
+/// A matter that an instructor must attend to, and the students or submissions concerned.
 type ToSeeTo = (&'static str, Vec<String>);
 
-/// The page.
+/// Writes the page.
 pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> String {
     let counting: Vec<Record> = records.iter().filter(|record| record.counts()).cloned().collect();
     let page = html! {
@@ -47,7 +48,7 @@ pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> 
     page.into_string()
 }
 
-/// Numbers of a class; those of points are of the submissions that count.
+/// Writes the numbers of a class. Points are those of the submissions that count.
 fn facts(records: &[Record], counting: &[Record]) -> Markup {
     let mut given: Vec<f64> = counting.iter().map(|record| record.points).collect();
     given.sort_by(f64::total_cmp);
@@ -70,7 +71,7 @@ fn facts(records: &[Record], counting: &[Record]) -> Markup {
     }
 }
 
-/// The number below which this share of sorted numbers is, on the line between its neighbours.
+/// Returns a quantile of sorted numbers, interpolated linearly between neighbours.
 fn quantile(sorted: &[f64], part: f64) -> f64 {
     let at = part * sorted.len().saturating_sub(1) as f64;
     let number = |at: f64| sorted.get(at as usize).copied().unwrap_or(0.0);
@@ -78,7 +79,7 @@ fn quantile(sorted: &[f64], part: f64) -> f64 {
     below + (above - below) * at.fract()
 }
 
-/// What each student reads, folded. Whatever is not ours in it is escaped for Markdown.
+/// Writes each student's letter, folded. Text that is not the grader's own is escaped for Markdown.
 fn details(records: &[Record], words: &Words) -> Markup {
     let full = points(scale(records));
     html! {
@@ -93,14 +94,14 @@ fn details(records: &[Record], words: &Words) -> Markup {
     }
 }
 
-/// Markdown as HTML.
+/// Converts Markdown to HTML.
 fn rendered(text: &str) -> PreEscaped<String> {
     let mut out = String::new();
     push_html(&mut out, Parser::new_ext(text, Options::ENABLE_TABLES));
     PreEscaped(out)
 }
 
-/// What the marks rest on.
+/// Writes the machine, the compiler and the grader that the marks depend on.
 fn provenance(records: &[Record]) -> Markup {
     let distinct = |of: fn(&Record) -> &str| {
         let all: BTreeSet<&str> = records.iter().map(of).collect();
@@ -150,7 +151,7 @@ mod tests {
         record
     }
 
-    /// The tags of a page, with their attributes.
+    /// Returns the tags of a page, with the names of their attributes.
     fn tags(page: &str) -> Vec<(String, Vec<String>)> {
         let tokens = Tokenizer::new(page).flatten();
         let mut tags = Vec::new();

@@ -1,4 +1,4 @@
-//! A line for each submission.
+//! Table with a row for each submission.
 
 use maud::{Markup, html};
 
@@ -7,7 +7,7 @@ use crate::escape::line;
 use crate::record::{Attempt, Measure, Record, Task, Verdict};
 use crate::report::{points, scale, trouble, words};
 
-/// The table.
+/// Writes the table.
 pub(crate) fn table(records: &[Record]) -> Markup {
     let Some(first) = records.first() else { return Markup::default() };
     let full = scale(records);
@@ -35,7 +35,7 @@ pub(crate) fn table(records: &[Record]) -> Markup {
     }
 }
 
-/// A row, with the columns of the first record.
+/// Writes a row, with the columns of the first record.
 fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
     let name = line(&record.name);
     html! {
@@ -65,7 +65,7 @@ fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
     }
 }
 
-/// The points, those that are open, and the days late.
+/// Writes the points, the open points, and the days late.
 fn given(record: &Record, full: f64) -> Markup {
     let open = full - record.worth(Measure::counts);
     html! {
@@ -80,7 +80,7 @@ fn given(record: &Record, full: f64) -> Markup {
     }
 }
 
-/// Points that were given by hand, with the reason.
+/// Writes points that a person gave, with the reason; `None` if no person did.
 fn hand(record: &Record, task: &str, given: f64) -> Option<Markup> {
     let why = words::by_hand(record, Some(task)).join(" ");
     record.is_by_hand(task).then(|| html! { span.hand title=(line(&why)) { (points(given)) } })
