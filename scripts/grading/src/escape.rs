@@ -1,9 +1,9 @@
-//! Foreign text in pages of ours.
+//! Escapes foreign text for the grader's pages.
 //!
-//! Names of submissions and panic messages are a student's to choose. Nothing of them may become
-//! markup, a formula of a spreadsheet, or a command to a terminal.
+//! Students choose the names of submissions and the messages of panics. This text must not become
+//! markup, a spreadsheet formula, or a terminal command.
 
-/// The beginning of a foreign text: nobody reads megabytes.
+/// Returns at most `most` characters of a foreign text, which may have megabytes.
 pub(crate) fn cut(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {
         Some((end, _)) => format!("{}\u{2026}", &text[..end]),
@@ -11,7 +11,7 @@ pub(crate) fn cut(text: &str, most: usize) -> String {
     }
 }
 
-/// The text without what steers terminals or turns the direction of writing: U+FFFD stands there.
+/// Replaces terminal control characters and marks of writing direction by U+FFFD.
 pub(crate) fn plain(text: &str) -> String {
     let steers = |c: char| {
         (c.is_control() && c != '\n' && c != '\t')
@@ -21,13 +21,12 @@ pub(crate) fn plain(text: &str) -> String {
     kept.map(|c| if steers(c) { '\u{fffd}' } else { c }).collect()
 }
 
-/// The text on one line.
+/// Puts a text on one line.
 pub(crate) fn line(text: &str) -> String {
     plain(text).split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Within a line of Markdown, not at its beginning: what could be markup or a link is taken for
-/// itself.
+/// Escapes a text for the middle of a line of Markdown, so that it contains no markup and no link.
 pub(crate) fn markdown(text: &str) -> String {
     let text = line(text);
     let mut out = String::with_capacity(text.len());
@@ -35,7 +34,8 @@ pub(crate) fn markdown(text: &str) -> String {
     while let Some(c) = rest.next() {
         let next = rest.peek().copied().unwrap_or(' ');
         let marks = match c {
-            // Of a sentence; within a word, part of an address that would become a link.
+            // At the end of a sentence they are harmless. Inside a word they may form an address,
+            // which would become a link.
             '.' | ':' => !next.is_whitespace() && !next.is_ascii_digit(),
             ',' | '-' | '+' | '%' | ';' | '?' | '/' | '"' | '\'' => false,
             c => c.is_ascii_punctuation(),
@@ -48,7 +48,7 @@ pub(crate) fn markdown(text: &str) -> String {
     out
 }
 
-/// A block of code in Markdown, whatever backticks are in the text.
+/// Makes a code block in Markdown, even if the text contains backticks.
 pub(crate) fn fenced(text: &str) -> String {
     let text = plain(text);
     let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
@@ -56,8 +56,9 @@ pub(crate) fn fenced(text: &str) -> String {
     format!("{fence}text\n{}\n{fence}\n", text.trim_end())
 }
 
-/// A cell of a table. What a spreadsheet would compute gets an apostrophe before it. In many countries a semicolon
-/// ends a cell, so the words behind one are guarded too.
+/// Escapes a table cell. A possible formula gets an apostrophe before it.
+///
+/// In many countries a semicolon ends a cell, so the text behind a semicolon is escaped too.
 pub(crate) fn cell(text: &str) -> String {
     let text = line(text);
     let guarded = text.split(';').map(|part| {

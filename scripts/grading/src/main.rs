@@ -1,11 +1,11 @@
-//! Grading a class: the instructors' commands of `cargo lab`.
+//! Grades a class: the instructors' commands of `cargo lab`.
 //!
-//! [`class`] is `cargo lab grade`. It takes in what was handed in ([`intake`]), builds it beside a
-//! program that asks it ([`build`]) and runs it where it can do no harm ([`sandbox`]). Its answers are
-//! judged outside ([`asking`]), and times are taken ([`timing`]). The result is a [`record`] of each
-//! submission; the rubric and what the instructor says of the class ([`roll`]) make points of it
-//! ([`score`]), and a [`report`] says so. [`regrade`], [`shell`] and [`similarity`] are
-//! commands of their own.
+//! [`class`] is `cargo lab grade`. It reads submissions ([`intake`]), builds each of them beside a
+//! program that asks it questions ([`build`]), and runs it in a sandbox ([`sandbox`]). The answers
+//! are judged outside the sandbox ([`asking`]), and times are taken ([`timing`]). The result is a
+//! [`record`] of each submission. Points are computed from the record, the rubric and the
+//! instructor's `class.toml` ([`roll`], [`score`]), and a [`report`] shows them. [`regrade`],
+//! [`shell`] and [`similarity`] are separate commands.
 
 mod asking;
 mod build;
@@ -46,7 +46,8 @@ fn main() -> ExitCode {
     })
 }
 
-/// `println!` panics on a full disk. One line and exit code 2 say so instead.
+/// Makes a failed `println!`, for instance on a full disk, print one line and exit with code 2
+/// instead of panicking.
 fn say_when_output_cannot_be_written() {
     let usual = panic::take_hook();
     panic::set_hook(Box::new(move |panic| {

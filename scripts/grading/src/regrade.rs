@@ -1,4 +1,4 @@
-//! `cargo lab regrade`: marks anew from records, without building or running anything.
+//! `cargo lab regrade`: computes marks from records again, without building or running anything.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -32,7 +32,7 @@ pub(crate) struct Options {
     since: Option<PathBuf>,
 }
 
-/// Marks, writes, and says what changed.
+/// Computes the marks, writes them, and prints the changes.
 pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let Options { folder, dry_run, since } = options;
     let mut before = record::read_all(folder)?;
@@ -65,7 +65,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// A paragraph for each submission that has changed, and how many they are.
+/// Prints a paragraph for each submission that has changed, and the number of changes.
 fn say_changes(before: &[Record], after: &[Record], verb: &str) {
     let find = |all: &[Record], name: &str| all.iter().position(|record| record.name == name);
     let mut changed = 0;

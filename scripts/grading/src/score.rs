@@ -1,4 +1,4 @@
-//! Points from what was found: the only code where a record gets its marks.
+//! Computes points from results. A record gets its points here only.
 
 use anyhow::{Result, ensure};
 
@@ -7,10 +7,10 @@ use crate::timing;
 use lab_kit::Facts;
 use lab_kit::facts::TaskFacts;
 
-/// Gives the points of `rubric` for what the record holds. Points that it had are forgotten.
+/// Sets the record's points by `rubric`, replacing any earlier points.
 ///
 /// # Errors
-/// The rubric has a task that the record knows nothing about.
+/// If the rubric has a task that the record does not have.
 pub(crate) fn score(record: &mut Record, rubric: &Facts) -> Result<()> {
     for id in rubric.tasks.keys() {
         if record.tasks.iter().any(|task| task.id == *id) {
@@ -23,19 +23,19 @@ pub(crate) fn score(record: &mut Record, rubric: &Facts) -> Result<()> {
         );
         record.tasks.push(Task::unasked(id));
     }
-    // 7.2 before 7.10.
+    // Tasks are sorted by number: 7.2 before 7.10.
     record.tasks.sort_by_key(|task| number(&task.id));
     for task in &mut record.tasks {
         let TaskFacts { points, partial, .. } =
             rubric.tasks.get(&task.id).cloned().unwrap_or_default();
         task.out_of = points;
         let share = if task.passed { 1.0 } else { partial * task.share };
-        // Two decimals: nobody adds up sixteen digits.
+        // Two decimals are enough; more would only confuse.
         task.points = (100.0 * share * task.out_of).round() / 100.0;
     }
     record.measures = timing::judge(record, rubric);
     decide_parts(record);
-    // What could not be judged has no points yet, and is open: nobody gains by it.
+    // An open measure has no points yet, so no student gains by it.
     let tasks = |of: fn(&Task) -> f64| record.tasks.iter().map(of).sum::<f64>();
     let measures = |of: fn(&Measure) -> f64| record.measures.iter().map(of).sum::<f64>();
     record.points = tasks(|task| task.points) + measures(|measure| measure.points);
@@ -44,7 +44,7 @@ pub(crate) fn score(record: &mut Record, rubric: &Facts) -> Result<()> {
     Ok(())
 }
 
-/// Gives tasks and measures the points that were decided. The last decision counts.
+/// Sets the points of tasks and measures that a person decided. The last decision counts.
 fn decide_parts(record: &mut Record) {
     for Decision { task, points, .. } in &record.by_hand {
         let (Some(id), Some(points)) = (task, *points) else { continue };
@@ -57,7 +57,7 @@ fn decide_parts(record: &mut Record) {
     }
 }
 
-/// And the whole: what was decided, or else what lateness leaves of it.
+/// Sets the total: the points that a person decided, or else the points reduced by lateness.
 fn decide_whole(record: &mut Record) {
     let decided = record.by_hand.iter().rev().filter(|decision| decision.task.is_none());
     match (decided.into_iter().find_map(|decision| decision.points), &record.late) {

@@ -1,4 +1,4 @@
-//! `cargo lab shell`: a look at a submission from inside the sandbox.
+//! `cargo lab shell`: opens a shell on a submission inside the sandbox.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -27,7 +27,7 @@ pub(crate) struct Options {
     lab: Lab,
 }
 
-/// Builds, says what can be done, and gives the terminal to a shell.
+/// Builds the submission, prints the possible commands, and starts the shell.
 pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let (lab, limit) = (options.lab, Duration::from_secs(900));
     let loopback = kit.facts(lab)?.workers == Workers::Ranks;

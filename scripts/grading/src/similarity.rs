@@ -1,4 +1,4 @@
-//! `cargo lab similarity`: a class in the form that Dolos compares.
+//! `cargo lab similarity`: writes a class in the format that Dolos compares.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -35,10 +35,10 @@ pub(crate) struct Options {
     into: Option<PathBuf>,
 }
 
-/// A class's sources by their paths in the folder that Dolos reads, and their labels.
+/// Sources of a class: path in the folder that Dolos reads, label, and text.
 type Class = Vec<(String, &'static str, String)>;
 
-/// Writes a folder for each lab, and says how Dolos is called.
+/// Writes a folder for each lab, and prints the command that runs Dolos.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let into = options.into.clone().unwrap_or_else(|| kit.memory().join("similarity"));
     let mut labs: BTreeMap<Lab, Class> = BTreeMap::new();
@@ -72,7 +72,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     for (lab, mut class) in labs {
         let folder = into.join(format!("lab{lab}"));
         println!("Lab {lab}: {} submissions", class.len());
-        // The kit is public: everybody can copy this one.
+        // The kit is public, so any student can copy this solution.
         class.push(("public/solution.rs".into(), "public", one_file(&of_solution(kit, lab)?)));
         write(kit, lab, class, &folder)?;
         let (list, starter) = (folder.join("info.csv"), folder.join("starter.rs"));
@@ -95,7 +95,7 @@ fn write(kit: &Kit, lab: Lab, class: Class, folder: &Path) -> Result<()> {
     write_file(&folder.join("info.csv"), list.into_inner()?)
 }
 
-/// All sources one after another: Dolos compares single files.
+/// Joins all sources, because Dolos compares single files.
 fn one_file(sources: &Sources) -> String {
     let own = sources.iter().filter(|(path, _)| path.ends_with(".rs"));
     own.map(|(path, bytes)| format!("// {path}\n{}\n", String::from_utf8_lossy(bytes))).collect()

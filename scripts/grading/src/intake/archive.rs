@@ -1,4 +1,4 @@
-//! Archives: of either kind, only plain files below labs/labN/src are unpacked, into memory.
+//! Unpacks archives of all kinds into memory. Only plain files below labs/labN/src are unpacked.
 
 use std::ffi::OsStr;
 use std::io::{self, Cursor, Read};
@@ -10,21 +10,23 @@ use flate2::read::GzDecoder;
 
 use super::HandedIn;
 
-/// Bytes of an archive that are looked through: what is skipped costs little, but it costs.
+/// Maximal number of bytes read from an archive. Skipped entries take little time, but they take
+/// some.
 const UNPACKED: u64 = 256 << 20;
 const TOO_LARGE: &str =
     "it is larger than 256 MiB: a submission is a lab's src, without the folder target";
 
-/// The most entries of an archive.
+/// Maximal number of entries in an archive.
 pub(super) const ENTRIES: usize = 100_000;
 
-/// Bytes of a file that say what it is.
+/// Number of bytes at the beginning of a file that determine its type.
 const HEAD: u64 = 512;
 
-/// The most times that something is packed by gzip: a browser may do it once more.
+/// Maximal number of nested gzip layers. A browser may add a layer.
 const TIMES: usize = 3;
 
-/// Whether a file that begins so is an archive. What it is called does not matter: browsers and platforms rename.
+/// Whether a file that begins with `head` is an archive. Its name does not matter, because browsers
+/// and platforms rename files.
 pub(super) fn is_archive(head: &[u8]) -> bool {
     is_gzip(head) || is_zip(head) || is_tar(head)
 }
@@ -37,7 +39,7 @@ fn is_zip(head: &[u8]) -> bool {
     head.starts_with(b"PK")
 }
 
-/// An old tar has no name of its form, but a sum of its first block.
+/// Whether a file is a tar. An old tar has no magic number, but a checksum of its first block.
 fn is_tar(head: &[u8]) -> bool {
     let Some(block) = head.first_chunk::<512>() else { return false };
     let mut header = tar::Header::new_old();
@@ -47,14 +49,14 @@ fn is_tar(head: &[u8]) -> bool {
     block[0] != 0 && said.is_ok_and(|said| header.cksum().is_ok_and(|sum| sum == said))
 }
 
-/// The first bytes of a file.
+/// Reads the first bytes of a file.
 pub(super) fn head(file: impl Read) -> io::Result<Vec<u8>> {
     let mut head = Vec::new();
     file.take(HEAD).read_to_end(&mut head)?;
     Ok(head)
 }
 
-/// Takes in an archive: a zip, a tar, or one that is packed by gzip.
+/// Unpacks an archive: a zip, a tar, or either of them packed by gzip.
 pub(crate) fn unpack(packed: impl Read) -> Result<HandedIn> {
     let mut packed: Box<dyn Read + '_> = Box::new(packed);
     for _ in 0..TIMES {
@@ -79,7 +81,7 @@ fn tar(unpacked: impl Read) -> Result<HandedIn> {
         ensure!(index < ENTRIES, "there are more than {ENTRIES} files in it");
         let entry = entry?;
         let kind = entry.header().entry_type();
-        // What only says something about the archive, or is a folder, is nobody's work.
+        // Folders and entries about the archive itself are not a student's work.
         if kind.is_dir() || kind.is_pax_global_extensions() || kind.is_pax_local_extensions() {
             continue;
         }
@@ -98,7 +100,7 @@ fn zip(packed: impl Read) -> Result<HandedIn> {
     ensure!(bytes.len() as u64 <= UNPACKED, TOO_LARGE);
     let mut archive = zip::ZipArchive::new(Cursor::new(&bytes))?;
     ensure!(archive.len() <= ENTRIES, "there are more than {ENTRIES} files in it");
-    // Of entries with one name the last would be taken.
+    // With two entries of the same name, only the last would be taken.
     let alone = entries(&bytes).is_none_or(|said| said == archive.len());
     ensure!(alone, "two files in it have the same name");
     let mut handed_in = HandedIn::default();
@@ -117,7 +119,8 @@ fn zip(packed: impl Read) -> Result<HandedIn> {
     Ok(handed_in)
 }
 
-/// How many entries a zip's last record speaks of; none if it is of a form that has more.
+/// Returns the number of entries in a zip, from its last record; `None` if that record cannot hold
+/// the number.
 fn entries(zip: &[u8]) -> Option<usize> {
     let end = zip.windows(4).rposition(|window| window == b"PK\x05\x06")?;
     let count = u16::from_le_bytes(zip.get(end + 10..end + 12)?.try_into().ok()?);

@@ -1,4 +1,5 @@
-//! Taking in what was handed in: foreign data, read into memory and never unpacked to a disk.
+//! Reads submissions. They are foreign data, so they are read into memory and never unpacked to a
+//! disk.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -8,11 +9,13 @@ use anyhow::{Context, Result, bail, ensure};
 use super::names::{DEEP, is_built, is_called_archive, is_macos, lab_of};
 use super::{HandedIn, NAMED, archive};
 
-/// The sources of each lab in a submission: an archive, or a folder, with labs/ or archives somewhere in it, or
-/// with loose files.
+/// Reads the sources of each lab in a submission.
+///
+/// A submission is an archive or a folder. It contains labs/ or archives in any place, or loose
+/// files.
 ///
 /// # Errors
-/// It is neither, it is damaged, or it is larger than any submission.
+/// If it is neither, is damaged, or is larger than any submission.
 pub(crate) fn read(path: &Path) -> Result<HandedIn> {
     let metadata = fs::symlink_metadata(path);
     let metadata = metadata.with_context(|| format!("cannot read {}", path.display()))?;
@@ -31,7 +34,7 @@ pub(crate) fn read(path: &Path) -> Result<HandedIn> {
 
 type Unpack = fn(File) -> Result<HandedIn>;
 
-/// What unpacks a file, if it is an archive by its content, or called like one.
+/// Returns the function that unpacks a file, if its content or its name is that of an archive.
 pub(super) fn unpacker(path: &Path) -> Option<Unpack> {
     let is_file = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file());
     let head = is_file.then(|| archive::head(File::open(path).ok()?).ok()).flatten();
@@ -49,10 +52,10 @@ fn folder(path: &Path) -> Result<HandedIn> {
     Ok(handed_in)
 }
 
-/// What lies in a folder.
+/// Contents of a folder.
 #[derive(Default)]
 struct Below {
-    /// Folders with labs/ in them, which are not looked into.
+    /// Folders that contain labs/. They are not searched further.
     tops: Vec<PathBuf>,
     archives: Vec<PathBuf>,
     others: Vec<PathBuf>,
@@ -83,7 +86,7 @@ fn find(folder: &Path, depth: usize, all: &mut Below) -> Result<()> {
     Ok(())
 }
 
-/// Takes what lies in a folder. It goes no deeper where no source of a lab can be.
+/// Adds the files of a folder. It skips folders that cannot contain a lab's sources.
 fn walk(top: &Path, folder: &Path, handed_in: &mut HandedIn) -> Result<()> {
     let mut paths =
         fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
@@ -108,7 +111,7 @@ fn walk(top: &Path, folder: &Path, handed_in: &mut HandedIn) -> Result<()> {
     Ok(())
 }
 
-/// A folder for a student as learning platforms export it: what was uploaded lies in it, packed or loose.
+/// Reads a student's folder as learning platforms export it, with packed or loose uploads.
 fn uploads(folder: &Path, below: Below) -> Result<HandedIn> {
     let mut all = HandedIn::default();
     for archive in below.archives {

@@ -1,7 +1,8 @@
-//! What no source may say: attributes and macros that run code before `main`, or instead of another's.
+//! Code that no source may contain: attributes and macros that run code before `main` or replace
+//! other code.
 //!
-//! `forbid(unsafe_code)` lets some of them through. They are looked for in every file, whatever its
-//! name ends in, since `include!` reads any.
+//! `forbid(unsafe_code)` accepts some of them. Every file is searched, whatever its extension,
+//! because `include!` reads any file.
 
 use ra_ap_rustc_lexer::{FrontmatterAllowed, TokenKind, strip_shebang, tokenize};
 
@@ -10,7 +11,7 @@ use lab_kit::submission::Sources;
 const NAMES: [&str; 6] =
     ["no_mangle", "export_name", "link_section", "link_name", "naked_asm", "global_asm"];
 
-/// The first that is found, and where.
+/// Finds the first forbidden code, and formats it with its location.
 pub(crate) fn find(sources: &Sources) -> Option<String> {
     sources.iter().find_map(|(path, bytes)| {
         let source = String::from_utf8_lossy(bytes);
@@ -33,7 +34,7 @@ fn find_in(source: &str) -> Option<(&str, usize)> {
                 }
                 after_unsafe = text == "unsafe";
             }
-            // Blocks, functions and traits that are unsafe are the compiler's to refuse.
+            // The compiler itself refuses unsafe blocks, functions and traits.
             TokenKind::OpenParen if after_unsafe => return Some(("unsafe(\u{2026})", line())),
             TokenKind::Whitespace
             | TokenKind::LineComment { .. }

@@ -1,8 +1,8 @@
-//! The kit's known-wrong programs as submissions: `cargo lab grade tests/wrong/lab2.md --lab 2`.
+//! Known-wrong programs of the kit as submissions: `cargo lab grade tests/wrong/lab2.md --lab 2`.
 //!
-//! Each is the solution with one answer replaced. It must lose the marks of its task and of those
-//! that its section names, and no others: what a question misses, or blames on the wrong task, shows
-//! here. The unusual right programs of `tests/right` must lose none.
+//! Each is the solution with one answer replaced. It must lose the marks of its task and of the
+//! tasks that its section names, and no others. This shows when a question misses a mistake or
+//! blames the wrong task. The unusual right programs of `tests/right` must lose no marks.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -13,13 +13,14 @@ use crate::record::{Record, Status};
 use lab_kit::wrong::{self, Wrong};
 use lab_kit::{Kit, Lab};
 
-/// The programs on a page of the kit, each by the path `PAGE/NAME`; none if `path` is no such page.
+/// Lists the programs on a page of the kit, as paths `PAGE/NAME`; empty if `path` is not such a
+/// page.
 pub(crate) fn on_page(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     let Some((_, programs)) = page_at(kit, path)? else { return Ok(Vec::new()) };
     Ok(programs.into_iter().map(|wrong| path.join(wrong.name)).collect())
 }
 
-/// The known-wrong program of `lab` that has this path, if one does.
+/// Finds the known-wrong program of `lab` with this path.
 pub(crate) fn at(kit: &Kit, lab: Lab, path: &Path) -> Result<Option<Wrong>> {
     let Some(page) = path.parent() else { return Ok(None) };
     let Some((_, programs)) = page_at(kit, page)?.filter(|(of, _)| *of == lab) else {
@@ -29,7 +30,8 @@ pub(crate) fn at(kit: &Kit, lab: Lab, path: &Path) -> Result<Option<Wrong>> {
     Ok(programs.into_iter().find(|wrong| wrong.name == name))
 }
 
-/// The lab and the programs of the kit's page that lies at `path`. A link to it may lie in a class, and is none.
+/// Returns the lab and the programs of the kit's page at `path`. A link to the page does not count,
+/// because it may be in a class.
 fn page_at(kit: &Kit, path: &Path) -> Result<Option<(Lab, Vec<Wrong>)>> {
     let lab = path.file_name().and_then(|name| name.to_str()?.strip_prefix("lab"));
     let lab = lab.and_then(|lab| lab.strip_suffix(".md")?.parse().ok());
@@ -45,7 +47,7 @@ fn page_at(kit: &Kit, path: &Path) -> Result<Option<(Lab, Vec<Wrong>)>> {
     Ok(right.map(|right| (lab, right)))
 }
 
-/// Where the marks differ from what the manifest says, if they do.
+/// Describes how the marks differ from those in the manifest; `None` if they do not.
 pub(crate) fn complaint(wrong: &Wrong, record: &Record) -> Option<String> {
     if record.status != Status::Graded {
         return Some(format!("WRONG MARKS: it must be graded: {}", record.message));

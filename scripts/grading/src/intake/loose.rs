@@ -1,4 +1,4 @@
-//! Files of a submission that lie in no folder labs/labN/src: taken where their names leave no doubt.
+//! Assigns files outside a folder labs/labN/src to a lab, if their names are unambiguous.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -7,10 +7,10 @@ use super::names::{is_built, lab_of, parts};
 use lab_kit::Lab;
 use lab_kit::submission::{Sources, refused};
 
-/// Folders of a kit that are not a student's work.
+/// Folders of a kit that contain no work of a student.
 const GIVEN: [&str; 4] = ["kept", "scripts", "solutions", "tests"];
 
-/// A file and where it lay.
+/// A file's path and its contents.
 pub(super) type Loose = (PathBuf, Vec<u8>);
 
 /// Whether a file may be a source.
@@ -21,7 +21,8 @@ pub(super) fn may_be(path: &Path) -> bool {
     })
 }
 
-/// The sources of a lab among loose files, and where they lay; none if a name means two.
+/// Finds the sources of a lab among loose files, and their original paths; empty if a name is
+/// ambiguous.
 pub(super) fn place(
     lab: Lab,
     tasks: &BTreeSet<String>,
@@ -38,13 +39,14 @@ pub(super) fn place(
     (found.files, found.from)
 }
 
-/// Whether a file lies in the folder of another lab.
+/// Whether a file is in the folder of a different lab.
 fn is_of_another(lab: Lab, path: &Path) -> bool {
     let parts = parts(path).unwrap_or_default();
     parts.iter().filter_map(|part| lab_of(part)).any(|of| of != lab)
 }
 
-/// The folders `src` that have a task's file. Of several only those that the lab's own folder has.
+/// Finds folders `src` that contain a file with a task. If there are several, only those in the
+/// lab's own folder count.
 fn source_folders(lab: Lab, tasks: &BTreeSet<String>, loose: &[&Loose]) -> Vec<String> {
     let mut folders: BTreeMap<String, bool> = BTreeMap::new();
     for (path, _) in loose {
@@ -73,7 +75,7 @@ impl Found {
         self.from.insert(path.clone());
     }
 
-    /// Everything in a folder `src`.
+    /// Adds all files of a folder `src`.
     fn whole(&mut self, folder: &str, loose: &[&Loose]) {
         for file in loose {
             let path = parts(&file.0).unwrap_or_default().join("/");
@@ -83,12 +85,13 @@ impl Found {
         }
     }
 
-    /// Files with the names of tasks, and what lies beside them.
+    /// Adds files with the names of files with tasks, and the files beside them.
     fn by_name(&mut self, tasks: &BTreeSet<String>, loose: &[&Loose]) {
         for task in tasks {
             let name = Path::new(task).file_name();
             let alike = tasks.iter().filter(|other| Path::new(other).file_name() == name).count();
-            // Of tasks with one name, such as mod.rs, the folder says which it is.
+            // If several files with tasks have the same name, such as mod.rs, their folders
+            // distinguish them.
             let end = if alike == 1 {
                 Path::new(name.unwrap_or_default())
             } else {

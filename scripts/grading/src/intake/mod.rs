@@ -1,4 +1,4 @@
-//! Which submissions there are, and what is in them.
+//! Finds submissions and reads their sources.
 
 mod archive;
 mod folder;
@@ -24,25 +24,26 @@ use lab_kit::{Given, Kit, Lab};
 use loose::Loose;
 use names::{ELSEWHERE, is_macos, resolve};
 
-/// How the reason begins why a task's file at another place is not taken.
+/// Beginning of the reason for leaving out a file with a task that is in the wrong folder.
 const MISPLACED: &str = "it does not lie in";
 
-/// The most names shown of files that are not taken.
+/// Maximal number of names shown of files that are left out.
 pub(crate) const NAMED: usize = 100;
 
-/// What was handed in.
+/// Contents of a submission.
 #[derive(Debug, Default)]
 pub(crate) struct HandedIn {
-    /// By lab; a lab without any source is not there.
+    /// Sources by lab. Labs without any source are missing.
     pub(crate) labs: BTreeMap<Lab, Sources>,
-    /// What is not taken, and why.
+    /// Files that are left out, with the reasons.
     pub(crate) left_out: Vec<(PathBuf, &'static str)>,
-    /// Files elsewhere that may be sources. They are left out too, unless the lab is found nowhere else.
+    /// Files in other folders that may be sources. They are left out too, unless they are the lab's
+    /// only files.
     loose: Vec<Loose>,
 }
 
 impl HandedIn {
-    /// Takes a file if it is a source of a lab, and returns the number of bytes that it had.
+    /// Adds a file if it is a source of a lab. Returns the number of bytes read.
     fn add<R: Read>(
         &mut self,
         path: &Path,
@@ -64,7 +65,7 @@ impl HandedIn {
             return Ok(0);
         }
         let mut bytes = Vec::new();
-        // Its size is what it says of itself.
+        // The size in an archive may be wrong, so the file itself is limited.
         open()?.take(FILE_LIMIT + 1).read_to_end(&mut bytes)?;
         let read = bytes.len() as u64;
         if read > FILE_LIMIT {
@@ -89,21 +90,22 @@ impl HandedIn {
     }
 }
 
-/// What of a submission is taken.
+/// Part of a submission that is graded.
 #[derive(Default)]
 pub(crate) struct Intake {
-    /// By path below the lab's folder, with the kit's given files; none if there is no file with a task.
+    /// Sources by path below the lab's folder, with the kit's given files; empty if there is no
+    /// file with a task.
     pub(crate) files: Sources,
-    /// And what is not.
+    /// Files that are left out.
     pub(crate) left_out: Vec<LeftOut>,
     /// Given files that the student changed.
     pub(crate) changed: Vec<String>,
 }
 
-/// Characters shown of the path of a file that is not taken.
+/// Maximal number of characters shown of the path of a file that is left out.
 const SHOWN: usize = 200;
 
-/// The submissions at a path: it is one, or a folder of many.
+/// Lists the submissions at a path, which is a submission or a folder of submissions.
 pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     ensure!(path.exists(), "there is no {}", path.display());
     let known_wrong = known_wrong::on_page(kit, path)?;
@@ -137,7 +139,7 @@ pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// What lies in a folder of submissions, and what of it is hidden.
+/// Lists the entries of a folder of submissions: the submissions, and hidden entries.
 fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
     let entries = fs::read_dir(path).with_context(|| format!("cannot read {}", path.display()))?;
     let mut found = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
@@ -153,10 +155,10 @@ fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
     Ok(found.into_iter().partition(|path| !hidden(path)))
 }
 
-/// Takes in one submission.
+/// Reads a submission.
 ///
 /// # Errors
-/// It is damaged, or no submission at all.
+/// If it is damaged or is not a submission.
 pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<Intake> {
     if own_solutions(kit, path) {
         return Ok(Intake { files: of_solution(kit, lab)?, ..Intake::default() });
@@ -194,14 +196,14 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
     Ok(Intake { files, left_out, changed })
 }
 
-/// Whether a file that is not below labs/ has the name of one with a task.
+/// Whether a file outside labs/ has the name of a file with a task.
 fn is_misplaced(given: &Given, path: &Path) -> bool {
     let name = path.file_name();
     let is_task = given.tasks.iter().any(|task| Path::new(task).file_name() == name);
     is_task && !path.iter().any(|part| part == "labs")
 }
 
-/// Whether there is anything of a lab in it.
+/// Whether a submission has sources of a lab.
 pub(crate) fn holds(kit: &Kit, lab: Lab, path: &Path) -> Result<bool> {
     if own_solutions(kit, path) || known_wrong::at(kit, lab, path)?.is_some() {
         return Ok(true);
@@ -209,7 +211,7 @@ pub(crate) fn holds(kit: &Kit, lab: Lab, path: &Path) -> Result<bool> {
     Ok(read(path)?.labs.contains_key(&lab))
 }
 
-/// What is said of a submission without any task's file, by what it has instead.
+/// Returns the message about a submission without any file with a task, which names a similar file.
 pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
     let source = |left: &&LeftOut| {
         let mut parts = left.path.split(['/', '\\']);
@@ -224,7 +226,8 @@ pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
     )
 }
 
-/// Whether the path is the kit's own solutions. A link to them is not: it may lie in a class.
+/// Whether the path is that of the kit's own solutions. A link to them does not count, because it
+/// may be in a class.
 fn own_solutions(kit: &Kit, path: &Path) -> bool {
     let whole = |path: &Path| path.canonicalize().ok();
     !path.is_symlink()

@@ -1,4 +1,4 @@
-//! What submissions and the files in them are called.
+//! Names of submissions and of the files in them.
 
 use std::path::{Component, Path, PathBuf};
 
@@ -7,13 +7,14 @@ use unicode_normalization::UnicodeNormalization;
 use lab_kit::Lab;
 use lab_kit::submission::{NOT_UTF8, refused};
 
-/// The most bytes of a name: files are called after it, and pages show it.
+/// Maximal number of bytes of a name, because files have it in their names and pages show it.
 const MOST: usize = 150;
 
-/// How the names of archives end.
+/// Extensions of archives.
 const ARCHIVES: [&str; 4] = [".tgz", ".gz", ".tar", ".zip"];
 
-/// Gives every submission a name of its own: whose name another has too is called in full.
+/// Gives every submission a unique name. If two would have the same name, the second gets its full
+/// file name.
 pub(crate) fn named(paths: Vec<PathBuf>) -> Vec<(String, PathBuf)> {
     let mut named: Vec<(String, PathBuf)> = Vec::new();
     for path in paths {
@@ -26,13 +27,15 @@ pub(crate) fn named(paths: Vec<PathBuf>) -> Vec<(String, PathBuf)> {
     named
 }
 
-/// What a submission is called: its file's name without the endings of archives.
+/// Returns the name of a submission: its file's name without the extensions of archives.
 pub(crate) fn name(path: &Path) -> String {
     bare(&full(path)).to_owned()
 }
 
-/// A name without the endings of archives, and without the number that a browser or a platform puts there when something is
-/// handed in again: `ada.tar-1.gz`, `ada.tar (1).gz`, `ada (2).zip`.
+/// Removes from a name the extensions of archives, and the number of a repeated upload.
+///
+/// Examples are `ada.tar-1.gz`, `ada.tar (1).gz` and `ada (2).zip`, because browsers and platforms
+/// add numbers in different places.
 pub(crate) fn bare(name: &str) -> &str {
     let mut bare = name;
     while let Some(shorter) = without_ending(bare) {
@@ -50,13 +53,13 @@ fn without_ending(name: &str) -> Option<&str> {
     Some(&name[..name.len() - ending.len()]).filter(|rest| !rest.is_empty())
 }
 
-/// Whether a file is called as an archive is.
+/// Whether a file has the name of an archive.
 pub(super) fn is_called_archive(path: &Path) -> bool {
     without_ending(&path.file_name().unwrap_or_default().to_string_lossy()).is_some()
 }
 
 fn full(path: &Path) -> String {
-    // `.` has no name but that of the folder which it is.
+    // The path `.` has no name, so the name of its folder is used.
     let whole = || path.canonicalize().ok();
     let name =
         path.file_name().map(ToOwned::to_owned).or_else(|| Some(whole()?.file_name()?.into()));
@@ -65,25 +68,28 @@ fn full(path: &Path) -> String {
     name
 }
 
-/// A name with each accent in its letter, as most systems write it. macOS writes them apart, so both must be made the
-/// same before names are compared.
+/// Returns a name with each accented letter as one character.
+///
+/// Most systems write it so. macOS writes the accent as a separate character, so names are composed
+/// before they are compared.
 pub(crate) fn composed(name: &str) -> String {
     name.nfc().collect()
 }
 
-/// Whether the packer of macOS made it, to keep what only macOS knows of files.
+/// Whether a file was made by the packer of macOS, for file properties of macOS only.
 pub(super) fn is_macos(path: &Path) -> bool {
     path.iter().any(|part| part == "__MACOSX")
 }
 
-/// Why a file of a submission is not taken: it is no source of a lab.
+/// Reason for leaving out a file that is not a source of a lab.
 pub(super) const ELSEWHERE: &str = "not below labs/labN/src: grading has its own";
 
-/// The most folders that a submission's labs/ lies in.
+/// Maximal number of folders around a submission's labs/.
 pub(super) const DEEP: usize = 8;
 
-/// The lab that a path in an archive belongs to, and the path below that lab's folder. Anything with
-/// `..`, an absolute path or an odd name leads nowhere.
+/// Returns the lab that a path in an archive belongs to, and the path below that lab's folder.
+///
+/// A path with `..`, an absolute path or an unusual name is refused.
 pub(super) fn resolve(path: &Path) -> Result<(Lab, String), &'static str> {
     let parts = parts(path)?;
     let source = (0..parts.len().min(DEEP)).find_map(|at| {
@@ -98,12 +104,12 @@ pub(super) fn resolve(path: &Path) -> Result<(Lab, String), &'static str> {
     refused(&path).map_or(Ok((lab, path)), Err)
 }
 
-/// The parts of a path, composed. What is not UTF-8 is marked as that.
+/// Splits a path into composed names. Bytes that are not UTF-8 become U+FFFD.
 ///
 /// # Errors
-/// It leads out of the submission.
+/// If the path leads out of the submission.
 pub(super) fn parts(path: &Path) -> Result<Vec<String>, &'static str> {
-    // Windows' own packers write its separators.
+    // Packers on Windows write backslashes.
     let path = composed(&path.to_string_lossy().replace('\\', "/"));
     let mut parts = Vec::new();
     for part in Path::new(&path).components() {
@@ -116,12 +122,12 @@ pub(super) fn parts(path: &Path) -> Result<Vec<String>, &'static str> {
     Ok(parts)
 }
 
-/// Whether a folder is hidden, or what cargo builds, in which copies of the labs lie.
+/// Whether a folder is hidden or Cargo's build directory. Both may contain copies of the labs.
 pub(super) fn is_built(folder: impl AsRef<str>) -> bool {
     folder.as_ref().starts_with('.') || folder.as_ref() == "target"
 }
 
-/// `lab3` is lab 3.
+/// Returns the number of a lab's folder: `lab3` is lab 3.
 pub(super) fn lab_of(name: &str) -> Option<Lab> {
     name.strip_prefix("lab")?.parse().ok()
 }

@@ -1,4 +1,4 @@
-//! A class that packs its work in forty ways. Nobody's mark depends on the name of an archive.
+//! Tests archives of forty kinds. A mark must not depend on the name of an archive.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -16,7 +16,7 @@ use lab_kit::{Given, Kit};
 
 const WORK: &[u8] = b"pub fn f() {}\n";
 
-/// Where the one file with a task may lie in an archive.
+/// Paths in an archive at which the one file with a task may be.
 const PLACES: [&[u8]; 16] = [
     b"labs/lab1/src/force.rs",
     b"./labs/lab1/src/force.rs",
@@ -36,7 +36,7 @@ const PLACES: [&[u8]; 16] = [
     b"labs/lab1/force.rs",
 ];
 
-/// What archives are called: by platforms, by browsers, by somebody.
+/// Names of archives, from platforms, browsers and students, and the names of the submissions.
 const NAMES: [(&str, &str); 14] = [
     ("ada.tar.gz", "ada"),
     ("ada.tgz", "ada"),
@@ -58,7 +58,7 @@ fn tar(place: &[u8]) -> Vec<u8> {
     let mut tar = tar::Builder::new(Vec::new());
     let mut header = tar::Header::new_gnu();
     header.set_size(WORK.len() as u64);
-    // A path that leads nowhere but is no text is written as it is.
+    // The library refuses a path that is not UTF-8, so its bytes are written directly.
     header.as_old_mut().name[..place.len()].copy_from_slice(place);
     header.set_cksum();
     tar.append(&header, WORK).unwrap();
@@ -78,7 +78,7 @@ fn zip(place: &str) -> Vec<u8> {
     zip.finish().unwrap().into_inner()
 }
 
-/// What is taken of somebody's lab 1.
+/// Returns the source that is taken from a submission of lab 1.
 fn taken(path: &Path) -> Vec<u8> {
     let tasks = ["src/force.rs".to_owned()].into();
     let given = Given { tasks, ..Given::default() };

@@ -1,4 +1,4 @@
-//! What comes in: sound submissions, odd ones, and those that are broken or mean harm.
+//! Tests of valid, unusual, damaged and malicious submissions.
 
 use std::fs;
 use std::io::{Cursor, Read, Write};
@@ -16,12 +16,12 @@ use super::{Intake, SHOWN, listed, nothing, read, submissions, take};
 use lab_kit::submission::{COUNT_LIMIT, Sources, pack};
 use lab_kit::{Given, Kit};
 
-/// An archive's file, and what is in it.
+/// The name of an archive, and its bytes.
 type Archive = (&'static str, Vec<u8>);
 
 const PLAIN: SimpleFileOptions = SimpleFileOptions::DEFAULT;
 
-/// Takes it in as somebody's lab 1.
+/// Reads an archive as a submission of lab 1.
 fn taken((name, bytes): &Archive) -> Result<Intake> {
     let class = tempfile::tempdir().unwrap();
     let path = class.path().join(name);
@@ -29,17 +29,17 @@ fn taken((name, bytes): &Archive) -> Result<Intake> {
     take(&Kit::find().unwrap(), "1".parse().unwrap(), &given(), &path)
 }
 
-/// A lab of one file.
+/// Returns the given files of a lab with one file.
 fn given() -> Given {
     Given { tasks: ["src/lib.rs".to_owned()].into(), ..Given::default() }
 }
 
-/// What somebody has written.
+/// Returns a student's sources.
 fn own() -> Sources {
     ["src/lib.rs", "src/deep/own.rs"].map(|path| (path.into(), b"fn f() {}".to_vec())).into()
 }
 
-/// The same and empty files.
+/// Returns a student's sources and additional empty files.
 fn own_and(more: &[String]) -> Sources {
     own().into_iter().chain(more.iter().map(|path| (path.clone(), Vec::new()))).collect()
 }
@@ -65,7 +65,7 @@ fn plain_tar(files: &Sources) -> Vec<u8> {
     bytes
 }
 
-/// With what cargo built: 48 MiB, before the sources.
+/// Makes an archive in which 48 MiB of compiled files precede the sources.
 fn built() -> Vec<u8> {
     let mut all = tar::Builder::new(GzEncoder::new(Vec::new(), Compression::fast()));
     let built = ("target/debug/lab1".to_owned(), vec![0; 48 << 20]);
@@ -80,7 +80,8 @@ fn built() -> Vec<u8> {
     all.into_inner().unwrap().finish().unwrap()
 }
 
-/// An archive with two empty files more, `aa.rs` and `bb.rs`, and `name` instead of `aa`.
+/// Makes an archive with two additional empty files, `aa.rs` and `bb.rs`, and replaces `aa` by
+/// `name`.
 fn renamed(name: &[u8; 2]) -> Vec<u8> {
     let mut bytes = zip(&own_and(&["src/aa.rs".into(), "src/bb.rs".into()]), |_| ());
     for at in 0..bytes.len() - 9 {
@@ -91,7 +92,7 @@ fn renamed(name: &[u8; 2]) -> Vec<u8> {
     bytes
 }
 
-/// A tar with one entry, of which `header` says what it likes.
+/// Makes a tar with one entry, whose header `header` can change freely.
 fn tar_of(header: impl FnOnce(&mut tar::Header), bytes: &[u8]) -> Vec<u8> {
     let mut of_one = tar::Header::new_gnu();
     of_one.set_path("labs/lab1/src/lib.rs").unwrap();
@@ -131,7 +132,7 @@ fn what_does_not_belong_is_left_out_with_its_reason() {
             &[elsewhere, "leads out of the submission", "no plain file"],
         ),
         (("long.tar.gz", tar(&own_and(&long))), &[unfit; 3]),
-        // No name in a zip has more than 65535 bytes.
+        // A name in a zip has at most 65535 bytes.
         (("long.zip", zip(&own_and(&long[..2]), |_| ())), &[unfit; 2]),
         (("nul.zip", renamed(b"a\0")), &["a control character"]),
         (("latin.zip", renamed(b"\xff\xfe")), &["its name is not UTF-8"]),

@@ -29,7 +29,7 @@ struct Words {
     full: f64,
     /// Titles of tasks, by their numbers.
     titles: BTreeMap<String, String>,
-    /// Address of the lab's chapter; `None` if there is no chapter yet.
+    /// Path of the lab's chapter; `None` if there is no chapter yet.
     chapter: Option<String>,
     /// Facts about the lab, among them its kind of workers and the sections of the chapter.
     facts: Facts,

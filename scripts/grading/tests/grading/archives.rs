@@ -1,5 +1,4 @@
-//! Archives as somebody hands them in. What is made of broken and odd ones is tested where they are taken in,
-//! in `src/intake/tests.rs`.
+//! Archives as students hand them in. `src/intake/tests.rs` tests damaged and unusual archives.
 
 use std::io::{Cursor, Write};
 
@@ -9,7 +8,7 @@ use zip::write::{SimpleFileOptions, ZipWriter};
 use crate::expected::{EMPTY, Expected, UNREADABLE};
 use crate::sources::Files;
 
-/// Odd archives: their file, what is in it, what must come of it.
+/// Returns unusual archives: their names, their bytes, and the expected results.
 pub(crate) fn all(lab: u8) -> Vec<(&'static str, Vec<u8>, Expected)> {
     let without_tasks = [("src/other.rs".to_owned(), String::new())].into();
     let unreadable = Expected::ends(UNREADABLE, "cannot be unpacked");
@@ -19,13 +18,13 @@ pub(crate) fn all(lab: u8) -> Vec<(&'static str, Vec<u8>, Expected)> {
     ]
 }
 
-/// A `.tar.gz` of sources.
+/// Makes a `.tar.gz` of sources.
 pub(crate) fn tar(lab: u8, files: &Files) -> Vec<u8> {
     let files = files.iter().map(|(path, text)| (path.clone(), text.clone().into_bytes()));
     pack(lab.to_string().parse().unwrap(), &files.collect()).unwrap()
 }
 
-/// A `.zip` of sources.
+/// Makes a `.zip` of sources.
 pub(crate) fn zip(lab: u8, files: &Files) -> Vec<u8> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     for (path, text) in files {

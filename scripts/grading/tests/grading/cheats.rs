@@ -1,7 +1,7 @@
-//! Who cheats how, and what must come of it.
+//! Cheats, and their expected results.
 //!
-//! Every cheat is the solution with something added, so a member without full marks has lost
-//! them by the cheat, and one with full marks has tried in vain.
+//! Every cheat is the solution with an addition. So a cheat without full marks lost them by its
+//! addition, and a cheat with full marks gained nothing.
 
 use crate::code::{
     BEFORE_MAIN, DEADLOCK, EARLY_ANSWER, ENDLESS_LOOP, ENDLESS_OUTPUT, EXIT, FORGED, FORK_BOMB,
@@ -12,24 +12,24 @@ use crate::code::{
 use crate::expected::{Expected, NOT_BUILT, REFUSED, Times};
 use crate::sources::{Files, kit, with, wrong};
 
-/// The lab of the quick tests: no other is compiled sooner. It has no times.
+/// Lab of the quick tests, which compiles fastest. It is not timed.
 pub(crate) const QUICK: u8 = 1;
 
-/// A task of it that is asked by itself.
+/// A task of this lab that is asked alone.
 pub(crate) const TASK: &str = "1.1";
 
-/// The lab of the mixed class, which has times.
+/// Lab of the mixed class, which is timed.
 pub(crate) const TIMED: u8 = 3;
 
-/// A cheat: its name, its sources, its end.
+/// A cheat: its name, its sources, its expected result.
 pub(crate) type Cheat = (String, Files, Expected);
 
-/// All that need no clock.
+/// Returns all cheats that are not about times.
 pub(crate) fn quick() -> Vec<Cheat> {
     [runners(), takers(), vec![early(), hides(), drives()]].into_iter().flatten().collect()
 }
 
-/// Programs that run: early ends, and what would go on for ever. Printing loses no points.
+/// Returns programs that end early or run endlessly. Printing loses no points.
 fn runners() -> Vec<Cheat> {
     let cheat = |name: &str, code: &[(&str, &str)], lost: &[&str]| {
         (name.to_owned(), with(QUICK, code), Expected::loses(lost, Times::Any))
@@ -47,7 +47,8 @@ fn runners() -> Vec<Cheat> {
     ]
 }
 
-/// A student who hides a function is told so, and not how it would have been asked.
+/// Returns the cheat of a student who hides a function. The message must not show how the function
+/// would have been called.
 fn hides() -> Cheat {
     let mut files = with(QUICK, &[]);
     let motion = files.get_mut("src/motion.rs").expect("the lab has it");
@@ -58,7 +59,8 @@ fn hides() -> Cheat {
     ("hides".to_owned(), files, Expected::ends(NOT_BUILT, "not together with what asks it"))
 }
 
-/// A student who changes given code changes nothing, and the page says so.
+/// Returns the cheat of a student who changes given code. It has no effect, and the page reports
+/// it.
 fn drives() -> Cheat {
     (
         "drives".to_owned(),
@@ -67,7 +69,7 @@ fn drives() -> Cheat {
     )
 }
 
-/// The solution with a given file changed.
+/// Returns the solution with a given file changed.
 fn changed(lab: u8, path: &str, from: &str, to: &str) -> Files {
     let mut files = with(lab, &[]);
     let text = files.get_mut(path).expect("the lab has it");
@@ -76,7 +78,7 @@ fn changed(lab: u8, path: &str, from: &str, to: &str) -> Files {
     files
 }
 
-/// Who is wrong, and changed what would have shown it.
+/// Returns wrong programs that also change the code that would reveal the mistake.
 pub(crate) fn blinders() -> Vec<Cheat> {
     let cheats = [
         (
@@ -105,12 +107,12 @@ pub(crate) fn blinders() -> Vec<Cheat> {
     cheats.map(cheat).into()
 }
 
-/// All points, and the kit's files.
+/// Expects all points, and a report about the changed files.
 fn given(changed: &'static [&'static str]) -> Expected {
     Expected::Graded { lost: Vec::new(), left_out: changed, times: Times::Any }
 }
 
-/// Those who take what is not theirs, and find that it is not there.
+/// Returns programs that try to read forbidden files. The files must not exist in the sandbox.
 fn takers() -> Vec<Cheat> {
     let snapshots = std::fs::read_dir(kit().join("tests/snapshots")).unwrap().flatten();
     let mut snapshots = snapshots.map(|entry| entry.file_name().into_string().unwrap());
@@ -143,14 +145,15 @@ fn takers() -> Vec<Cheat> {
     cheats.map(cheat).into()
 }
 
-/// Somebody whose code would run before `main`. It is not compiled.
+/// Returns a cheat whose code would run before `main`. It is not compiled.
 fn early() -> Cheat {
     let files = with(QUICK, &[(TASK, BEFORE_MAIN)]);
     ("constructor".to_owned(), files, Expected::ends(REFUSED, "unsafe("))
 }
 
-/// Those who answer every question rightly, and are false when their time is taken. A whole program that is wrong costs
-/// the last of its tasks.
+/// Returns programs that answer every question correctly but cheat when they are timed.
+///
+/// If the whole program is wrong, it loses its last task.
 pub(crate) fn timed() -> Vec<Cheat> {
     let cheats: [(&str, &str, &str, &[&str], Times); 9] = [
         ("prints-its-own-time", "3.9", SLOW_AND_BOASTS, &[], Times::Slow(75.0)),

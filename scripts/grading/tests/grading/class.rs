@@ -1,4 +1,4 @@
-//! A class of submissions, and who is in it.
+//! A class of submissions with their expected results.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -14,10 +14,10 @@ use crate::expected::{EMPTY, Expected, Times, UNREADABLE};
 use crate::sources::{Files, kit, solution, starter, tasks, with, wrong};
 use crate::{archives, cheats};
 
-/// Attacks that must fail. One that succeeds says so, and loses the marks.
+/// Attacks that must fail. A successful attack reports itself and loses the marks.
 const PAYLOAD: &str = include_str!("payload.rs");
 
-/// Known-wrong solutions of the mixed class: a dozen, and of every task one.
+/// Known-wrong solutions of the mixed class: a dozen, at least one for every task.
 const WRONG: [&str; 12] = [
     "accelerations_pile_up",
     "reduction_race",
@@ -37,11 +37,11 @@ const WRONG: [&str; 12] = [
 pub(crate) struct Class {
     folder: TempDir,
     pub(crate) lab: u8,
-    /// Names, and what must come of them.
+    /// Names of submissions, and their expected results.
     pub(crate) members: Vec<(String, Expected)>,
 }
 
-/// How somebody hands in.
+/// Form of a submission.
 #[derive(Clone, Copy)]
 enum Form {
     Folder,
@@ -61,7 +61,7 @@ impl Class {
         class
     }
 
-    /// Every cheat that needs no clock, and every odd archive.
+    /// Makes a class of every cheat that is not about times, and every unusual archive.
     pub(crate) fn of_cheats() -> Self {
         let mut class = Self::empty(QUICK);
         class.attacks();
@@ -77,7 +77,8 @@ impl Class {
         class
     }
 
-    /// Cheats against the clock, among a right one, an untouched one and wrong ones.
+    /// Makes a class of cheats against the clock, right submissions, an untouched one, and wrong
+    /// ones.
     pub(crate) fn mixed() -> Self {
         let mut class = Self::small(TIMED, &[]);
         for (name, files, expected) in cheats::timed().into_iter().chain(cheats::blinders()) {
@@ -90,7 +91,7 @@ impl Class {
         class
     }
 
-    /// Few: right ones, an untouched one, wrong ones.
+    /// Makes a small class: right submissions, an untouched one, and wrong ones.
     pub(crate) fn small(lab: u8, wrongs: &[&str]) -> Self {
         let mut class = Self::empty(lab);
         for (name, form) in [("solved", Form::Folder), ("solved-too", Form::Zip)] {
@@ -102,7 +103,7 @@ impl Class {
         class
     }
 
-    /// One who solved it.
+    /// Makes a class of one right submission.
     pub(crate) fn alone(lab: u8) -> Self {
         let mut class = Self::empty(lab);
         class.hand_in("solved", Form::Folder, &solution(lab), Expected::full());
@@ -115,7 +116,8 @@ impl Class {
         self.hand_in(name, form, &files, expected);
     }
 
-    /// A link to all of the kit's solutions, and a folder whose sources are a link to one.
+    /// Adds a link to all of the kit's solutions, and a folder whose sources are a link to a
+    /// solution.
     fn links(&mut self) {
         let (solutions, lab) = (kit().join("solutions"), format!("lab{}", self.lab));
         let linked = self.folder().join("linked/labs").join(&lab);
@@ -127,24 +129,24 @@ impl Class {
         self.members.push(("link".to_owned(), Expected::ends(UNREADABLE, "is a link")));
     }
 
-    /// The folder of submissions.
+    /// Returns the folder of submissions.
     pub(crate) fn folder(&self) -> PathBuf {
         self.folder.path().join("class")
     }
 
-    /// A folder for what the command writes.
+    /// Returns a folder for the output of the command.
     pub(crate) fn temporary(&self) -> PathBuf {
         self.folder.path().join("temporary")
     }
 
-    /// No path of an archive led anywhere.
+    /// Asserts that no archive wrote outside its folder.
     pub(crate) fn assert_nothing_escaped(&self) {
         for folder in [self.folder(), self.folder.path().to_owned(), self.temporary()] {
             assert!(!folder.join("escaped.rs").exists(), "{} was written to", folder.display());
         }
     }
 
-    /// Somebody who runs every attack, and hands in files that nobody asked for.
+    /// Adds a submission that runs every attack and contains unexpected files.
     fn attacks(&mut self) {
         let lab = self.lab;
         let mut files = with(lab, &[(TASK, "crate::payload::all();")]);

@@ -1,6 +1,6 @@
-//! What cheats write into their answers. Part of submissions, not of the tests.
+//! Code that cheats add to their answers. It is part of submissions, not of the tests.
 
-/// A program with more threads than it was told, that tries to let itself out of its processors.
+/// Runs more threads than requested, and tries to use more processors.
 pub(crate) const MORE_THREADS: (&str, &str) =
     ("threads: config.threads,", "threads: 2 * config.threads,");
 
@@ -33,7 +33,7 @@ pub(crate) const FORK_BOMB: &str = r#"
 
 pub(crate) const ENDLESS_LOOP: &str = "loop { std::hint::spin_loop(); }";
 
-/// And says what the sandbox says when it cannot be made.
+/// Prints the message of a sandbox that cannot be made, and hangs.
 pub(crate) const DEADLOCK: &str = r#"
     eprintln!("bwrap: Resource temporarily unavailable");
     let lock = std::sync::Mutex::new(());
@@ -43,10 +43,10 @@ pub(crate) const DEADLOCK: &str = r#"
 
 pub(crate) const ENDLESS_OUTPUT: &str = r#"loop { println!("{}", "nonsense ".repeat(1000)); }"#;
 
-/// Somebody has forgotten it there.
+/// A print statement that a student forgot.
 pub(crate) const PRINT: &str = r#"println!("the bounce of {x} in {size}");"#;
 
-/// What asks a submission, in the submission's own words.
+/// Reads the grader's programs that call a submission.
 pub(crate) const READS_QUESTIONS: &str =
     r#"const _: () = panic!("{}", include_str!("../../lab-probe/src/questions/lab1.rs"));"#;
 pub(crate) const READS_STUB: &str =
@@ -56,24 +56,24 @@ pub(crate) const MEMORY: &str = r#"
     let mut all = Vec::new();
     loop { all.push(vec![0u8; 256 << 20]); }"#;
 
-/// Every step that is timed takes 5 ms more, and every line says that it took none.
+/// Adds 5 ms to every timed step, and prints that it took no time.
 pub(crate) const SLOW_AND_BOASTS: &str = r#"
     println!("Simulation Time = 0.000001 seconds for 100000 particles.");
     if std::env::args().count() == 3 {
         std::thread::sleep(std::time::Duration::from_millis(5));
     }"#;
 
-/// The timed program is told two things, the program that answers three.
+/// Recognises the timed program by its two arguments. The answering program has three.
 pub(crate) const SKIPS_WHEN_TIMED: &str = "if std::env::args().count() == 3 { return; }";
 
-/// In fifteen of sixteen runs it is slow, wherever its time is taken.
+/// Is slow in fifteen of sixteen runs, wherever it is timed.
 pub(crate) const SLOW_AT_RANDOM: &str = r#"
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
     if std::env::args().count() == 3 && now.is_ok_and(|now| now.subsec_micros() % 16 > 0) {
         std::thread::sleep(std::time::Duration::from_millis(300));
     }"#;
 
-/// Lab 2's serial program instead of the team.
+/// Runs lab 2's serial program instead of the team.
 pub(crate) const SERIAL: (&str, &str) = (
     "Ok(observed!(config, Tally, |O| Team::<O>::new(config)))",
     "(solution2::VARIANTS.iter().find(|it| it.name == \"sorted\").unwrap().build)(config)",
@@ -89,7 +89,7 @@ pub(crate) const WORKS_WHEN_ANSWERING: &str = r#"
     let own = std::env::current_exe().unwrap_or_default();
     if !own.ends_with("answer") { return; }"#;
 
-/// And forgets the forces when the whole program runs.
+/// Leaves out the forces when the whole program runs.
 pub(crate) const WORKS_WHEN_ASKED: &str = r#"
     let own = std::env::current_exe().unwrap_or_default();
     if !own.ends_with("answer") {
@@ -97,14 +97,14 @@ pub(crate) const WORKS_WHEN_ASKED: &str = r#"
         return;
     }"#;
 
-/// Right for the numbers of particles that the tests have.
+/// Is right only for the numbers of particles in the tests.
 pub(crate) const KNOWS_THE_SIZES: &str = r#"
     if self.particles.len() > 8 && ![20, 60, 100, 150, 300, 1000].contains(&self.particles.len()) {
         self.accelerations.fill(Vec2::ZERO);
         return;
     }"#;
 
-/// Right as long as a member has few particles.
+/// Is right only while a member has few particles.
 pub(crate) const SMALL_MAIL: &str = "if bins.particles().len() > 20_000 { return; }";
 
 pub(crate) const SLOW_UNLESS_TIMED: &str = r#"
@@ -112,7 +112,7 @@ pub(crate) const SLOW_UNLESS_TIMED: &str = r#"
         std::thread::sleep(std::time::Duration::from_millis(1));
     }"#;
 
-/// Code that would run before `main`. Which forms of it are refused, `src/intake/forbidden.rs` tests.
+/// Code that would run before `main`. `src/intake/forbidden.rs` tests all refused forms.
 pub(crate) const BEFORE_MAIN: &str = r#"
     extern "C" fn early() { std::process::exit(0); }
     #[unsafe(link_section = ".init_array")] #[used]

@@ -1,4 +1,4 @@
-//! `cargo lab grade`, as an instructor runs it.
+//! Runs `cargo lab grade` as an instructor does.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -17,30 +17,32 @@ use crate::class::Class;
 use crate::expected::lost_tasks;
 use crate::sources::kit;
 
-/// What an attack looks for in our environment.
+/// Variable of the grader's environment that an attack looks for.
 const SECRET: (&str, &str) = ("CUTOFF_TEST_SECRET", "31415926");
 
-/// Seconds for a question. Most take less than one, and a submission that hangs takes all of them.
+/// Time limit of a question in seconds. Most questions take less than one, and a submission that
+/// hangs takes all of them.
 const LIMIT: &str = "10";
 
-/// What it says where there is no sandbox.
+/// Part of the message on a machine without a sandbox.
 pub(crate) const NO_SANDBOX: &str = "cannot be kept in a sandbox here";
 
-/// Tasks only, no times.
+/// Options for grading tasks only.
 pub(crate) const TASKS: &[&str] = &["--no-timing"];
 
-/// The command that grades a class.
+/// Returns the command that grades a class.
 pub(crate) fn grade(class: &Class, into: &Path, options: &[&str]) -> Command {
     compile_what_all_need();
     grade_as_it_is(class, into, options)
 }
 
-/// What the lab of the quick tests depends on is compiled once, before several tests would do it at a time.
+/// Compiles the dependencies of the quick tests' lab once, so that tests do not do it at the same
+/// time.
 pub(crate) fn compile_what_all_need() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let class = Class::alone(QUICK);
-        // Where it fails, the tests say why.
+        // If it fails, the tests report the reason.
         let _ = grade_as_it_is(&class, &class.temporary().join("records"), TASKS).output();
     });
 }
@@ -54,38 +56,38 @@ fn grade_as_it_is(class: &Class, into: &Path, options: &[&str]) -> Command {
         .args(options)
         .arg(class.folder())
         .env(SECRET.0, SECRET.1)
-        // What a killed command leaves lies here, and goes with the class.
+        // A killed command leaves its files here, and they are removed with the class.
         .env("TMPDIR", class.temporary())
         .process_group(0);
     command
 }
 
-/// Writes a shell script that can be run.
+/// Writes an executable shell script.
 pub(crate) fn script(path: &Path, text: &str) {
     fs::write(path, format!("#!/bin/sh\n{text}\n")).unwrap();
     fs::set_permissions(path, fs::Permissions::from_mode(0o755)).unwrap();
 }
 
-/// Where a program is; none if it is not on the path.
+/// Finds a program; `None` if it is not on the path.
 pub(crate) fn program(name: &str) -> Option<PathBuf> {
     let path = std::env::var_os("PATH").unwrap_or_default();
     let mut paths = std::env::split_paths(&path).map(|folder| folder.join(name));
     paths.find(|program| program.is_file())
 }
 
-/// Somebody's record; none if it is not there yet.
+/// Reads a submission's record; `None` if there is no record yet.
 pub(crate) fn record(into: &Path, name: &str) -> Option<Value> {
     let text = fs::read(into.join(format!("{name}.json"))).ok()?;
     Some(serde_json::from_slice(&text).unwrap_or_else(|e| panic!("the record of {name}: {e}")))
 }
 
-/// The records that are there, by name.
+/// Reads the records of a class, by name.
 pub(crate) fn records(class: &Class, into: &Path) -> BTreeMap<String, Value> {
     let names = class.members.iter().map(|(name, _)| name);
     names.filter_map(|name| Some((name.clone(), record(into, name)?))).collect()
 }
 
-/// Who has other marks than must be, and how.
+/// Lists the submissions whose marks differ from the expected ones.
 pub(crate) fn complaints(class: &Class, into: &Path) -> Vec<String> {
     let complaints = class.members.iter().filter_map(|(name, expected)| {
         let Some(record) = record(into, name) else { return Some(format!("{name}: no record")) };
@@ -96,8 +98,8 @@ pub(crate) fn complaints(class: &Class, into: &Path) -> Vec<String> {
     complaints.collect()
 }
 
-/// Runs the command, and kills it, and nobody else, as soon as `enough` says so. It is false if
-/// there is no sandbox here.
+/// Runs the command, and kills only this command as soon as `enough` is true. Returns false without
+/// a sandbox.
 pub(crate) fn kill_when(mut command: Command, enough: impl Fn() -> bool) -> bool {
     let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
     while !enough() {
@@ -115,7 +117,7 @@ pub(crate) fn kill_when(mut command: Command, enough: impl Fn() -> bool) -> bool
     true
 }
 
-/// Runs the command to its end, which must be a good one. It is false if there is no sandbox here.
+/// Runs the command, which must succeed. Returns false without a sandbox.
 pub(crate) fn run(mut command: Command) -> bool {
     let output = command.output().unwrap();
     let said = String::from_utf8_lossy(&output.stderr);

@@ -1,56 +1,56 @@
-//! What must come of a submission.
+//! Expected results of submissions.
 
 use std::collections::BTreeSet;
 
 use serde_json::Value;
 
-/// What must come of it.
+/// Expected result of a submission.
 pub(crate) enum Expected {
-    /// It loses these tasks and no others; of what was not taken, and of the given files that were changed, it
-    /// is said so.
+    /// The submission loses exactly these tasks. The record names the files that were left out, and
+    /// the given files that were changed.
     Graded { lost: Vec<String>, left_out: &'static [&'static str], times: Times },
-    /// It does not come to marks.
+    /// Grading stops before there are marks.
     Ends { status: &'static str, message: String },
 }
 
-/// What its times must be worth, if they were taken.
+/// Expected grades of the times, if times were taken.
 #[derive(Clone, Copy)]
 pub(crate) enum Times {
-    /// Whatever they are.
+    /// Any grades are accepted.
     Any,
-    /// No points.
+    /// The times give no points.
     Nothing,
-    /// Less than this grade for speed, of 100.
+    /// The grade for speed is below this number, out of 100.
     Slow(f64),
 }
 
-/// It could not be read.
+/// Status of a submission that could not be read.
 pub(crate) const UNREADABLE: &str = "unreadable";
-/// It says what no source may say.
+/// Status of a submission with forbidden code.
 pub(crate) const REFUSED: &str = "refused";
-/// It does not compile.
+/// Status of a submission that does not compile.
 pub(crate) const NOT_BUILT: &str = "not-built";
-/// It holds nothing of the lab.
+/// Status of a submission without any source of the lab.
 pub(crate) const EMPTY: &str = "empty";
 
 impl Expected {
-    /// Right in every task.
+    /// Expects all tasks to be right.
     pub(crate) fn full() -> Self {
         Self::loses(&[], Times::Any)
     }
 
-    /// Wrong in these tasks.
+    /// Expects these tasks to be wrong.
     pub(crate) fn loses(tasks: &[&str], times: Times) -> Self {
         let lost = tasks.iter().copied().map(String::from).collect();
         Self::Graded { lost, left_out: &[], times }
     }
 
-    /// No marks, for a reason that contains `message`.
+    /// Expects no marks, for a reason that contains `message`.
     pub(crate) fn ends(status: &'static str, message: impl Into<String>) -> Self {
         Self::Ends { status, message: message.into() }
     }
 
-    /// How a record differs from it, if it does.
+    /// Describes how a record differs from the expected result; `None` if it does not.
     pub(crate) fn differs(&self, record: &Value) -> Option<&'static str> {
         let holds = |field: &str, text: &str| record[field].to_string().contains(text);
         match self {
@@ -84,13 +84,13 @@ impl Times {
     }
 }
 
-/// Whether the tasks are the same, in any order.
+/// Whether the tasks are equal, in any order.
 fn alike<'a>(lost: impl Iterator<Item = &'a str>, expected: &'a [String]) -> bool {
     let expected: BTreeSet<&str> = expected.iter().map(String::as_str).collect();
     lost.collect::<BTreeSet<&str>>() == expected
 }
 
-/// The tasks that a record says are lost.
+/// Returns the tasks that a record lists as lost.
 pub(crate) fn lost_tasks(record: &Value) -> impl Iterator<Item = &str> {
     let all = record["tasks"].as_array().into_iter().flatten();
     all.filter(|task| task["passed"] == false).filter_map(|task| task["id"].as_str())

@@ -1,4 +1,5 @@
-//! Faults of the machine: nobody loses a mark by them, and the next run grades who was not graded.
+//! Tests faults of the machine: no submission loses a mark, and the next grading grades the missing
+//! ones.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
@@ -7,15 +8,17 @@ use std::process::Command;
 use crate::class::Class;
 use crate::command::{NO_SANDBOX, TASKS, grade, program, record, script};
 
-/// When a faulty machine does what instead: of the third build and later ones, because the first two are the solution's,
-/// or of asking a program that was built then.
+/// Faults: a phase, and the shell commands that run instead.
+///
+/// The fault affects builds from the third on, because the first two are the solution's, or
+/// questions to a program of these builds.
 const FAULTS: [(&str, &str); 2] = [
     ("building", "echo 'error: failed to write x: No space left on device' >&2; exit 101"),
     ("asking", "echo '/bin/sh: 1: exec: bwrap: not found' >&2; exit 127"),
 ];
 
-/// Lays a bubblewrap that has a fault as long as its folder has a file `building` or `asking`, which says what it
-/// does instead.
+/// Writes a bubblewrap that fails while its folder has a file `building` or `asking`, whose
+/// commands it runs.
 fn lay(class: &Class) -> std::path::PathBuf {
     let folder = class.temporary().join("bin");
     fs::create_dir_all(&folder).unwrap();
@@ -66,7 +69,7 @@ fn a_fault_of_the_machine_costs_no_marks() {
 #[test]
 fn records_that_cannot_be_written_are_noticed_before_a_build() {
     let class = Class::alone(1);
-    // Nobody can make a folder there.
+    // No user can make a folder there.
     let mut command: Command = grade(&class, "/proc/records".as_ref(), TASKS);
     let output = command.output().unwrap();
     let said = String::from_utf8_lossy(&output.stderr);

@@ -1,4 +1,4 @@
-//! A class that is graded already, and what is said while one is graded.
+//! Tests a class that is graded already, and the output during grading.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,13 +11,14 @@ use crate::cheats::QUICK;
 use crate::class::Class;
 use crate::command::{NO_SANDBOX, TASKS, grade, program, record, records, run, script};
 
-/// What a command says on stderr where nobody looks on, and whether it ended well.
+/// Runs a command without a terminal. Returns whether it succeeded, and its stderr.
 fn said(mut command: Command) -> (bool, String) {
     let output = command.output().unwrap();
     (output.status.success(), String::from_utf8(output.stderr).unwrap())
 }
 
-/// A path with a `rustc` that names a folder without a compiler, so that nothing can be built.
+/// Returns a path with a `rustc` that names a folder without a compiler, so that nothing can be
+/// built.
 fn without_compiler(top: &Path) -> String {
     let (own, folder) = (program("rustc").unwrap(), top.join("without-compiler"));
     fs::create_dir_all(&folder).unwrap();
@@ -28,7 +29,7 @@ fn without_compiler(top: &Path) -> String {
     format!("{shown}:{}", std::env::var("PATH").unwrap())
 }
 
-/// What must not depend on the inputs.
+/// Returns the parts of a record that must not depend on the inputs.
 fn marks(record: &Value) -> Vec<[&Value; 2]> {
     let tasks = record["tasks"].as_array().into_iter().flatten();
     let tasks = tasks.map(|task| [&task["id"], &task["passed"]]);
@@ -93,12 +94,12 @@ fn a_class_gets_the_same_marks_twice_and_is_then_passed_over_without_a_build() {
     assert_eq!(again(), (true, String::new()));
     assert_eq!(records(&class, &into), before);
 
-    // Unless it is asked for.
+    // With `--again` it is graded again.
     let (well, words) = with(&["--no-timing", "--again", "--only", "untouched"]);
     assert!(!well && words.contains("the solution of lab 1 cannot be built"), "{words}");
     assert_eq!(records(&class, &into), before);
 
-    // Who hands in something else is graded again, which needs a compiler.
+    // A changed submission is graded again, which needs a compiler.
     let source = class.folder().join("solved/labs/lab1/src/energy.rs");
     let text = fs::read_to_string(&source).unwrap();
     fs::write(&source, format!("{text}\n")).unwrap();
@@ -106,7 +107,7 @@ fn a_class_gets_the_same_marks_twice_and_is_then_passed_over_without_a_build() {
     assert!(!well && words.contains("the solution of lab 1 cannot be built"), "{words}");
     assert_eq!(record(&into, "solved").as_ref(), before.get("solved"));
 
-    // A seed that letters will name is not for a first grading.
+    // A seed that letters will name must not be used for a first grading.
     assert!(!words.contains("--seed"), "{words}");
     fs::remove_file(into.join("untouched.json")).unwrap();
     let (_, words) = with(&["--no-timing", "--seed", "7"]);

@@ -1,4 +1,4 @@
-//! `run_autograder`, in the folders that Gradescope lays out.
+//! Tests `run_autograder` in the folders that Gradescope provides.
 
 use std::ffi::OsString;
 use std::fs;
@@ -14,19 +14,20 @@ use crate::cheats::QUICK;
 use crate::command::{compile_what_all_need, program, script};
 use crate::sources::{Files, kit, solution, with};
 
-/// Mounts a compiler and the sources of dependencies, then runs the autograder: $0 is the folder of all, $1 the
-/// compiler's folder, $2 that of the sources.
+/// Shell script that mounts a compiler and the sources of dependencies, then runs the autograder.
+///
+/// `$0` is the top folder, `$1` the compiler's folder, and `$2` the folder of the sources.
 const WITHOUT_NAMESPACES: &str = "mount --bind \"$1\" \"$0/rust\" && mount --bind \"$2\" \"$0/cargo/registry\" && \
                                   export CARGO_HOME=\"$0/cargo\" && exec sh \"$0/run_autograder\"";
 
-/// What a container says that allows no namespaces.
+/// Script with the message of bubblewrap in a container that allows no namespaces.
 const REFUSED: &str = "echo 'bwrap: No permissions to create new namespace' >&2; exit 1";
 
 /// A container of lab 1.
 struct Container(TempDir);
 
 impl Container {
-    /// Lays one out with what a student has handed in.
+    /// Makes a container with a student's submission.
     fn of(hand_in: impl Fn(&Path)) -> Self {
         compile_what_all_need();
         let folder = tempfile::tempdir().unwrap();
@@ -41,7 +42,7 @@ impl Container {
         fs::copy(autograder, top.join("run_autograder")).unwrap();
         fs::write(top.join("submission_metadata.json"), "{}").unwrap();
         hand_in(&top.join("submission"));
-        // `cargo lab` is the command that is tested: it would be built anew otherwise.
+        // `cargo lab` runs the tested command, because Cargo would build it again.
         let lab = env!("CARGO_BIN_EXE_lab-grading");
         script(&top.join("bin/cargo"), &format!("shift; exec '{lab}' \"$@\""));
         Self(folder)
@@ -51,7 +52,7 @@ impl Container {
         self.0.path()
     }
 
-    /// Runs a command in it, with these folders before all others on the path.
+    /// Runs a command in the container, with these folders first on the path.
     fn run(&self, command: &mut Command, first: &[&str]) -> Output {
         let mut path: Vec<PathBuf> = first.iter().map(|folder| self.top().join(folder)).collect();
         path.extend(std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default()));
@@ -66,7 +67,7 @@ impl Container {
             .unwrap()
     }
 
-    /// What Gradescope reads.
+    /// Reads the results for Gradescope.
     fn results(&self, output: &Output) -> Value {
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{said}");
@@ -80,7 +81,7 @@ fn home(variable: &str, folder: &str) -> PathBuf {
     set.map_or_else(|| std::env::home_dir().unwrap().join(folder), PathBuf::from)
 }
 
-/// Runs the autograder of lab 1 on what a student has handed in.
+/// Runs the autograder of lab 1 on a student's submission.
 fn graded(hand_in: impl Fn(&Path)) -> Value {
     let container = Container::of(hand_in);
     let autograder = container.top().join("run_autograder");
@@ -88,8 +89,8 @@ fn graded(hand_in: impl Fn(&Path)) -> Value {
     container.results(&output)
 }
 
-/// The same where bubblewrap fails, as root of a namespace in which everybody finds the compiler; none if this
-/// machine lets nobody make that.
+/// Runs the autograder with a bubblewrap that fails, as root of a namespace in which every user
+/// finds the compiler; `None` if this machine allows no such namespace.
 fn graded_without_namespaces(hand_in: impl Fn(&Path)) -> Option<Value> {
     let is_root = fs::metadata("/proc/self").is_ok_and(|own| own.uid() == 0);
     let unshare = || Command::new("unshare").args(["--mount", "true"]).status();
@@ -108,7 +109,7 @@ fn graded_without_namespaces(hand_in: impl Fn(&Path)) -> Option<Value> {
     Some(container.results(&output))
 }
 
-/// Hands in a folder of lab 1.
+/// Writes a submission as a folder of lab 1.
 fn folder(submission: &Path, files: Files) {
     for (path, text) in files {
         let path = submission.join("my-kit/labs/lab1").join(path);
@@ -119,7 +120,7 @@ fn folder(submission: &Path, files: Files) {
 
 #[test]
 fn gradescope_shows_a_student_what_is_right_and_what_is_not() {
-    // Gradescope unpacks a .zip, and keeps other archives as they are.
+    // Gradescope unpacks a .zip, and keeps other archives.
     let solved = graded(|submission| folder(submission, solution(1)));
     assert_eq!(solved["score"], 100.0);
     let all = |test: &Value| test["score"] == test["max_score"] && test["score"] != 0.0;
@@ -155,7 +156,7 @@ fn a_grader_that_does_not_run_leaves_no_points() {
     assert!(!top.join("results/results.json").exists(), "Gradescope would take it for a mark");
 }
 
-/// It compiles what the lab depends on twice: scripts/test.sh has it in a stage of its own.
+/// It compiles the lab's dependencies twice, so scripts/test.sh runs it in a separate stage.
 #[test]
 #[ignore = "takes minutes"]
 fn without_namespaces_a_submission_reads_no_solution_and_writes_no_results() {

@@ -1,4 +1,5 @@
-//! A whole class with times, killed while they are taken: run by hand, with a line for each.
+//! Grades a whole class with times and kills the grader while it takes them. It is run by hand and
+//! prints a line for each submission.
 
 use std::fs;
 use std::time::Instant;
@@ -6,10 +7,10 @@ use std::time::Instant;
 use crate::class::Class;
 use crate::command::{complaints, grade, kill_when, record, records, run};
 
-/// Records and pages go here, below the kit's target folder.
+/// Folder for records and pages, below the kit's target folder.
 const KEPT: &str = "target/lab/mixed-class";
 
-/// Which is noticed without the many minutes: each cheat changes a line that the lab has.
+/// Every cheat changes a line that exists in the lab. This test checks it in seconds.
 #[test]
 fn a_mixed_class_can_be_made() {
     assert!(Class::mixed().members.len() > 20);

@@ -1,4 +1,4 @@
-//! What a submission might try while it is asked. Part of a submission, not of the tests.
+//! Attacks of a submission while it is asked. The file is part of a submission, not of the tests.
 
 use std::fs;
 use std::io::Write;
@@ -8,7 +8,7 @@ use std::os::unix::net::UnixStream;
 use std::process::Command;
 use std::sync::Once;
 
-/// Tries everything once.
+/// Tries every attack once.
 pub(crate) fn all() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
@@ -37,7 +37,7 @@ fn must_fail<T, E>(what: &str, attack: Result<T, E>) {
     }
 }
 
-/// A program that ends well has succeeded.
+/// Runs a program, which must not succeed.
 fn must_not_run(program: &str, arguments: &[&str]) {
     let output = Command::new(program).args(arguments).output();
     if output.is_ok_and(|output| output.status.success()) {
@@ -66,11 +66,12 @@ fn sockets() {
     must_fail("a name server", "example.org:80".to_socket_addrs());
     let sent = UdpSocket::bind("0.0.0.0:0").and_then(|socket| socket.send_to(b"x", "1.1.1.1:53"));
     must_fail("a datagram", sent);
-    // What waits in a connection to itself would be memory that no limit counts.
+    // Unread data in a connection to itself would be memory that no limit counts.
     must_fail("a connection to itself", TcpListener::bind("127.0.0.1:0"));
 }
 
-/// The user who started this program is not to be seen, nor is what it knows.
+/// Checks that the user who started this program, and the data of that user's processes, are not
+/// visible.
 fn parents() {
     let processes = fs::read_dir("/proc").into_iter().flatten().flatten();
     for process in processes {
@@ -86,11 +87,11 @@ fn parents() {
     if std::env::var("CUTOFF_TEST_SECRET").is_ok() {
         succeeded("the environment");
     }
-    // It is root of nothing.
+    // The program must not be root of anything.
     must_not_run("mount", &["-t", "tmpfs", "none", "/tmp"]);
 }
 
-/// The disk is not there, and the room that is there is small.
+/// Checks that the disk is not visible, and that the space in memory is small.
 fn disks() {
     let block = vec![1; 8 << 20];
     for folder in ["/tmp", "/dev/shm"] {
@@ -105,13 +106,14 @@ fn disks() {
     }
 }
 
-/// It stays on those that it was given.
+/// Checks that the program stays on the processors that it was given.
 fn processors() {
     let own = std::process::id().to_string();
     must_not_run("taskset", &["-a", "-p", "-c", "0-63", &own]);
 }
 
-/// No key of the grader's session, no memory that nobody counts, no namespace in which it is root.
+/// Checks that there is no key of the grader's session, no uncounted memory, and no namespace in
+/// which the program is root.
 fn kernels() {
     must_not_run("keyctl", &["show"]);
     must_not_run("unshare", &["--user", "true"]);
@@ -122,7 +124,7 @@ fn kernels() {
     }
 }
 
-/// Memory that is none of its processes' own.
+/// Checks that the program cannot allocate memory outside its processes.
 fn uncounted() {
     let python = |code: &str| must_not_run("python3", &["-c", code]);
     python("import mmap; mmap.mmap(-1, 1 << 20)");
@@ -145,7 +147,7 @@ fn uncounted() {
     }
 }
 
-/// Nobody changes a program that runs, not even its own.
+/// Checks that no running program can be changed, not even by itself.
 fn memories() {
     let memory = fs::OpenOptions::new().write(true).open("/proc/self/mem");
     must_fail("its own memory as a file", memory);
@@ -156,7 +158,8 @@ fn memories() {
     call("ptrace(0, 0, 0, 0)");
     call("process_vm_readv(1, None, 0, None, 0, 0)");
     call("process_vm_writev(1, None, 0, None, 0, 0)");
-    // 425 is io_uring_setup, and 438 pidfd_getfd of the first process, of which 434 makes a descriptor.
+    // 425 is io_uring_setup. 438 is pidfd_getfd on the first process, for which 434 makes a
+    // descriptor.
     call("syscall(425, 1, ctypes.create_string_buffer(120))");
     call("syscall(438, libc.syscall(434, 1, 0), 0, 0)");
     // 323 is userfaultfd, 298 perf_event_open, 321 bpf, 312 kcmp.
@@ -166,11 +169,12 @@ fn memories() {
     call("syscall(312, 1, 1, 1, 0, 0)");
 }
 
-/// What judges is not here, and what runs here knows no answer.
+/// Checks that the judging program is not here, and that this program contains no right answer.
 fn answers() {
     must_fail("the program that judges", fs::read("/kit/judge"));
     let own = fs::read("/proc/self/exe").unwrap_or_default();
-    // Parts of symbols, and words that only a verdict has. The dash keeps them from being found here.
+    // Parts of symbols, and texts that only a verdict contains. The dash keeps them from being
+    // found here.
     for word in ["6oracle-5model", "6oracle-5right", "which does not point- straight away"] {
         let word = word.replace('-', "");
         if own.windows(word.len()).any(|window| window == word.as_bytes()) {
@@ -179,7 +183,8 @@ fn answers() {
     }
 }
 
-/// Other processes: their memory, their descriptors, and what they have open.
+/// Checks that the memory, the descriptors and the open files of other processes are not
+/// accessible.
 fn others() {
     let own = std::process::id();
     for number in 1..100 {

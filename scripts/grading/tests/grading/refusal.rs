@@ -1,4 +1,4 @@
-//! Where there is no sandbox, foreign code does not run unless somebody says that it may.
+//! Tests that without a sandbox, foreign code does not run unless the instructor allows it.
 
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -9,11 +9,11 @@ use crate::cheats::QUICK;
 use crate::class::Class;
 use crate::command::{TASKS, grade, program, record, script};
 
-/// The programs that grading needs beside the sandbox.
+/// Programs that grading needs in addition to the sandbox.
 const NEEDED: [&str; 9] =
     ["cargo", "rustc", "rustfmt", "cc", "ld", "as", "cp", "setpriv", "prlimit"];
 
-/// A folder for the path, with what is needed and no bubblewrap.
+/// Makes a folder for the path, with the needed programs and without bubblewrap.
 fn path_without(top: &Path) -> PathBuf {
     let folder = top.join("bin");
     fs::create_dir_all(&folder).unwrap();
@@ -23,7 +23,7 @@ fn path_without(top: &Path) -> PathBuf {
     folder
 }
 
-/// The one line with which a command ends that refuses.
+/// Returns the single line that a refusing command prints.
 fn refusal(mut command: Command) -> String {
     let output = command.output().unwrap();
     assert_eq!(output.status.code(), Some(2));
@@ -47,12 +47,12 @@ fn without_a_sandbox_it_refuses_unless_the_code_is_trusted() {
     let said = refusal(command(&[]));
     assert!(said.contains("there is no bwrap"), "{said}");
 
-    // One that may not make namespaces, as in most containers.
+    // This bubblewrap may not make namespaces, as in most containers.
     let bwrap = path.join("bwrap");
     script(&bwrap, "echo 'bwrap: No permissions to create new namespace' >&2; exit 1");
     let said = refusal(command(&[]));
     assert!(said.contains("No permissions to create new namespace"), "{said}");
-    // One that keeps nothing out.
+    // This bubblewrap isolates nothing.
     script(&bwrap, "exit 0");
     let said = refusal(command(&[]));
     assert!(said.contains("does not keep out what it must"), "{said}");

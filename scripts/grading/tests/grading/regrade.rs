@@ -1,4 +1,4 @@
-//! `cargo lab regrade`: another rubric, a class with a roster, a deadline and decisions.
+//! Tests `cargo lab regrade` with a different rubric, and with a roster, a deadline and decisions.
 
 use std::fs;
 use std::path::Path;
@@ -35,7 +35,7 @@ const ROSTER: &str = "Student,ID,SIS Login ID,Section,Lab 1 (7)\n\
     \"Hopper, Grace\",2,grace,A,\n\
     \"Turing, Alan\",3,alan,A,\n";
 
-/// A record of lab 1 with its first task right, handed in an hour too late.
+/// Makes a record of lab 1 with its first task right, handed in an hour too late.
 fn record(name: &str) -> Value {
     let mut record: Value = serde_json::from_str(include_str!("../record.json")).unwrap();
     let all = tasks(1).into_iter().enumerate().map(|(at, id)| {
@@ -47,7 +47,7 @@ fn record(name: &str) -> Value {
     record
 }
 
-/// What is said on stdout and stderr.
+/// Runs `cargo lab regrade`; returns stdout and stderr.
 fn regrade(kit: &Path, folder: &Path, options: &[&str]) -> [String; 2] {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lab-grading"));
     let command = command.current_dir(kit).arg("regrade").arg(folder).args(options);
@@ -57,7 +57,7 @@ fn regrade(kit: &Path, folder: &Path, options: &[&str]) -> [String; 2] {
     said
 }
 
-/// A kit where the two tasks of lab 1 are worth so much, and two gradings of lab 1.
+/// Makes a kit in which the two tasks of lab 1 are worth `points`, and two gradings of lab 1.
 fn kit_of(points: [u32; 2]) -> (TempDir, Kit) {
     let folder = tempfile::tempdir().unwrap();
     let [first, second] = points;

@@ -1,4 +1,4 @@
-//! What submissions are made of: the solution of a lab, with something added or replaced.
+//! Sources of submissions: the solution of a lab, with additions or replacements.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -10,7 +10,7 @@ use lab_kit::{Kit, Lab, rubric, wrong};
 /// Texts by their path in the lab's folder.
 pub(crate) type Files = BTreeMap<String, String>;
 
-/// The kit that is tested.
+/// Returns the path of the tested kit.
 pub(crate) fn kit() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("scripts/ is in the kit")
 }
@@ -24,24 +24,24 @@ fn texts(files: impl IntoIterator<Item = (String, Vec<u8>)>) -> Files {
     files.into_iter().map(text).collect()
 }
 
-/// The sources of the solution, under the lab's own name.
+/// Returns the sources of the solution, under the lab's own name.
 pub(crate) fn solution(lab: u8) -> Files {
     texts(of_solution(&Kit::at(kit()), number(lab)).unwrap())
 }
 
-/// The lab as students get it, whatever a student has made of labs/ here.
+/// Returns the lab as students get it, independently of the folder labs/ here.
 pub(crate) fn starter(lab: u8) -> Files {
     let given = generate(&Kit::at(kit()), number(lab)).unwrap().into_iter();
     let given = given.filter(|(path, _)| path.starts_with("src"));
     texts(given.map(|(path, bytes)| (path.to_str().unwrap().to_owned(), bytes)))
 }
 
-/// The lab's tasks.
+/// Returns the lab's tasks.
 pub(crate) fn tasks(lab: u8) -> Vec<String> {
     rubric::read(&Kit::at(kit()), number(lab)).unwrap().tasks.into_keys().collect()
 }
 
-/// The solution with code before the answers of some tasks.
+/// Returns the solution with code before the answers of some tasks.
 pub(crate) fn with(lab: u8, code: &[(&str, &str)]) -> Files {
     let mut files = solution(lab);
     for (task, code) in code {
@@ -54,7 +54,7 @@ pub(crate) fn with(lab: u8, code: &[(&str, &str)]) -> Files {
     files
 }
 
-/// A known-wrong solution, and the tasks that it must lose.
+/// Returns a known-wrong solution, and the tasks that it must lose.
 pub(crate) fn wrong(lab: u8, name: &str) -> (Files, Vec<String>) {
     let all = wrong::read(&Kit::at(kit()), number(lab)).unwrap();
     let wrong = all.into_iter().find(|wrong| wrong.name == name).expect(name);
