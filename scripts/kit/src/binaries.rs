@@ -1,4 +1,4 @@
-//! Programs that were built, and how they are started and asked.
+//! Compiled programs: how they are started, and how their variants are listed.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -13,43 +13,44 @@ use crate::fresh;
 use crate::kit::Kit;
 use crate::program::Program;
 
-/// What was built: the binaries' names and where they lie.
+/// Compiled programs: the binaries' names and paths.
 pub struct Binaries {
     built: Vec<(String, PathBuf)>,
-    /// What starts ranks, if a program has any.
+    /// Launcher of ranks; `None` if no program has ranks.
     launcher: Option<Mpiexec>,
-    /// The words of a tool that runs the programs, before theirs.
+    /// Command of a tool that runs the programs, such as a profiler; empty if they are run
+    /// directly.
     pub tool: Vec<String>,
 }
 
-/// A variant that a program has told of.
+/// A variant that a program has listed.
 #[derive(Debug, Deserialize)]
 pub struct Known {
-    /// Its name.
+    /// Name of the variant.
     pub name: String,
-    /// What can be set in it.
+    /// Parameters of the variant.
     pub parameters: Vec<Parameter>,
 }
 
-/// What can be set in a variant.
+/// A parameter of a variant.
 #[derive(Debug, Deserialize)]
 pub struct Parameter {
-    /// The name in `--param NAME=VALUE`.
+    /// Name in `--param NAME=VALUE`.
     pub name: String,
 }
 
 impl Known {
-    /// Whether it has such a parameter.
+    /// Whether the variant has this parameter.
     pub fn has(&self, parameter: &str) -> bool {
         self.parameters.iter().any(|known| known.name == parameter)
     }
 }
 
 impl Binaries {
-    /// Builds the programs for speed, all before anything is timed, and looks for an MPI if one needs it.
+    /// Builds all programs in release mode, and finds an MPI if a program needs it.
     ///
     /// # Errors
-    /// One is not there or does not build, or there is no MPI.
+    /// If a program is missing or does not compile, or if there is no MPI.
     pub fn build(kit: &Kit, programs: &[Program]) -> Result<Self> {
         let launcher = programs.iter().any(Program::has_ranks).then(Mpiexec::find).transpose()?;
         let mut packages = Vec::new();
@@ -83,13 +84,14 @@ impl Binaries {
         Ok(built)
     }
 
-    /// The binary of this name.
+    /// Returns the path of a binary by its name.
     pub fn named(&self, binary: &str) -> Result<&Path> {
         let found = self.built.iter().find(|(name, _)| name == binary);
         Ok(&found.with_context(|| format!("no binary {binary} was built"))?.1)
     }
 
-    /// The beginning of a command that runs a program, on `ranks` ranks if it has ranks.
+    /// Returns the beginning of a command that runs a program. A program with ranks runs on `ranks`
+    /// ranks.
     pub fn start(&self, program: &Program, ranks: usize) -> Result<Command> {
         let binary = self.named(&program.binary())?;
         let mut words = self.tool.iter().map(Path::new).chain([binary]);
@@ -102,10 +104,11 @@ impl Binaries {
         Ok(command)
     }
 
-    /// A program's variants, or the one that it names, by its answer to `--list-variants --json`.
+    /// Lists a program's variants with `--list-variants --json`, or only the variant that `program`
+    /// names.
     ///
     /// # Errors
-    /// It does not start, does not answer, or has no such variant.
+    /// If the program does not start, does not answer, or has no such variant.
     pub fn variants(&self, program: &Program) -> Result<Vec<(Program, Known)>> {
         let mut command = self.start(program, 1)?;
         let output = command.args(["--list-variants", "--json"]).stdin(Stdio::null()).output();
@@ -121,7 +124,7 @@ impl Binaries {
     }
 }
 
-/// The name and path of a binary from a line that cargo prints about it.
+/// Returns the name and path of a binary from a line that Cargo prints about it.
 fn executable(line: &str) -> Option<(String, PathBuf)> {
     let message: Value = serde_json::from_str(line).ok()?;
     let path = message.get("executable")?.as_str()?;

@@ -1,4 +1,4 @@
-//! Cargo at work, seen.
+//! Runs Cargo with visible progress.
 
 use std::env;
 use std::fs::{File, TryLockError};
@@ -7,8 +7,10 @@ use std::process::{Command, Output, Stdio};
 
 use crate::progress::can_draw;
 
-/// Runs cargo to its end and returns what it printed. On a terminal it shows its bar while something is compiled:
-/// the first build of anything takes minutes. What it complains of it says itself, and nothing else.
+/// Runs Cargo to its end and returns its output.
+///
+/// On a terminal, Cargo shows its progress bar while it compiles, because the first build takes
+/// minutes. Its error messages go to stderr, and it prints nothing else there.
 pub fn run_visibly(cargo: &mut Command) -> io::Result<Output> {
     if is_locked() {
         eprintln!(
@@ -21,7 +23,7 @@ pub fn run_visibly(cargo: &mut Command) -> io::Result<Output> {
     cargo.stderr(Stdio::inherit()).output()
 }
 
-/// Whether somebody holds the lock of the folder that this program was built in. Cargo waits for it in silence, because it is
+/// Whether the build directory of this program is locked. Cargo would wait silently, because it is
 /// told to be quiet.
 fn is_locked() -> bool {
     let lock = env::current_exe().ok().map(|program| program.with_file_name(".cargo-lock"));

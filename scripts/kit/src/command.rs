@@ -1,7 +1,7 @@
-//! The commands of the kit: which package has which, and how each begins and ends.
+//! Commands of the kit: the packages that contain them, their start and their exit codes.
 //!
-//! A package in scripts/ declares its commands in its manifest, so that all are known without building
-//! any:
+//! A package in scripts/ declares its commands in its manifest, so that all commands are known
+//! without building any package:
 //!
 //! ```toml
 //! [package.metadata.lab]
@@ -10,8 +10,8 @@
 //! commands = [["race", "Race programs against each other"]]
 //! ```
 //!
-//! Exit codes, for scripts: 0 if all is well, 1 if the answer is no (a test failed, a file has drifted),
-//! 2 if there was no answer (a bad command line, a missing file).
+//! Exit codes, for scripts: 0 means success. 1 means a negative result (a test failed, a file has
+//! drifted). 2 means that there is no result (a bad command line, a missing file).
 
 use std::process::ExitCode;
 
@@ -24,25 +24,25 @@ use crate::files::read_toml_at;
 use crate::kit::Kit;
 use crate::page::folded;
 
-/// A package behind the command.
+/// A package with commands.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub struct Family {
-    /// Its folder in the kit.
+    /// Folder of the package, in the kit.
     #[serde(skip)]
     pub folder: String,
-    /// The cargo package.
+    /// Name of the Cargo package.
     #[serde(skip)]
     pub package: String,
-    /// The heading above its commands.
+    /// Heading above its commands in the help.
     pub title: String,
-    /// Whether students get it too.
+    /// Whether students get the package too.
     pub handout: bool,
-    /// Names and what they do, in the order of the manifest; none of a library.
+    /// Names and descriptions of the commands, in the order of the manifest; empty for a library.
     pub commands: Vec<(String, String)>,
 }
 
-/// The packages behind the command that this copy of the kit has, in the order of the workspace's
+/// Returns the packages with commands in this copy of the kit, in the order of the workspace's
 /// members.
 pub fn families(kit: &Kit) -> Result<Vec<Family>> {
     let members = read_toml_at(&kit.path("Cargo.toml"), "/workspace/members")?;
@@ -50,7 +50,7 @@ pub fn families(kit: &Kit) -> Result<Vec<Family>> {
     let mut families = Vec::new();
     for folder in members {
         let manifest = kit.path(&folder).join("Cargo.toml");
-        // A pattern of folders, such as labs/lab*, has none.
+        // A pattern of folders, such as labs/lab*, has no manifest.
         if !manifest.is_file() {
             continue;
         }
@@ -65,7 +65,7 @@ pub fn families(kit: &Kit) -> Result<Vec<Family>> {
     Ok(families)
 }
 
-/// The command line of a package with commands `C`.
+/// Returns the command line of a package with commands `C`.
 pub fn command_line<C: Subcommand>() -> Command {
     let line = Command::new("cargo lab").bin_name("cargo lab");
     C::augment_subcommands(line.subcommand_required(true).arg_required_else_help(true))
@@ -79,7 +79,7 @@ pub fn main<C: Subcommand>(run: impl FnOnce(&Kit, C) -> Result<ExitCode>) -> Exi
     finish(Kit::find().and_then(|kit| run(&kit, command)))
 }
 
-/// The exit code; an error is said in one line.
+/// Returns the exit code; prints an error in one line.
 pub fn finish(result: Result<ExitCode>) -> ExitCode {
     result.unwrap_or_else(|error| {
         eprint!("{}", folded("error: ", &format!("{error:#}")));
@@ -87,8 +87,11 @@ pub fn finish(result: Result<ExitCode>) -> ExitCode {
     })
 }
 
-/// `head` and `less` close the pipe when they have seen enough: that is no error, and `println!` would panic. A full disk
-/// behind standard output, and a thread that the system refuses, are errors in one line.
+/// Makes three panics end the program with at most one line.
+///
+/// `head` and `less` close the pipe early, which is not an error, but `println!` would panic. A
+/// full disk behind standard output and a thread that the system refuses are errors, printed in one
+/// line.
 pub fn end_in_one_line() {
     let usual = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
@@ -112,16 +115,17 @@ pub fn end_in_one_line() {
     }));
 }
 
-/// For the tests of each package: its manifest and book/figures.toml say what its command line has.
+/// Asserts that a package's manifest and book/figures.toml agree with its command line. Each
+/// package calls it in a test.
 ///
 /// # Panics
-/// One of them says otherwise, or cannot be read.
+/// If they disagree or cannot be read.
 pub fn expect_declared<C: Subcommand>(package: &str) {
     let faults = Kit::find().and_then(|kit| faults::<C>(&kit, package)).expect("the kit is whole");
     assert!(faults.is_empty(), "{faults:#?}");
 }
 
-/// In what they say otherwise: a line each.
+/// Lists the differences, one on each line.
 fn faults<C: Subcommand>(kit: &Kit, package: &str) -> Result<Vec<String>> {
     let family = families(kit)?.into_iter().find(|family| family.package == package);
     let declared = family.with_context(|| format!("{package} declares no commands"))?.commands;

@@ -1,4 +1,4 @@
-//! Excerpts of the kit's own sources, as the book shows them; they never show an answer.
+//! Excerpts of the kit's sources, as the book shows them. They never show an answer.
 
 use std::ops::RangeInclusive;
 use std::path::Path;
@@ -8,10 +8,10 @@ use anyhow::{Context, Result, bail};
 use crate::answers::{self, Part};
 use crate::files::read_text;
 
-/// Lines, counted from 1.
+/// A range of lines, counted from 1.
 type Lines = RangeInclusive<usize>;
 
-/// The lines that mdBook would show.
+/// Returns the lines that mdBook would show; `None` if the part does not exist.
 fn shown(lines: &[&str], part: &str) -> Option<Lines> {
     let mut numbers = part.split(':');
     match (numbers.next().unwrap_or_default(), numbers.next()) {
@@ -27,10 +27,10 @@ fn shown(lines: &[&str], part: &str) -> Option<Lines> {
     }
 }
 
-/// The text that an include of `part` of a file shows, without anchors.
+/// Returns the text that an include of `part` of a file shows, without anchors.
 ///
 /// # Errors
-/// The file cannot be read, has no such part, or would show an answer there.
+/// If the file cannot be read, has no such part, or if the part contains an answer.
 pub fn excerpt(file: &Path, part: &str) -> Result<String> {
     let source = read_text(file)?;
     let lines: Vec<&str> = source.lines().collect();
@@ -51,7 +51,7 @@ fn is_anchor(line: &str, key: &str, anchor: &str) -> bool {
     !before.ends_with('_') && after.split_whitespace().next() == Some(anchor)
 }
 
-/// The lines, marks included, of answers and of what only answers need.
+/// Returns the lines, including marks, of answers and of items that only answers need.
 fn answers(file: &Path, source: &str) -> Result<Vec<Lines>> {
     let mut answers = Vec::new();
     let mut line = 1;

@@ -1,5 +1,7 @@
-//! What a lab is: `lab.toml` in its folder. The tool, the book, the grader, scripts/test.sh and scripts/slurm read
-//! it, and nothing in it stands anywhere else.
+//! Facts about a lab: `lab.toml` in its folder.
+//!
+//! The tool, the book, the grader, scripts/test.sh and scripts/slurm read this file. No other file
+//! repeats its contents.
 //!
 //! ```toml
 //! title = "on a graphics processor"
@@ -24,50 +26,51 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Facts {
-    /// What it is called, such as `all pairs`.
+    /// Title, such as `all pairs`.
     pub title: String,
-    /// What its program simulates.
+    /// Discs that its program simulates.
     pub discs: Discs,
-    /// What shares the work.
+    /// Workers that share the work of its program.
     pub workers: Workers,
-    /// Work of its other programs, by the part of their names behind the lab's: `hard` for `lab9-hard`.
+    /// Kinds of its other programs, by the end of their names: `hard` for `lab9-hard`.
     #[serde(default)]
     pub programs: BTreeMap<String, Work>,
-    /// The variant that is the kit's best serial program for such discs, if it is this lab's: what t₁ is
-    /// taken from.
+    /// Variant that is the kit's best serial program for such discs, which gives t₁; `None` in
+    /// other labs.
     pub baseline: Option<String>,
-    /// The variant that `scripts/slurm` runs on 1, 2, 4, … ranks or threads.
+    /// Variant that `scripts/slurm` runs on 1, 2, 4, … ranks or threads.
     pub cluster: Option<String>,
-    /// The variant with threads in each rank, which `scripts/slurm` runs for each split of a node.
+    /// Variant with threads in each rank, which `scripts/slurm` runs for each division of a node.
     pub hybrid: Option<String>,
-    /// What `cargo lab movie` shows of it at first.
+    /// Initial settings of `cargo lab movie`.
     #[serde(default)]
     pub movie: Movie,
     /// Commands of `cargo lab` that scripts/test.sh runs for a few seconds each.
     #[serde(default)]
     pub smoke: Vec<String>,
-    /// What its reader can do afterwards.
+    /// Learning outcomes.
     #[serde(default)]
     pub able: Vec<String>,
-    /// What to know before.
+    /// Prerequisites.
     #[serde(default)]
     pub before: Vec<String>,
-    /// Hours to read, predict, measure and explain.
+    /// Hours for reading, predicting, measuring and explaining.
     #[serde(default)]
     pub reading: f64,
-    /// Its tasks, such as `9.2`.
+    /// Facts of its tasks, by number, such as `9.2`.
     #[serde(default)]
     pub tasks: BTreeMap<String, TaskFacts>,
-    /// What the growth of its time with the number of particles is worth; none if that is not graded.
+    /// Points for the growth of its time with the number of particles; `None` if that is not
+    /// graded.
     pub complexity: Option<Timed>,
-    /// What its speed-up by more workers is worth.
+    /// Points for its speed-up by more workers; `None` if that is not graded.
     pub scaling: Option<Timed>,
-    /// What its time beside the solution's is worth.
+    /// Points for its time relative to the solution's; `None` if that is not graded.
     pub speed: Option<Timed>,
-    /// The loops that `cargo lab speed` times.
+    /// Loops that `cargo lab speed` times.
     #[serde(default, rename = "race")]
     pub races: Vec<Race>,
-    /// Its variants, as the comparison of all has them.
+    /// Facts of its variants, for the comparison of all variants.
     #[serde(default, rename = "variant")]
     pub variants: Vec<VariantFacts>,
 }
@@ -76,89 +79,94 @@ pub struct Facts {
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TaskFacts {
-    /// What it is called, such as `launches`.
+    /// Title, such as `launches`.
     #[serde(default)]
     pub title: String,
-    /// What it is worth: given if all answers to its questions (tests/labN.rs) are right, and not otherwise.
+    /// Points for the task. They are given if all answers to its questions (tests/labN.rs) are
+    /// right, and not otherwise.
     pub points: f64,
-    /// The share of that which a wrong task can still earn, 0 to 1: in proportion to the questions that were
-    /// answered rightly.
+    /// Share of the points that a wrong task can still earn, 0 to 1, in proportion to the right
+    /// answers.
     #[serde(default)]
     pub partial: f64,
-    /// Hours that it takes.
+    /// Hours that the task takes.
     pub hours: f64,
-    /// Its difficulty: 1, follow the text, to 3, take your time.
+    /// Difficulty: 1 (follow the text) to 3 (take your time).
     pub mark: usize,
-    /// The heading of its section in the lab's chapter.
+    /// Heading of its section in the lab's chapter.
     pub section: String,
     /// Three hints: a nudge, the idea, nearly the answer.
     #[serde(default)]
     pub hints: Vec<String>,
 }
 
-/// Points for the times of one variant. Where they are too noisy they stay open.
+/// Points for the times of one variant. They stay open if the times are too noisy.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Timed {
-    /// Points for the full grade, on top of the tasks'.
+    /// Points for the full grade, in addition to the tasks' points.
     pub points: f64,
-    /// Which program.
+    /// Name of the variant.
     pub variant: String,
-    /// The number of particles, or the greatest one.
+    /// Number of particles, or the largest number.
     pub n: usize,
 }
 
-/// A task's loop beside one that takes as long, if the task is done as the chapter says. Both are the lab's own
-/// programs: a student without the solutions can race them.
+/// A task's loop and a reference loop, which is as fast if the task is done as the chapter says.
+///
+/// Both are programs of the lab, so a student can race them without the solutions.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Race {
-    /// Whose loop it is.
+    /// Task that the loop belongs to.
     pub task: String,
-    /// The program that runs the loop, without the lab's name: `alone:drift` for `lab10-alone:drift`.
+    /// Program that runs the loop, without the lab's name: `alone:drift` for `lab10-alone:drift`.
     pub program: String,
-    /// The program beside it.
+    /// Program with the reference loop.
     pub against: String,
-    /// The number of particles.
+    /// Number of particles.
     pub n: usize,
-    /// What to say if the loop is slower, with `{}` for how many times.
+    /// Message if the loop is slower, with `{}` for the ratio of the times.
     pub slow: String,
-    /// What it works on, one for each particle: `pairs`.
+    /// Items that the loop works on, one for each particle: `pairs`.
     pub of: String,
 }
 
-/// What no command knows of a variant.
+/// Facts of a variant that no command knows.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct VariantFacts {
-    /// Its name.
+    /// Name of the variant.
     pub name: String,
-    /// The last of the tasks that it is made of. Where all up to that one are right, grading runs it as a whole; if it
-    /// is wrong all the same, it costs that task.
+    /// Last task that the variant needs.
+    ///
+    /// If all tasks up to this one are right, grading runs the variant as a whole. If the whole is
+    /// wrong nevertheless, this task loses its points.
     pub task: Option<String>,
-    /// How its results compare with the naive program's.
+    /// Accuracy of its results, compared with the naive program's.
     pub error: String,
-    /// Whether it works on one thread, whatever the number of workers is.
+    /// Whether it uses one thread, for any number of workers.
     #[serde(default)]
     pub serial: bool,
-    /// How it shares its work out.
+    /// Distribution of its work among the workers.
     pub scaling: String,
-    /// What it keeps, beside the particles.
+    /// Memory that it needs in addition to the particles.
     pub memory: String,
-    /// When to use it.
+    /// Situations in which to use it.
     pub when: String,
 }
 
-/// What is switched on in a movie of the lab until its reader chooses. The words are those of
-/// book/src/live/movie.js.
+/// Initial settings of a movie of the lab. The values are those of book/src/live/movie.js.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Movie {
-    /// The layers beside speed and touching: bins, asked, list, owners, ghosts, windows.
+    /// Visible layers in addition to speed and touching: bins, asked, list, owners, ghosts,
+    /// windows.
     pub layers: Vec<String>,
-    /// How it finds the pairs to look at: all, bins, list.
+    /// Method that finds the pairs to test: all, bins, list.
     pub asks: String,
-    /// What its owners have alike: even, their rows; equal, their numbers of particles; number, no rows.
+    /// Division among the owners: even (equal numbers of rows), equal (equal numbers of particles),
+    /// number (no rows).
     pub cut: String,
 }
 
@@ -168,7 +176,7 @@ impl Default for Movie {
     }
 }
 
-/// What is simulated.
+/// Kind of the discs that a program simulates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Discs {
@@ -179,33 +187,33 @@ pub enum Discs {
     Hard,
 }
 
-/// Work of another program of a lab.
+/// Kind of an additional program of a lab.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Work {
-    /// It simulates particles that repel each other within a cutoff.
+    /// A simulation of particles that repel each other within a cutoff.
     Soft,
-    /// It simulates discs that collide.
+    /// A simulation of discs that collide.
     Hard,
-    /// It runs single loops, which `cargo lab speed` times.
+    /// Single loops, which `cargo lab speed` times.
     Loops,
 }
 
-/// What shares the work of a program.
+/// Workers that share the work of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Workers {
     /// Threads of one process, or one thread.
     #[default]
     Threads,
-    /// Processes that exchange messages: needs an MPI library.
+    /// Processes that exchange messages. They need an MPI library.
     Ranks,
-    /// A graphics processor: needs a Vulkan driver.
+    /// A graphics processor. It needs a Vulkan driver.
     Device,
 }
 
 impl Workers {
-    /// What a reader must have installed.
+    /// Returns the software that a reader must have installed.
     pub fn need(self) -> &'static str {
         match self {
             Self::Threads => "only Rust",
@@ -219,6 +227,6 @@ impl Workers {
 }
 
 impl Facts {
-    /// The name of their file in a lab's folder.
+    /// Name of the facts' file in a lab's folder.
     pub const FILE: &str = "lab.toml";
 }

@@ -1,4 +1,4 @@
-//! Files: finding them, reading and writing them, telling them apart. Every error names the file.
+//! Finds, reads, writes and compares files. Every error names the file.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use hmac_sha256::Hash;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-/// All files below a folder, sorted; none if there is no such folder.
+/// Returns all files below a folder, sorted; empty if there is no such folder.
 pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     let mut folders = vec![folder.to_owned()];
@@ -24,8 +24,11 @@ pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// The regular files below a folder, sorted, without those that editors and other tools leave there. A link counts as the
-/// file that it leads to. Links that lead nowhere, pipes and sockets are left out: reading one fails or never ends.
+/// Returns the regular files below a folder, sorted, without files that editors and other tools
+/// leave there.
+///
+/// A link counts as the file that it leads to. Broken links, pipes and sockets are left out,
+/// because reading them fails or never ends.
 pub fn sources_below(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = files_below(folder)?;
     files.retain(|path| {
@@ -36,7 +39,7 @@ pub fn sources_below(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// How names end of copies that editors and merges leave beside a file.
+/// Ends of the names of copies that editors and merges leave beside a file.
 const COPIES: [&str; 8] = ["~", "#", ".bak", ".orig", ".rej", ".swo", ".swp", ".tmp"];
 
 /// Whether a file or a folder of this name is hidden, or a copy that a tool left.
@@ -44,14 +47,14 @@ pub fn is_left_by_a_tool(name: &str) -> bool {
     name.starts_with('.') || COPIES.iter().any(|ending| name.ends_with(ending))
 }
 
-/// A text file with the line endings of Unix, without a byte order mark.
+/// Reads a text file, with Unix line endings and without a byte order mark.
 pub fn read_text(path: &Path) -> Result<String> {
     let text = fs::read_to_string(path);
     let text = text.with_context(|| format!("cannot read {}", path.display()))?;
     Ok(text.trim_start_matches('\u{feff}').replace("\r\n", "\n"))
 }
 
-/// What a text is with the line endings of Unix: two texts are the same if these are. Other files are as they are.
+/// Converts a text to Unix line endings, so that texts can be compared. Other files are unchanged.
 pub fn with_unix_lines(bytes: Vec<u8>) -> Vec<u8> {
     match String::from_utf8(bytes) {
         Ok(text) => text.replace("\r\n", "\n").into_bytes(),
@@ -59,13 +62,14 @@ pub fn with_unix_lines(bytes: Vec<u8>) -> Vec<u8> {
     }
 }
 
-/// What a TOML file says.
+/// Reads a TOML file.
 pub fn read_toml<T: DeserializeOwned>(path: &Path) -> Result<T> {
     let unread = || format!("cannot read {}", path.display());
     basic_toml::from_str(&read_text(path)?).with_context(unread)
 }
 
-/// What a TOML file says at a JSON pointer, such as `/package/name`; none if it says nothing there.
+/// Reads the value at a JSON pointer, such as `/package/name`, in a TOML file; `None` if there is
+/// no such value.
 pub fn read_toml_at<T: DeserializeOwned>(path: &Path, pointer: &str) -> Result<Option<T>> {
     let unread = || format!("cannot read {pointer} of {}", path.display());
     let mut all: Value = read_toml(path)?;
@@ -76,12 +80,12 @@ pub fn read_toml_at<T: DeserializeOwned>(path: &Path, pointer: &str) -> Result<O
         .with_context(unread)
 }
 
-/// A file's bytes.
+/// Reads a file's bytes.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
     fs::read(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// Writes a file whole or not at all, and its folder if there is none.
+/// Writes a file completely or not at all. Creates its folder if necessary.
 pub fn write_file(path: &Path, contents: impl AsRef<[u8]>) -> Result<()> {
     let write = || {
         if let Some(folder) = path.parent() {
@@ -92,7 +96,7 @@ pub fn write_file(path: &Path, contents: impl AsRef<[u8]>) -> Result<()> {
     write().with_context(|| format!("cannot write {}", path.display()))
 }
 
-/// What stands for a file's contents: SHA-256 in hexadecimal digits.
+/// Returns the SHA-256 of a file's contents, in hexadecimal digits.
 pub fn digest(bytes: &[u8]) -> String {
     Hash::hash(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -1,8 +1,9 @@
-//! Builds of the sources as they are now.
+//! Ensures that builds are made of the present sources.
 //!
-//! Cargo compares times: a package counts as built if no source is newer than the result. An unpacked archive, `cp -p`, a
-//! clock that was set back, and two clones with one build folder bring sources that are older and different. So the hash of
-//! a package's sources is kept beside each file that cargo made of them.
+//! Cargo compares times: a package counts as built if no source is newer than the result. An
+//! unpacked archive, `cp -p`, a clock that was set back, and two clones with one build directory
+//! bring sources that are older and different. So a hash of a package's sources is kept beside each
+//! file that Cargo made of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -16,21 +17,22 @@ use serde::Deserialize;
 
 use crate::files::{digest, read_bytes, sources_below};
 
-/// What cargo says of a file that it made, or made before.
+/// Cargo's message about a file that it made, now or earlier.
 #[derive(Deserialize)]
 struct Artifact {
     package_id: String,
     manifest_path: PathBuf,
     filenames: Vec<PathBuf>,
-    /// Whether it was there already.
+    /// Whether the file existed already.
     fresh: bool,
 }
 
-/// Runs a command of cargo that prints its messages as JSON. Packages that cargo took for built, although their sources
-/// are different now, are built again.
+/// Runs a Cargo command that prints its messages as JSON.
+///
+/// Packages that Cargo believed to be built, although their sources have changed, are built again.
 ///
 /// # Errors
-/// Cargo does not start.
+/// If Cargo does not start.
 pub fn build(
     cargo: &mut Command,
     run: fn(&mut Command) -> io::Result<Output>,
@@ -46,7 +48,8 @@ pub fn build(
     Ok(output)
 }
 
-/// The packages in `root` that were built from other sources. Of what was built now, the sources are noted.
+/// Returns the packages in `root` that were built from different sources. Notes the hashes of
+/// packages that were built now.
 fn stale(root: Option<&Path>, output: &Output) -> BTreeSet<String> {
     let root = root.and_then(|root| root.canonicalize().ok()).unwrap_or_default();
     let mut hashes = BTreeMap::new();
@@ -68,7 +71,7 @@ fn stale(root: Option<&Path>, output: &Output) -> BTreeSet<String> {
     stale
 }
 
-/// The hash of a package's files and their names.
+/// Returns the hash of a package's files and their names.
 fn hash(folder: &Path) -> Result<String> {
     let mut all = Vec::new();
     for path in sources_below(folder)? {
@@ -78,14 +81,14 @@ fn hash(folder: &Path) -> Result<String> {
     Ok(digest(&all))
 }
 
-/// Whether cargo made a file of the sources with this hash.
+/// Whether Cargo made a file from the sources with this hash.
 fn is_made_of(made: &Path, hash: &str, folder: &Path, root: &Path) -> bool {
     let Ok(metadata) = fs::metadata(made) else { return false };
     let noted = fs::read_to_string(beside(made)).unwrap_or_default();
     match noted.split_once(' ') {
         Some((of, identity)) if identity == self::identity(&metadata) => of == hash,
-        // Cargo made it for somebody else, such as an editor. In this kit's own build folder, that was of these sources
-        // if none of them was written since: the time of that cannot be set.
+        // A different program, such as an editor, ran Cargo. In this kit's own build directory it
+        // used these sources, if none of them was written since. That time cannot be forged.
         _ => {
             let is_own = made.canonicalize().is_ok_and(|made| made.starts_with(root));
             is_own && !is_written_since(folder, &metadata)
@@ -101,14 +104,14 @@ fn is_written_since(folder: &Path, made: &fs::Metadata) -> bool {
     sources_below(folder).map_or(true, |paths| paths.iter().any(is_later))
 }
 
-/// Writes down what a file was made of. A file without a note is made again.
+/// Notes the hash of the sources that a file was made of. A file without a note is made again.
 fn note(made: &Path, hash: &str) {
     if let Ok(metadata) = fs::metadata(made) {
         let _ = fs::write(beside(made), format!("{hash} {}", identity(&metadata)));
     }
 }
 
-/// What is different when a file is made again.
+/// Returns a text that differs whenever a file is made again.
 fn identity(made: &fs::Metadata) -> String {
     format!("{}.{:09} {}", made.mtime(), made.mtime_nsec(), made.len())
 }
@@ -119,7 +122,7 @@ fn beside(made: &Path) -> PathBuf {
     name.into()
 }
 
-/// Removes what was built of these packages, in the profile of a command.
+/// Removes the compiled files of these packages, in the profile of a command.
 fn clean(cargo: &Command, packages: &BTreeSet<String>) -> io::Result<()> {
     let mut clean = Command::new(cargo.get_program());
     clean.args(["clean", "--quiet"]);
@@ -145,7 +148,7 @@ mod tests {
     use super::build;
     use crate::files::write_file;
 
-    /// Writes a program that prints a number, as if it had been written at such a time.
+    /// Writes a program that prints a number, with the given modification time.
     fn write(kit: &Path, number: u8, time: SystemTime) {
         write_file(&kit.join("Cargo.toml"), "[workspace]\nmembers = [\"p\"]\nresolver = \"3\"\n")
             .unwrap();
@@ -163,7 +166,7 @@ mod tests {
         cargo
     }
 
-    /// What the program prints that a build made.
+    /// Builds the program, runs it, and returns its output.
     fn printed(kit: &Path, target: &Path) -> String {
         let output = build(&mut cargo(kit, target), Command::output).unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -171,7 +174,7 @@ mod tests {
         String::from_utf8(ran.stdout).unwrap()
     }
 
-    /// A folder for kits.
+    /// Makes a folder for kits.
     fn folder() -> (tempfile::TempDir, PathBuf) {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().canonicalize().unwrap();
@@ -213,7 +216,7 @@ mod tests {
         for _ in 0..2 {
             for (clone, number) in clones.iter().zip(["1", "2"]) {
                 assert_eq!(printed(clone, &target), number);
-                // As an editor does it: nobody notes what this was built from.
+                // An editor builds without noting the hash.
                 cargo(clone, &target).output().unwrap();
             }
         }

@@ -1,8 +1,8 @@
-//! What is given is the kit's: a submission is its files with tasks, and new ones.
+//! Given files belong to the kit: a submission consists of the files with tasks, and of new files.
 //!
-//! A new file is a module, and is declared where modules are: often in a given file. So the kit's given
-//! file declares it too. Nothing else that a student wrote there is compiled. The grader and `cargo lab check` both build
-//! what [`Given::put`] makes of a submission.
+//! A new file is a module, which is often declared in a given file. So the declaration is copied
+//! into the kit's own version of that file. Nothing else that a student wrote there is compiled.
+//! The grader and `cargo lab check` both build the result of [`Given::put`].
 
 use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
@@ -17,16 +17,16 @@ use crate::submission::Sources;
 /// A lab's files as the kit gives them.
 #[derive(Debug, Default)]
 pub struct Given {
-    /// Those in src/ without a task.
+    /// Files in src/ without a task.
     pub files: Sources,
-    /// Those in src/ with one: a student's.
+    /// Paths of the files in src/ with a task, which belong to the student.
     pub tasks: BTreeSet<String>,
     /// Manifest and tests.
     pub beside: Sources,
 }
 
 impl Given {
-    /// Those of a lab.
+    /// Reads the given files of a lab.
     pub fn of(kit: &Kit, lab: Lab) -> Result<Self> {
         let mut given = Self::default();
         for (path, bytes) in starter::given(kit, lab)? {
@@ -42,7 +42,7 @@ impl Given {
         Ok(given)
     }
 
-    /// Replaces a student's files by the kit's, and returns the paths of those whose code the
+    /// Replaces a student's given files by the kit's. Returns the paths of files whose code the
     /// student had changed.
     pub fn put(&self, files: &mut Sources) -> Vec<String> {
         let is_new =
@@ -66,22 +66,22 @@ impl Given {
     }
 }
 
-/// Lines of code: spaces around them, and whole lines of comments, are none.
+/// Returns the lines of code, trimmed, without blank lines and whole lines of comments.
 fn code(text: &str) -> impl Iterator<Item = &str> {
     text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"))
 }
 
-/// A module whose code is in another file.
+/// A module whose code is in a different file.
 #[derive(Debug, PartialEq)]
 struct Module {
-    /// As the student declared it, up to the semicolon.
+    /// Declaration as the student wrote it, without the semicolon.
     declared: String,
     name: String,
-    /// The file that an attribute names.
+    /// File that a `path` attribute names.
     path: Option<String>,
 }
 
-/// The modules that a file declares.
+/// Returns the modules that a file declares.
 fn modules(text: &str) -> Vec<Module> {
     let text = without_comments(text);
     let mut modules = Vec::new();
@@ -111,7 +111,7 @@ fn without_comments(text: &str) -> String {
 }
 
 impl Module {
-    /// Reads what precedes a semicolon.
+    /// Parses the text before a semicolon; `None` if it declares no module.
     fn read(statement: &str) -> Option<Self> {
         // Attributes of the whole file precede its first module.
         let file =
@@ -127,7 +127,7 @@ impl Module {
         Some(Self { declared: declared.to_owned(), name, path: path.map(String::from) })
     }
 
-    /// Whether its file is among the new ones, if `from` declares it.
+    /// Whether the module's file is among the new files, if `from` declares it.
     fn is_among(&self, new: &BTreeSet<String>, from: &str) -> bool {
         let from = Path::new(from);
         let beside = from.parent().unwrap_or(from);
@@ -144,7 +144,7 @@ impl Module {
     }
 }
 
-/// A path without `.` and `..`.
+/// Resolves `.` and `..` in a path.
 fn plain(path: &Path) -> String {
     let mut parts = PathBuf::new();
     for part in path.components() {

@@ -1,4 +1,4 @@
-//! The titles of a lab's tasks and the hints for them, from its facts.
+//! Reads the titles of a lab's tasks and their hints from the lab's facts.
 
 use anyhow::{Result, ensure};
 
@@ -7,7 +7,7 @@ use crate::facts::Facts;
 use crate::kit::Kit;
 use crate::lab::Lab;
 
-/// How many hints every task has.
+/// Number of hints for every task.
 pub const TIERS: usize = 3;
 
 /// The hints for a task.
@@ -15,13 +15,13 @@ pub const TIERS: usize = 3;
 pub struct Hints {
     /// The task.
     pub task: Task,
-    /// Its title.
+    /// Title of the task.
     pub title: String,
-    /// From a nudge to nearly the answer.
+    /// Hints, from a nudge to nearly the answer.
     pub tiers: Vec<String>,
 }
 
-/// The hints of a lab, in the order of its tasks; empty if the lab has no facts.
+/// Returns the hints of a lab, in the order of its tasks; empty if the lab has no facts.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Hints>> {
     if !kit.has_facts(lab) {
         return Ok(Vec::new());

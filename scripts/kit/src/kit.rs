@@ -1,4 +1,4 @@
-//! Where the kit keeps its things.
+//! The kit's folders and files.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -13,18 +13,18 @@ use crate::facts::Facts;
 use crate::files::{read_toml, read_toml_at, sources_below, write_file};
 use crate::lab::Lab;
 
-/// The folder that everything lies in.
+/// The top folder of a copy of the kit.
 #[derive(Clone, Debug)]
 pub struct Kit {
     root: PathBuf,
-    /// Those that have been read.
+    /// Facts that have been read already.
     facts: Arc<Mutex<BTreeMap<Lab, Facts>>>,
 }
 
 impl Kit {
-    /// The kit around the current folder.
+    /// Finds the kit around the current folder.
     pub fn find() -> Result<Self> {
-        // All share what has been read of it.
+        // All callers share the facts that have been read.
         static FOUND: OnceLock<Kit> = OnceLock::new();
         if let Some(kit) = FOUND.get() {
             return Ok(kit.clone());
@@ -36,15 +36,15 @@ impl Kit {
         Ok(FOUND.get_or_init(|| Self::at(root)).clone())
     }
 
-    /// The kit in folder `root`.
+    /// Returns the kit in folder `root`.
     pub fn at(root: &Path) -> Self {
         Self { root: root.to_owned(), facts: Arc::default() }
     }
 
-    /// For tests: a kit in folder `root` of nothing but these files, as paths and texts.
+    /// For tests: makes a kit in folder `root` with only these files, as paths and texts.
     ///
     /// # Panics
-    /// One cannot be written.
+    /// If a file cannot be written.
     pub fn of_files(root: &Path, files: &[(&str, &str)]) -> Self {
         let kit = Self::at(root);
         for (path, text) in files {
@@ -53,27 +53,28 @@ impl Kit {
         kit
     }
 
-    /// The top folder.
+    /// Returns the top folder.
     pub fn root(&self) -> &Path {
         &self.root
     }
 
-    /// A path below the top folder.
+    /// Returns a path below the top folder.
     pub fn path(&self, relative: impl AsRef<Path>) -> PathBuf {
         self.root.join(relative)
     }
 
-    /// What the student edits.
+    /// Returns the folder of a lab's starter, which the student edits.
     pub fn starter(&self, lab: Lab) -> PathBuf {
         self.root.join(format!("labs/lab{lab}"))
     }
 
-    /// The lab, solved.
+    /// Returns the folder of a lab's solution.
     pub fn solution(&self, lab: Lab) -> PathBuf {
         self.root.join(format!("solutions/lab{lab}"))
     }
 
-    /// What a lab says about itself: the solution, or in a kit without it the starter.
+    /// Reads the facts of a lab, from the solution's folder, or in a kit without solutions from the
+    /// starter's.
     pub fn facts(&self, lab: Lab) -> Result<Facts> {
         let mut read = self.facts.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(facts) = read.get(&lab) {
@@ -86,7 +87,7 @@ impl Kit {
         Ok(facts)
     }
 
-    /// Whether a lab says anything about itself.
+    /// Whether a lab has facts.
     pub fn has_facts(&self, lab: Lab) -> bool {
         self.facts_file(lab).is_some()
     }
@@ -96,33 +97,34 @@ impl Kit {
         files.into_iter().find(|file| file.is_file())
     }
 
-    /// What a lab is called, such as `all pairs`.
+    /// Returns the title of a lab, such as `all pairs`.
     pub fn title(&self, lab: Lab) -> String {
         self.facts(lab).map_or_else(|_| "no title".into(), |facts| facts.title)
     }
 
-    /// The chapter of a lab, below the top folder; none if it is not written.
+    /// Returns the path of a lab's chapter, below the top folder; `None` if there is no chapter
+    /// yet.
     pub fn chapter(&self, lab: Lab) -> Option<String> {
         let chapter = format!("book/src/lab{lab}.md");
         self.root.join(&chapter).is_file().then_some(chapter)
     }
 
-    /// A folder for what the tool remembers; not made yet.
+    /// Returns the folder for the tool's own files. It may not exist yet.
     pub fn memory(&self) -> PathBuf {
         self.root.join("target/lab")
     }
 
-    /// The labs that have a starter, in order.
+    /// Returns the labs that have a starter, in order.
     pub fn starters(&self) -> Vec<Lab> {
         labs_in(&self.root.join("labs"))
     }
 
-    /// The labs that have a solution, in order.
+    /// Returns the labs that have a solution, in order.
     pub fn solutions(&self) -> Vec<Lab> {
         labs_in(&self.root.join("solutions"))
     }
 
-    /// The labs that have a solution, or the one that is asked for.
+    /// Returns the labs that have a solution, or only `lab` if it is given.
     pub fn chosen_solutions(&self, lab: Option<Lab>) -> Result<Vec<Lab>> {
         let labs = self.solutions();
         let Some(lab) = lab else { return Ok(labs) };
@@ -130,15 +132,16 @@ impl Kit {
         Ok(vec![lab])
     }
 
-    /// The sources of a lab's tests: tests/labN.rs and the files that it includes from tests/labN/; none
-    /// if it has no tests.
+    /// Returns the sources of a lab's tests; empty if it has no tests.
+    ///
+    /// They are tests/labN.rs and the files that it includes from tests/labN/.
     pub fn test_sources(&self, lab: Lab) -> Result<Vec<PathBuf>> {
         let source = self.path(format!("tests/lab{lab}.rs"));
         let included = sources_below(&source.with_extension(""))?;
         Ok([source].into_iter().filter(|source| source.is_file()).chain(included).collect())
     }
 
-    /// What the tests of a lab compare with: its snapshots, tests/snapshots/labN__*.snap.
+    /// Returns the snapshots that a lab's tests compare with: tests/snapshots/labN__*.snap.
     pub fn snapshots(&self, lab: Lab) -> Result<Vec<PathBuf>> {
         let prefix = format!("lab{lab}__");
         let mut snapshots = sources_below(&self.path("tests/snapshots"))?;
@@ -149,7 +152,9 @@ impl Kit {
         Ok(snapshots)
     }
 
-    /// The folders, below the top one, of the kit's own packages that the package in `folder` depends on.
+    /// Returns the folders of the kit's own packages that the package in `folder` depends on.
+    ///
+    /// The folders are relative to the top folder.
     pub fn dependencies(&self, folder: &Path) -> Result<Vec<String>> {
         let table = |folder: &Path, pointer| -> Result<BTreeMap<String, Value>> {
             Ok(read_toml_at(&folder.join("Cargo.toml"), pointer)?.unwrap_or_default())
@@ -159,7 +164,7 @@ impl Kit {
         Ok(table(folder, "/dependencies")?.keys().filter_map(folder_of).collect())
     }
 
-    /// Refuses a lab that has no starter.
+    /// Returns an error if a lab has no starter.
     pub fn expect_starter(&self, lab: Lab) -> Result<()> {
         ensure!(
             self.starter(lab).join("Cargo.toml").is_file(),
@@ -169,7 +174,7 @@ impl Kit {
         Ok(())
     }
 
-    /// Cargo, the one that runs this command, in the top folder.
+    /// Returns a Cargo command in the top folder, with the Cargo that runs this program.
     pub fn cargo(&self) -> Command {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
         let mut command = Command::new(cargo);

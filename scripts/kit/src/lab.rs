@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-/// The number of a lab, 1 or more. Read from `3` or `lab3`.
+/// The number of a lab, 1 or more. It is parsed from `3` or `lab3`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
 #[serde(transparent)]
 pub struct Lab(u8);

@@ -1,10 +1,11 @@
-//! What every part of the `cargo lab` command needs.
+//! Shared parts of the `cargo lab` commands.
 //!
-//! [`Kit`] knows where things are, [`Facts`] what a [`Lab`] says about itself. [`answers`] reads the tasks
-//! in a solution and [`starter`] makes a starter of it; [`hints`], [`wrong`], [`quiz`] and [`rubric`]
-//! read what is written beside it. [`given`] says what of a submission is built. [`harness`] runs a lab's tests,
-//! [`binaries`] are its programs, both in a [`process`] of their own; [`cargo`] shows what it builds, and [`fresh`] builds
-//! of the sources as they are now. A [`command`] of the kit begins and ends alike, wherever it is.
+//! [`Kit`] has the paths of the kit, and [`Facts`] describes a [`Lab`]. [`answers`] reads the tasks
+//! in a solution, and [`starter`] makes a starter of it. [`hints`], [`wrong`], [`quiz`] and
+//! [`rubric`] read the files beside the solution. [`given`] selects the files of a submission that
+//! are built. [`harness`] runs a lab's tests and [`binaries`] its programs, each in a separate
+//! [`process`]. [`cargo`] shows the progress of builds, and [`fresh`] ensures that they are made of
+//! the present sources. [`command`] starts and ends every command of the kit in the same way.
 
 pub mod answers;
 pub mod binaries;

@@ -1,22 +1,22 @@
-//! This machine and this day, as records name them.
+//! Describes this machine and today's date, for records.
 
 use std::fs;
 use std::process::Command;
 use std::sync::Mutex;
 use std::thread;
 
-/// How many threads this machine runs at once.
+/// Returns the number of threads that this machine runs at once.
 pub fn cores() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// 1, 2, 4, … and `most`, as numbers of workers that are compared.
+/// Returns 1, 2, 4, … and `most`, as numbers of workers to compare.
 pub fn doubled_up_to(most: usize) -> Vec<usize> {
     let doubled = std::iter::successors(Some(1), |p| Some(2 * p));
     doubled.take_while(|p| *p < most).chain([most]).collect()
 }
 
-/// Processor and number of cores.
+/// Returns the name of the processor and the number of cores.
 pub fn machine() -> String {
     let cpuinfo = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = cpuinfo.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
@@ -24,14 +24,14 @@ pub fn machine() -> String {
     format!("{model}, {} cores", cores())
 }
 
-/// Today's date in UTC, as 2026-11-21; nothing where the system does not say.
+/// Returns today's date in UTC, as 2026-11-21; empty if the system does not report it.
 pub fn date() -> String {
     let said = Command::new("date").args(["-u", "+%F"]).output();
     said.map_or_else(|_| String::new(), |said| String::from_utf8_lossy(&said.stdout).trim().into())
 }
 
-/// Does `work` on every item, on as many threads as there are cores, and returns what came out in
-/// the items' order.
+/// Applies `work` to every item, on as many threads as there are cores. Results are in the order of
+/// the items.
 pub fn on_all_cores<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let next = Mutex::new(items.iter().enumerate());
     let done = Mutex::new(Vec::with_capacity(items.len()));
@@ -44,7 +44,7 @@ pub fn on_all_cores<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync
     };
     thread::scope(|scope| {
         for _ in 1..cores().min(items.len()) {
-            // What a thread that the system refuses would have done, the others do.
+            // If the system refuses a thread, the others do its work.
             let _ = thread::Builder::new().spawn_scoped(scope, worker);
         }
         worker();

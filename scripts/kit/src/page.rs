@@ -1,23 +1,25 @@
-//! How wide what is printed may be.
+//! Width of the output.
 
 use std::io::{IsTerminal, stdout};
 
-/// The width of a page, and of terminals that do not say.
+/// Columns of a page, and of terminals of unknown width.
 pub(crate) const PAGE: usize = 80;
 
-/// Columns of the terminal.
+/// Returns the number of columns of the terminal.
 pub fn columns() -> usize {
     let said = rustix::termios::tcgetwinsize(stdout()).map_or(0, |size| size.ws_col);
     if said == 0 { PAGE } else { said.into() }
 }
 
-/// A line of `text` behind `head`. Where the terminal ends it goes on below, as far to the right as its first word.
-/// What is no terminal gets one line.
+/// Formats `text` behind `head`, folded to the width of the terminal.
+///
+/// Further lines are indented to the first word of the text. Without a terminal, the result is one
+/// line.
 pub fn folded(head: &str, text: &str) -> String {
     fold(head, text, if stdout().is_terminal() { columns() } else { usize::MAX })
 }
 
-/// A line of `text` behind `head` in so many columns.
+/// Formats `text` behind `head`, folded to `columns` columns.
 pub fn fold(head: &str, text: &str, columns: usize) -> String {
     let (spaces, text) = text.split_at(text.len() - text.trim_start().len());
     let mut out = head.to_owned() + spaces;

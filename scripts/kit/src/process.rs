@@ -1,4 +1,4 @@
-//! Processes with a time limit, that leave nothing behind.
+//! Runs processes with a time limit. No process is left behind.
 
 use std::collections::BTreeSet;
 use std::io::{self, Read};
@@ -16,31 +16,31 @@ use signal_hook::iterator::Signals;
 /// Bytes kept of each stream of a process: half from its beginning, half from its end.
 const KEPT: usize = 1 << 20;
 
-/// How long a process may take to leave after it was asked to.
+/// Time between asking a process to end and killing it.
 const GRACE: Duration = Duration::from_secs(2);
 
-/// The groups that are running, for the handler of an interrupt.
+/// Process groups that are running, for the handler of an interrupt.
 static RUNNING: Mutex<BTreeSet<i32>> = Mutex::new(BTreeSet::new());
 
-/// What a process did.
+/// Result of a process.
 #[derive(Debug)]
 pub struct Finished {
-    /// How it ended; none if its time was up.
+    /// Exit status; `None` if the process exceeded its time limit.
     pub status: Option<ExitStatus>,
-    /// What it wrote; of very much the beginning and the end.
+    /// Standard output. Of a long output, only the beginning and the end are kept.
     pub stdout: String,
-    /// Its complaints; of very many the beginning and the end.
+    /// Standard error. Of a long output, only the beginning and the end are kept.
     pub stderr: String,
 }
 
-/// A process in a group of its own. The group is ended when this is dropped.
+/// A process in its own process group. The group is killed when this value is dropped.
 pub struct Started {
     /// The process itself.
     pub child: Child,
     group: i32,
 }
 
-/// Starts a command in a process group of its own.
+/// Starts a command in its own process group.
 pub fn start(command: &mut Command) -> io::Result<Started> {
     let child = command.process_group(0).spawn()?;
     let group = i32::try_from(child.id()).unwrap_or(i32::MAX);
@@ -56,8 +56,8 @@ impl Drop for Started {
     }
 }
 
-/// Runs a command in a process group of its own. When its time is up or it has ended, every
-/// process of the group is ended too.
+/// Runs a command in its own process group. All processes of the group are killed when the command
+/// ends or exceeds its time limit.
 pub fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut started = start(command)?;
@@ -66,27 +66,27 @@ pub fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {
     let stderr = ends(child.stderr.take());
     let status = wait(child, Instant::now() + limit);
     if matches!(status, Ok(None)) {
-        // First politely: a launcher of parallel programs then ends those on its own.
+        // A launcher of parallel programs ends them when it is asked to end.
         kill(started.group, Signal::TERM);
         let _ = wait(&mut started.child, Instant::now() + GRACE);
     }
     drop(started);
-    // A process that left the group may still hold the pipe: we do not wait for that.
+    // A process that left the group may still hold the pipe. It is not waited for.
     let text = |stream: Receiver<String>| stream.recv_timeout(GRACE).unwrap_or_default();
     Ok(Finished { status: status?, stdout: text(stdout), stderr: text(stderr) })
 }
 
-/// What the first panic says, in the complaints of a process.
+/// Returns the message of the first panic in a process's stderr.
 pub fn panic_in(stderr: &str) -> Option<&str> {
     let lines = stderr.lines().filter(|line| !line.trim().is_empty());
     lines.skip_while(|line| !line.contains(" panicked at ")).nth(1)
 }
 
-/// From now on Ctrl-C also ends what [`run`] has started.
+/// Makes Ctrl-C also kill the processes that [`run`] has started.
 pub fn kill_all_on_interrupt() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
-        // These signals can be listened to on every system.
+        // These signals exist on every system.
         let Ok(mut signals) = Signals::new([SIGINT, SIGTERM, SIGHUP]) else { return };
         thread::spawn(move || {
             signals.forever().next();
@@ -102,7 +102,7 @@ fn running<T>(change: impl FnOnce(&mut BTreeSet<i32>) -> T) -> T {
 
 fn kill(group: i32, signal: Signal) {
     if let Some(group) = Pid::from_raw(group) {
-        // A group that is gone already is as we want it.
+        // It does no harm if the group has already ended.
         let _ = kill_process_group(group, signal);
     }
 }
@@ -121,13 +121,13 @@ fn wait(child: &mut Child, until: Instant) -> io::Result<Option<ExitStatus>> {
     }
 }
 
-/// Reads a stream to its end on a thread of its own, and keeps its beginning and its end.
+/// Reads a stream to its end in a new thread, and keeps its beginning and its end.
 pub fn ends(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
     let (send, receive) = channel();
     thread::spawn(move || {
         let (mut first, mut last) = (Vec::new(), Vec::new());
         if let Some(mut stream) = stream {
-            // What cannot be read is not there.
+            // After an error, the rest of the stream counts as empty.
             let _ = stream.by_ref().take(KEPT as u64 / 2).read_to_end(&mut first);
             while let Ok(1..) = stream.by_ref().take(KEPT as u64 / 2).read_to_end(&mut last) {
                 last.drain(..last.len().saturating_sub(KEPT / 2));
@@ -172,8 +172,8 @@ mod tests {
         assert!(start.elapsed() < Duration::from_secs(60));
         let child = done.stdout.trim();
         assert!(!child.is_empty());
-        // An ended process is gone, or waits as a zombie for the process that inherited it. The system may
-        // take a moment to end it.
+        // A process that ended has disappeared, or is a zombie until its new parent notices. The
+        // system may take a moment to end it.
         let alive = || {
             let state = std::fs::read_to_string(format!("/proc/{child}/stat")).unwrap_or_default();
             !state.is_empty() && !state.contains(") Z ")

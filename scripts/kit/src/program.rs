@@ -1,4 +1,4 @@
-//! The programs that are timed: a lab's binary, one of its variants, and how that is set.
+//! Programs that are timed: a lab's binary, one of its variants, and the variant's settings.
 
 use std::fmt;
 use std::str::FromStr;
@@ -11,36 +11,39 @@ use crate::facts::{Discs, Work, Workers};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
-/// A variant of a lab, the student's or the solution's, written as on the command line:
-/// `lab3`, `lab3:fork-join`, `solution3:fork-join,t=2,padding=1`. A lab may have another program, which
-/// its facts name: `lab9-hard:basic-f32`. What the lab is, the kit around the current folder says.
+/// A variant of a lab's program, the student's or the solution's, in the notation of the command
+/// line.
+///
+/// Examples are `lab3`, `lab3:fork-join` and `solution3:fork-join,t=2,padding=1`. A lab may have
+/// additional programs, which its facts name: `lab9-hard:basic-f32`. The facts are read from the
+/// kit around the current folder.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
-    /// Which lab.
+    /// Number of the lab.
     pub lab: Lab,
     /// Whether it is the solution, not the student's work.
     pub solution: bool,
     /// Name of one of the lab's other programs, which follows the lab's own name; `None` for the first program.
     other: Option<String>,
-    /// What it simulates.
+    /// Discs that it simulates.
     pub discs: Discs,
-    /// What shares its work.
+    /// Workers that share its work.
     pub workers: Workers,
-    /// The variant; none for the lab's first.
+    /// Name of the variant; `None` for the lab's first.
     pub variant: Option<String>,
-    /// Threads of the process, or of each rank; none if the command decides.
+    /// Threads of the process, or of each rank; `None` if the command decides.
     pub threads: Option<usize>,
-    /// Processes, for labs of several; none if the command decides.
+    /// Number of processes, for labs with ranks; `None` if the command decides.
     pub ranks: Option<usize>,
-    /// The variant's parameters, as for `--param`.
+    /// Parameters of the variant, as for `--param`.
     pub parameters: Vec<(String, f64)>,
 }
 
 impl Program {
-    /// A lab's first variant, as it is.
+    /// Returns a lab's first variant, with default settings.
     ///
     /// # Errors
-    /// The current folder is in no kit with such a lab.
+    /// If the current folder is not in a kit with this lab.
     pub fn new(lab: Lab, solution: bool) -> Result<Self> {
         let facts = Kit::find()?.facts(lab)?;
         Ok(Self {
@@ -56,7 +59,7 @@ impl Program {
         })
     }
 
-    /// The solutions that simulate such discs with such workers, in order.
+    /// Returns the solutions that simulate such discs with such workers, in order.
     pub fn solutions(kit: &Kit, discs: Discs, workers: Workers) -> Result<Vec<Self>> {
         let programs = kit.solutions().into_iter().map(|lab| Self::new(lab, true));
         let mut programs = programs.collect::<Result<Vec<_>>>()?;
@@ -64,13 +67,14 @@ impl Program {
         Ok(programs)
     }
 
-    /// The same with another variant.
+    /// Returns the program with a different variant.
     pub fn with_variant(mut self, variant: &str) -> Self {
         self.variant = Some(variant.into());
         self
     }
 
-    /// Returns the lab's other programs that simulate something: not those that time single loops.
+    /// Returns the lab's other programs that simulate something. Programs that time single loops
+    /// are left out.
     pub fn others(&self) -> Result<Vec<Self>> {
         let mut others = Vec::new();
         for (name, work) in Kit::find()?.facts(self.lab)?.programs {
@@ -93,13 +97,13 @@ impl Program {
         set.map(|(_, value)| *value)
     }
 
-    /// The name of its binary.
+    /// Returns the name of its binary.
     pub fn binary(&self) -> String {
         let other = self.other.as_ref().map(|other| format!("-{other}"));
         self.package() + &other.unwrap_or_default()
     }
 
-    /// The cargo package it is in.
+    /// Returns the name of its Cargo package.
     pub fn package(&self) -> String {
         format!("{}{}", if self.solution { "solution" } else { "lab" }, self.lab)
     }
@@ -182,7 +186,7 @@ impl fmt::Display for Program {
     }
 }
 
-/// As it is written on the command line.
+/// Writes the program in the notation of the command line.
 impl Serialize for Program {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)

@@ -1,11 +1,11 @@
-//! Progress on the terminal.
+//! Progress bars on the terminal.
 
 use std::env;
 use std::io::IsTerminal;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// Whether a stream is a terminal that knows escape codes: an editor's shell calls itself dumb.
+/// Whether a stream is a terminal with escape codes. An editor's shell sets `TERM` to `dumb`.
 pub fn can_draw(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && is_clever(env::var("TERM").ok().as_deref())
 }
@@ -14,7 +14,7 @@ fn is_clever(terminal: Option<&str>) -> bool {
     terminal.is_none_or(|terminal| terminal != "dumb")
 }
 
-/// A bar on a terminal. Elsewhere it draws nothing, but it counts.
+/// Makes a progress bar. Without a terminal it draws nothing, but it counts.
 pub fn progress(length: u64) -> ProgressBar {
     if !can_draw(&std::io::stderr()) {
         return ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::hidden());

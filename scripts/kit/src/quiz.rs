@@ -1,4 +1,5 @@
-//! Quizzes of the chapters: a known-wrong program, and four explanations of which one is right.
+//! Quizzes of the chapters: a known-wrong program and four explanations, one of which is right.
+//!
 //! `tests/wrong/labN.toml`, beside the programs, lists them.
 //!
 //! ```toml
@@ -21,35 +22,36 @@ use crate::kit::Kit;
 use crate::lab::Lab;
 use crate::wrong::{self, Wrong};
 
-/// A known-wrong program, and what may be wrong with it.
+/// A known-wrong program, with possible explanations.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Quiz {
-    /// The known-wrong program.
+    /// Name of the known-wrong program.
     pub program: String,
-    /// What was observed, and the question.
+    /// Observation about the program, and the question.
     pub question: String,
-    /// Four explanations, of which one is right.
+    /// Four explanations, one of which is right.
     pub answers: Vec<Answer>,
 }
 
-/// An explanation of what was observed.
+/// An explanation of the observation.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Answer {
-    /// The line that it blames.
+    /// Line that the explanation blames.
     pub line: String,
-    /// Why that line would be the cause.
+    /// Reason why that line would be the cause.
     pub why: String,
-    /// Why it is not the cause. `None` for the right answer.
+    /// Reason why it is not the cause; `None` for the right explanation.
     pub refutation: Option<String>,
 }
 
-/// The quiz about a lab's known-wrong `program`, as Markdown. `None` if the kit has no known-wrong
-/// programs of this lab, as a class's kit.
+/// Returns the quiz about a lab's known-wrong `program`, as Markdown.
+///
+/// Returns `None` if the kit has no known-wrong programs of this lab. A class's kit has none.
 ///
 /// # Errors
-/// The lab has no such quiz, or the quiz does not fit its program.
+/// If the lab has no such quiz, or if the quiz does not fit its program.
 pub fn markdown(kit: &Kit, lab: Lab, program: &str) -> Result<Option<String>> {
     let all = wrong::read(kit, lab)?;
     if all.is_empty() {
@@ -66,7 +68,7 @@ pub fn markdown(kit: &Kit, lab: Lab, program: &str) -> Result<Option<String>> {
     Ok(Some(rendered(quiz, wrong, &code)))
 }
 
-/// The quizzes of a lab; empty if the lab has none.
+/// Reads the quizzes of a lab; empty if the lab has none.
 fn read(kit: &Kit, lab: Lab) -> Result<Vec<Quiz>> {
     #[derive(Deserialize)]
     struct File {
@@ -79,7 +81,7 @@ fn read(kit: &Kit, lab: Lab) -> Result<Vec<Quiz>> {
     Ok(read_toml::<File>(&path)?.quiz)
 }
 
-/// Ensures that a quiz has one right answer of four, and that each answer blames one line.
+/// Checks that a quiz has four answers, one of them right, and that each answer blames one line.
 fn check(quiz: &Quiz, code: &str) -> Result<()> {
     let right = quiz.answers.iter().filter(|answer| answer.refutation.is_none()).count();
     ensure!(quiz.answers.len() == 4 && right == 1, "it needs four answers, one of them right");
@@ -90,8 +92,9 @@ fn check(quiz: &Quiz, code: &str) -> Result<()> {
     Ok(())
 }
 
-/// The program, the question, and each answer with a fold that confirms or refutes it. The answers
-/// are in the order of their lines.
+/// Writes the program, the question, and each answer with a fold that confirms or refutes it.
+///
+/// The answers are in the order of their lines.
 fn rendered(quiz: &Quiz, wrong: &Wrong, code: &str) -> String {
     let mut answers: Vec<&Answer> = quiz.answers.iter().collect();
     answers.sort_by_key(|answer| code.lines().position(|line| line.trim() == answer.line));
@@ -114,7 +117,7 @@ fn rendered(quiz: &Quiz, wrong: &Wrong, code: &str) -> String {
     out + "</details>\n"
 }
 
-/// The function around a known-wrong program's region, with the wrong body in it.
+/// Returns the function around a known-wrong program's region, with the wrong body in it.
 fn function(files: &[MarkedFile], wrong: &Wrong) -> Option<String> {
     let mut files = files.iter().map(|file| &file.parts);
     let (parts, at, region) = files.find_map(|parts| {

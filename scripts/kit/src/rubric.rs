@@ -1,4 +1,4 @@
-//! What a lab's tasks and measures are worth, by its [facts](crate::facts).
+//! Points of a lab's tasks and measures, from its [facts](crate::facts).
 
 use std::collections::BTreeMap;
 
@@ -12,19 +12,19 @@ use crate::lab::Lab;
 const WHOLE: f64 = 100.0;
 
 impl Facts {
-    /// What is timed, and what that is worth.
+    /// Returns the measures of times, with their points.
     pub fn timed(&self) -> impl Iterator<Item = &Timed> {
         [&self.complexity, &self.scaling, &self.speed].into_iter().flatten()
     }
 
-    /// Says what an instructor may not have meant.
+    /// Prints a warning if the points look like a mistake.
     pub fn warn(&self, lab: Lab) {
         if let Some(warning) = self.warning(lab) {
             eprintln!("{warning}");
         }
     }
 
-    /// Tasks that are not worth a hundred points together, if they are not.
+    /// Returns a warning if the tasks are not worth a hundred points together.
     fn warning(&self, lab: Lab) -> Option<String> {
         let sum: f64 = self.tasks.values().map(|task| task.points).sum();
         let file = format!("solutions/lab{lab}/lab.toml");
@@ -34,10 +34,10 @@ impl Facts {
     }
 }
 
-/// The facts of a lab that can be graded.
+/// Reads the facts of a lab that can be graded.
 ///
 /// # Errors
-/// They cannot be read, name no task, or take points away.
+/// If the facts cannot be read, name no task, or contain negative points.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Facts> {
     let facts = kit.facts(lab)?;
     let file = format!("solutions/lab{lab}/lab.toml");
@@ -54,7 +54,7 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Facts> {
     Ok(facts)
 }
 
-/// Those of all labs.
+/// Reads the facts of all labs.
 pub fn all(kit: &Kit) -> Result<BTreeMap<Lab, Facts>> {
     kit.solutions().into_iter().map(|lab| Ok((lab, read(kit, lab)?))).collect()
 }
@@ -86,7 +86,7 @@ mod tests {
         }
     }
 
-    /// The rubric of a lab 3 with these points for 3.1.
+    /// Reads the rubric of a lab 3 with these points for 3.1.
     fn with(points: &str) -> anyhow::Result<Facts> {
         let folder = tempfile::tempdir().unwrap();
         let facts = format!(

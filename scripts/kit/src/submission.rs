@@ -1,6 +1,7 @@
-//! What a student hands in: `labs/labN/src/**`, packed.
+//! Packs a student's submission: `labs/labN/src/**`.
 //!
-//! [`collect`] says which files of a lab go in and why others do not, [`pack`] makes the archive.
+//! [`collect`] selects the files of a lab and gives a reason for each file that is left out.
+//! [`pack`] makes the archive.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -14,43 +15,44 @@ use crate::kit::Kit;
 use crate::lab::Lab;
 use crate::starter::rename;
 
-/// The most bytes of a single file.
+/// Maximal size of a single file, in bytes.
 pub const FILE_LIMIT: u64 = 1 << 20;
 
-/// The most files of a submission.
+/// Maximal number of files of a submission.
 pub const COUNT_LIMIT: usize = 200;
 
-/// The most bytes of a file's path below the lab's folder.
+/// Maximal length of a file's path below the lab's folder, in bytes.
 const PATH_LIMIT: usize = 200;
 
 /// Files by their path below the lab's folder, such as `src/lib.rs`.
 pub type Sources = BTreeMap<String, Vec<u8>>;
 
-/// Why a file is not taken: it is a symbolic link, for example.
+/// Reason for leaving out a file that is not a regular file, such as a symbolic link.
 pub const NOT_PLAIN: &str = "no plain file";
 
-/// It has more than [`FILE_LIMIT`] bytes.
+/// Reason for leaving out a file of more than [`FILE_LIMIT`] bytes.
 pub const TOO_LARGE: &str = "more than 1 MiB";
 
-/// No path of ours can be the same.
+/// Reason for leaving out a file whose path is not UTF-8, and so cannot equal any path of the kit.
 pub const NOT_UTF8: &str = "its name is not UTF-8";
 
-/// The disk or its rights refuse it.
+/// Reason for leaving out a file that the system refuses to read.
 const UNREADABLE: &str = "it cannot be read";
 
-/// How the names of files end that a lab's code is made of: Rust, shaders, and texts and tables that code includes.
+/// Extensions of files that a lab's code consists of: Rust, shaders, and texts and tables that code
+/// includes.
 const ENDINGS: [&str; 9] = [".rs", ".wgsl", ".csv", ".dat", ".in", ".json", ".md", ".toml", ".txt"];
 
-/// A lab's files: what is taken, and what is not.
+/// Files of a lab: those that are submitted, and those that are left out.
 #[derive(Debug, Default)]
 pub struct Collected {
-    /// What is taken.
+    /// Files that are submitted.
     pub files: Sources,
-    /// What is not, and why.
+    /// Files that are left out, with the reasons.
     pub left_out: Vec<(PathBuf, &'static str)>,
 }
 
-/// Collects the sources below `folder/src`; paths are below `folder`.
+/// Collects the sources below `folder/src`. Paths are relative to `folder`.
 pub fn collect(folder: &Path) -> Result<Collected> {
     let mut collected = Collected::default();
     for path in files_below(&folder.join("src"))? {
@@ -65,7 +67,7 @@ pub fn collect(folder: &Path) -> Result<Collected> {
     Ok(collected)
 }
 
-/// A file's name and bytes, or why it is not taken.
+/// Returns a file's name and bytes, or the reason for leaving it out.
 fn read(path: &Path, relative: &Path) -> std::result::Result<(String, Vec<u8>), &'static str> {
     let name = relative.to_str().ok_or(NOT_UTF8)?;
     let metadata = fs::symlink_metadata(path).map_err(|_| UNREADABLE)?;
@@ -77,7 +79,7 @@ fn read(path: &Path, relative: &Path) -> std::result::Result<(String, Vec<u8>), 
     }
 }
 
-/// Whether a path's name alone keeps it out.
+/// Returns the reason for leaving out a file because of its path; `None` if the path is accepted.
 pub fn refused(path: &str) -> Option<&'static str> {
     if path.len() > PATH_LIMIT || path.contains(char::is_control) {
         return Some("its name is longer than 200 bytes, or holds a control character");
@@ -89,7 +91,8 @@ pub fn refused(path: &str) -> Option<&'static str> {
     (!is_known).then_some("its name does not end as that of a source does, such as .rs")
 }
 
-/// The archive, a `.tar.gz`: the same files give the same bytes, on each machine and at each time.
+/// Packs the files as a `.tar.gz`. The same files give the same bytes, on every machine and at any
+/// time.
 pub fn pack(lab: Lab, files: &Sources) -> Result<Vec<u8>> {
     let zip = GzBuilder::new().mtime(0).operating_system(255);
     let mut archive = tar::Builder::new(zip.write(Vec::new(), Compression::best()));
@@ -104,7 +107,7 @@ pub fn pack(lab: Lab, files: &Sources) -> Result<Vec<u8>> {
     Ok(archive.into_inner()?.finish()?)
 }
 
-/// The kit's own solution as if it had been handed in: under the lab's name.
+/// Returns the kit's own solution as a submission, under the lab's name.
 pub fn of_solution(kit: &Kit, lab: Lab) -> Result<Sources> {
     let mut sources = collect(&kit.solution(lab))?.files;
     for (_, bytes) in sources.iter_mut().filter(|(path, _)| path.ends_with(".rs")) {
@@ -128,7 +131,7 @@ mod tests {
             let src = folder.path().join(copy).join("src");
             fs::create_dir_all(&src).unwrap();
             fs::write(src.join("lib.rs"), "pub fn f() {}").unwrap();
-            // Times and permissions are nobody's business.
+            // Times and permissions must not matter.
             if copy == "b" {
                 use std::os::unix::fs::PermissionsExt;
                 let mode = fs::Permissions::from_mode(0o700);

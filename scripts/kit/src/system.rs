@@ -1,4 +1,4 @@
-//! What a lab needs of the system beyond Rust.
+//! Software that a lab needs in addition to Rust.
 
 use std::ffi::OsStr;
 use std::path::Path;
@@ -10,7 +10,8 @@ use crate::facts::Workers;
 use crate::kit::Kit;
 use crate::lab::Lab;
 
-/// What to install before the lab can run; none if all is there.
+/// Returns the software that must be installed before the lab can run; `None` if nothing is
+/// missing.
 pub fn missing(kit: &Kit, lab: Lab) -> Result<Option<&'static str>> {
     Ok(match kit.facts(lab)?.workers {
         Workers::Ranks if !has_mpi() => Some(
@@ -23,13 +24,13 @@ pub fn missing(kit: &Kit, lab: Lab) -> Result<Option<&'static str>> {
     })
 }
 
-/// A compiler for MPI and a launcher, where the build and the tests look for them.
+/// Whether the build and the tests find an MPI compiler and a launcher.
 fn has_mpi() -> bool {
     let compiler = std::env::var_os("MPICC").unwrap_or_else(|| "mpicc".into());
     (on_path(&compiler) || Path::new(&compiler).is_file()) && Mpiexec::find().is_ok()
 }
 
-/// Whether there is such a program.
+/// Whether a program is on the path.
 pub fn on_path(program: &OsStr) -> bool {
     let path = std::env::var_os("PATH").unwrap_or_default();
     std::env::split_paths(&path).any(|folder| folder.join(program).is_file())

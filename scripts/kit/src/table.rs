@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::page::{columns, fold};
 
-/// A table: a header, then rows of as many cells.
+/// A table: a header, and rows with as many cells.
 #[derive(Clone, Debug)]
 pub struct Table {
     header: Vec<String>,
@@ -12,19 +12,21 @@ pub struct Table {
 }
 
 impl Table {
-    /// An empty table.
+    /// Makes an empty table.
     pub fn new<S: Into<String>>(header: impl IntoIterator<Item = S>) -> Self {
         Self { header: header.into_iter().map(Into::into).collect(), rows: Vec::new() }
     }
 
-    /// Adds a row; missing cells stay empty.
+    /// Adds a row. Missing cells stay empty.
     pub fn row<S: Into<String>>(&mut self, cells: impl IntoIterator<Item = S>) {
         self.rows.push(cells.into_iter().map(Into::into).collect());
     }
 }
 
-/// The first column, the names, to the left; the others, the numbers, to the right. A heading that is wider
-/// than its cells goes on below, and columns beyond the width of the terminal stand in a table below.
+/// Aligns the first column (names) to the left and the others (numbers) to the right.
+///
+/// A heading that is wider than its cells is folded. Columns beyond the width of the terminal go
+/// into a second table below.
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.within(f, columns())
@@ -65,7 +67,7 @@ impl Table {
         };
         let heads: Vec<_> = self.header.iter().zip(widths).map(folded).collect();
         let high = shown.iter().filter_map(|&at| heads.get(at)).map(Vec::len).max().unwrap_or(0);
-        // Headings stand on the line above the rows.
+        // Short headings are at the bottom, next to the rows.
         let head =
             |line: usize, at: usize| heads[at].get((line + heads[at].len()).wrapping_sub(high));
         let header = (0..high).map(|line| shown.iter().map(|&at| head(line, at)).collect());
@@ -86,7 +88,7 @@ fn width(text: &str) -> usize {
     text.chars().count()
 }
 
-/// A number with three significant digits, as tables show times and ratios.
+/// Formats a number with three significant digits, as tables show times and ratios.
 pub fn three_digits(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return value.to_string();

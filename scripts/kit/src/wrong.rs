@@ -1,6 +1,6 @@
 //! Known-wrong programs: `tests/wrong/labN.md`, a page for each lab.
 //!
-//! Each is another body for one region of the solution, in a section of the page:
+//! Each program is a wrong body for one region of the solution, in a section of the page:
 //!
 //! ````text
 //! ## corners_forgotten
@@ -16,15 +16,15 @@
 //! ```
 //! ````
 //!
-//! A long body can be a diff of the answer instead: the block is called `diff`, lines with `-` give way to those with
-//! `+`, lines with a blank stay, and an empty line ends a change. The lines of a change that are in the answer must be
-//! there once.
+//! A long body can be a diff of the answer instead, in a block called `diff`. Lines with `-` are
+//! replaced by lines with `+`, lines with a blank stay, and an empty line ends a change. The old
+//! lines of a change must occur once in the answer.
 //!
-//! A program loses the marks of its region's task. Where another task cannot be asked without that
-//! one, the line `also loses` names it.
+//! A program loses the marks of its region's task. If a different task cannot be asked without that
+//! task, the line `also loses` names it.
 //!
-//! Unusual programs that are right are kept in `tests/right/labN.md` in the same form, with `passes` instead of
-//! `fails`. They keep all marks.
+//! Unusual programs that are right are kept in `tests/right/labN.md` in the same form, with
+//! `passes` instead of `fails`. They keep all marks.
 
 use std::collections::BTreeSet;
 
@@ -40,28 +40,28 @@ use crate::submission::{Sources, of_solution};
 /// A wrong answer to a task, or an unusual right one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wrong {
-    /// The heading of its section.
+    /// Heading of its section.
     pub name: String,
-    /// The region that it stands for.
+    /// Region that it replaces.
     pub region: RegionId,
-    /// The tests that must fail on it; none if it is right.
+    /// Tests that must fail on it; empty if it is right.
     pub fails: Vec<String>,
-    /// The tests that must pass on it, if it is right.
+    /// Tests that must pass on it, if it is right.
     pub passes: Vec<String>,
-    /// Other tasks that cannot be asked without this one, and whose marks go with it.
+    /// Other tasks that cannot be asked without this one, and lose their marks with it.
     pub loses: Vec<Task>,
-    /// What is wrong with it, or unusual.
+    /// Description of the mistake, or of the unusual idea.
     pub story: String,
-    /// The code.
+    /// Body that replaces the answer.
     pub body: String,
 }
 
-/// Reads the known-wrong programs of a lab; none if it has no page yet.
+/// Reads the known-wrong programs of a lab; empty if it has no page yet.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
     read_page(kit, lab, &page(lab))
 }
 
-/// Reads the unusual right programs of a lab; none if it has no page.
+/// Reads the unusual right programs of a lab; empty if it has no page.
 pub fn read_right(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
     read_page(kit, lab, &right_page(lab))
 }
@@ -84,18 +84,18 @@ fn read_page(kit: &Kit, lab: Lab, page: &str) -> Result<Vec<Wrong>> {
     Ok(all)
 }
 
-/// The page of a lab's known-wrong programs, below the kit's top folder.
+/// Returns the page of a lab's known-wrong programs, below the kit's top folder.
 pub fn page(lab: Lab) -> String {
     format!("tests/wrong/lab{lab}.md")
 }
 
-/// The page of a lab's unusual right programs, below the kit's top folder.
+/// Returns the page of a lab's unusual right programs, below the kit's top folder.
 pub fn right_page(lab: Lab) -> String {
     format!("tests/right/lab{lab}.md")
 }
 
 impl Wrong {
-    /// The solution with this answer in it, as if it had been handed in.
+    /// Returns the solution with this answer in it, as a submission.
     pub fn in_solution(&self, kit: &Kit, lab: Lab) -> Result<Sources> {
         let mut sources = of_solution(kit, lab)?;
         for file in answers::read_solution(kit, lab)? {
@@ -113,7 +113,7 @@ impl Wrong {
     }
 }
 
-/// A section of the page, with a whole body.
+/// Parses a section of the page, and applies its diff if it has one.
 fn complete(lab: Lab, section: &str, files: &[MarkedFile]) -> Result<Wrong> {
     let mut wrong = parse(lab, section)?;
     if section.contains("\n```diff\n") {
@@ -127,7 +127,7 @@ fn complete(lab: Lab, section: &str, files: &[MarkedFile]) -> Result<Wrong> {
     Ok(wrong)
 }
 
-/// An answer with the changes of a diff, without the indentation of the whole.
+/// Applies the changes of a diff to an answer, after removing the answer's common indentation.
 fn patched(answer: &str, diff: &str) -> Result<String> {
     let indents = answer.lines().filter(|line| !line.is_empty());
     let indent = indents.map(|line| line.len() - line.trim_start().len()).min().unwrap_or(0);
@@ -151,7 +151,7 @@ fn patched(answer: &str, diff: &str) -> Result<String> {
     Ok(lines.join("\n") + "\n")
 }
 
-/// A section of the page, from its name to the end of its code.
+/// Parses a section of the page, from its name to the end of its code.
 fn parse(lab: Lab, section: &str) -> Result<Wrong> {
     let (name, rest) = section.split_once('\n').context("the last section is empty")?;
     let name = name.trim();

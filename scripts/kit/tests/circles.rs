@@ -1,7 +1,7 @@
-//! Modules beside each other import one another in no circle.
+//! Tests that sibling modules import one another in no circle.
 //!
-//! A folder of source counts for all files in it. A name that `mod.rs` or `lib.rs` hands on counts for the module that it
-//! comes from, so a circle through `lib.rs` is found.
+//! A folder counts as one module with all files in it. A name that `mod.rs` or `lib.rs` re-exports
+//! counts for the module that defines it, so a circle through `lib.rs` is found.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -9,7 +9,8 @@ use std::path::Path;
 /// Packages that still have circles.
 const STILL: [&str; 3] = ["scripts/grading", "scripts/student", "tests/oracle"];
 
-/// The paths that each module of a package mentions. Modules are called `crate`, `crate::a`, `crate::a::b`.
+/// Paths that each module of a package mentions. The names of modules are `crate`, `crate::a`,
+/// `crate::a::b`.
 type Package = BTreeMap<String, Vec<String>>;
 
 #[test]
@@ -57,7 +58,7 @@ fn read(folder: &Path, here: &str, package: &mut Package) {
     }
 }
 
-/// The paths that stand after `use`, and others that begin with `crate` or `super`.
+/// Returns the paths after `use`, and others that begin with `crate` or `super`.
 fn mentioned(text: &str) -> Vec<String> {
     // Unit tests may use anything.
     let lines = text.lines().take_while(|line| !line.starts_with("#[cfg(test)]"));
@@ -68,7 +69,7 @@ fn mentioned(text: &str) -> Vec<String> {
     uses.flat_map(expanded).chain(others.map(str::to_owned)).collect()
 }
 
-/// The paths of `a::{b, c::d}`: `a::b` and `a::c::d`.
+/// Expands `a::{b, c::d}` to `a::b` and `a::c::d`.
 fn expanded(tree: &str) -> Vec<String> {
     let mut tree = tree.replace(' ', "");
     while let Some(end) = tree.find('}') {
@@ -81,7 +82,7 @@ fn expanded(tree: &str) -> Vec<String> {
     tree.split(',').map(str::to_owned).collect()
 }
 
-/// The module of this package that has what `module` calls `path`.
+/// Finds the module of this package that defines `path`, as seen from `module`.
 fn target<'p>(package: &'p Package, module: &str, path: &str) -> Option<&'p str> {
     if let Some(rest) = path.strip_prefix("super::") {
         return target(package, module, &format!("{}::{rest}", module.rsplit_once("::")?.0));
@@ -94,7 +95,7 @@ fn target<'p>(package: &'p Package, module: &str, path: &str) -> Option<&'p str>
     while !package.contains_key(at) {
         (at, name) = at.rsplit_once("::")?;
     }
-    // The module has the name itself, or hands it on from a module below.
+    // The module defines the name itself, or re-exports it from a module below.
     let (module, paths) = package.get_key_value(at)?;
     let mut so_called = paths.iter().filter(|path| path.ends_with(&format!("::{name}")));
     let below = so_called.find(|path| {
@@ -103,12 +104,12 @@ fn target<'p>(package: &'p Package, module: &str, path: &str) -> Option<&'p str>
     below.map_or(Some(module), |path| target(package, module, path))
 }
 
-/// The modules beside each other that import one another in circles.
+/// Returns the sibling modules that import one another in circles.
 fn circles(package: &Package) -> BTreeSet<String> {
     let mut imports: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for (module, paths) in package {
         for other in paths.iter().filter_map(|path| target(package, module, path)) {
-            // Both are named up to where their paths part.
+            // Both names are cut where the paths diverge.
             let a: Vec<_> = module.split("::").collect();
             let b: Vec<_> = other.split("::").collect();
             if let Some(k) = (0..a.len().min(b.len())).find(|&k| a[k] != b[k]) {
@@ -116,7 +117,8 @@ fn circles(package: &Package) -> BTreeSet<String> {
             }
         }
     }
-    // A module is in no circle if it imports none that is left, or if none that is left imports it.
+    // A module is in no circle if it imports no remaining module, or if no remaining module imports
+    // it.
     loop {
         let left: BTreeSet<String> = imports.keys().cloned().collect();
         let imported: BTreeSet<String> = imports.values().flatten().cloned().collect();

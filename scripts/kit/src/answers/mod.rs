@@ -1,13 +1,13 @@
-//! The marks in a solution's source that say what a task's answer is.
+//! Marks in a solution's source that enclose the answers to tasks.
 //!
 //! ```text
 //!     // task 1.2: the move with its bounce
 //!     …answer…
 //!     // end 1.2
 //! ```
-//! is the answer to task 1.2, inside a function. `// answer only` to `// end answer only`, outside
-//! of functions, are items that nobody but an answer needs. The starter has neither, and
-//! `cargo lab prove` puts known-wrong bodies instead of an answer.
+//! The lines between these marks are the answer to task 1.2, inside a function. Outside functions,
+//! `// answer only` to `// end answer only` enclose items that only an answer needs. The starter
+//! contains neither, and `cargo lab prove` replaces an answer by known-wrong bodies.
 
 mod parse;
 mod task;
@@ -25,16 +25,16 @@ use crate::files::{read_text, sources_below};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
-/// A source file of a solution, with its marks.
+/// A source file of a solution, divided at its marks.
 pub struct MarkedFile {
-    /// Relative to the solution's folder, such as `src/force.rs`.
+    /// Path relative to the solution's folder, such as `src/force.rs`.
     pub path: PathBuf,
-    /// Its text, in order.
+    /// Parts of the text, in order.
     pub parts: Vec<Part>,
 }
 
 impl MarkedFile {
-    /// The answers in it.
+    /// Returns the answers in the file.
     pub fn regions(&self) -> impl Iterator<Item = &Region> {
         self.parts.iter().filter_map(|part| match part {
             Part::Answer(region) => Some(region),
@@ -42,13 +42,14 @@ impl MarkedFile {
         })
     }
 
-    /// Whether it is a shader.
+    /// Whether the file is a shader.
     pub fn is_shader(&self) -> bool {
         self.path.extension().is_some_and(|e| e == "wgsl")
     }
 }
 
-/// Reads all Rust files and shaders (WGSL) of a lab's solution. No two regions of them have the same id.
+/// Reads all Rust files and shaders (WGSL) of a lab's solution, and checks that the ids of regions
+/// are unique.
 pub fn read_solution(kit: &Kit, lab: Lab) -> Result<Vec<MarkedFile>> {
     let folder = kit.solution(lab);
     let mut seen: BTreeMap<RegionId, String> = BTreeMap::new();
@@ -66,7 +67,7 @@ pub fn read_solution(kit: &Kit, lab: Lab) -> Result<Vec<MarkedFile>> {
     Ok(files)
 }
 
-/// The tasks of a lab's solution.
+/// Returns the tasks of a lab's solution.
 pub fn tasks(kit: &Kit, lab: Lab) -> Result<BTreeSet<Task>> {
     let files = read_solution(kit, lab)?;
     let regions = files.iter().flat_map(|file| file.regions());

@@ -1,4 +1,4 @@
-//! Reading the marks of one file.
+//! Parses the marks of one file.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use super::RegionId;
 
 const ANSWER_ONLY: &str = "answer only";
 
-/// A part of a file. Texts are whole lines.
+/// A part of a file. Its text consists of whole lines.
 #[derive(Debug)]
 pub enum Part {
     /// Given code.
@@ -20,7 +20,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// Its text, of an answer without the marks.
+    /// Returns the text of the part, without marks.
     pub fn text(&self) -> &str {
         match self {
             Self::Given(text) | Self::AnswerOnly(text) => text,
@@ -34,17 +34,17 @@ impl Part {
 pub struct Region {
     /// The task and its letter.
     pub id: RegionId,
-    /// What the mark says behind the colon.
+    /// Title behind the colon of the opening mark.
     pub title: String,
-    /// The line of its opening mark, from 1.
+    /// Line of the opening mark, from 1.
     pub line: usize,
-    /// The lines between the marks.
+    /// Lines between the marks.
     pub body: String,
     /// Whether it ends its block, so that its last expression is the block's value.
     pub tail: bool,
 }
 
-/// What a line says about the parts.
+/// A mark that one line contains.
 enum Mark {
     Task(RegionId, String),
     AnswerOnly,
@@ -52,7 +52,7 @@ enum Mark {
 }
 
 impl Mark {
-    /// What the mark at its end calls it.
+    /// Returns the name that the matching `end` mark must have.
     fn name(&self) -> String {
         match self {
             Self::Task(id, _) => id.to_string(),
@@ -62,15 +62,17 @@ impl Mark {
     }
 }
 
-/// A mark that cannot be right: the file, the line from 1, and what is wrong with it.
+/// Makes the error for an invalid mark: the file, the line from 1, and the fault.
 pub(super) fn wrong_mark(file: &Path, line: usize, what: &str) -> Error {
     anyhow!("{}:{line}: {what}", file.display())
 }
 
-/// Takes a file apart: joined, with their marks, its parts are the file. `file` is what errors call it.
+/// Splits a file into parts. Joining the parts and marks gives the file again.
+///
+/// `file` is the name of the file in errors.
 ///
 /// # Errors
-/// A mark cannot be right.
+/// If a mark is invalid.
 pub fn parse(file: &Path, text: &str) -> Result<Vec<Part>> {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
     let mut marks = Vec::new();
@@ -100,7 +102,8 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Part>> {
     Ok(parts)
 }
 
-/// The line, from 0, that ends what the line `open` begins; or what is wrong, and on which line.
+/// Returns the line, from 0, of the mark that closes the mark in line `open`; or the faulty line
+/// and its fault.
 fn checked(
     lines: &[&str],
     (open, mark): (usize, &Mark),
@@ -130,8 +133,10 @@ fn checked(
     }
 }
 
-/// The mark that a line is, if it is one. A comment that only looks like one is an error: it would
-/// give an answer away.
+/// Parses a mark; `None` if the line is not a mark.
+///
+/// A comment that only resembles a mark is an error, because it would reveal an answer in the
+/// starter.
 fn mark(line: &str) -> Result<Option<Mark>, String> {
     let Some(comment) = line.trim().strip_prefix("//") else { return Ok(None) };
     let comment = comment.trim();

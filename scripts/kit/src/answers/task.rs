@@ -1,29 +1,29 @@
-//! What tasks and their regions are called.
+//! Numbers of tasks and names of their regions.
 
 use std::fmt;
 use std::str::FromStr;
 
 use crate::lab::Lab;
 
-/// A task, such as 3.2: the second of lab 3.
+/// A task, such as 3.2, which is the second of lab 3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Task {
-    /// The lab.
+    /// Lab of the task.
     pub lab: Lab,
-    /// Its number in the lab, from 1.
+    /// Number of the task in the lab, from 1.
     pub number: u8,
 }
 
 /// A region of a solution: a task, and a letter if the task has several functions (`1.5b`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct RegionId {
-    /// The task.
+    /// Task of the region.
     pub task: Task,
     letter: Option<char>,
 }
 
 impl Task {
-    /// The task that a test is about: `task_3_2::fresh_halo` is about 3.2.
+    /// Returns the task of a test: `task_3_2::fresh_halo` belongs to 3.2.
     pub fn of_test(test: &str) -> Option<Self> {
         let module = test.split("::").find_map(|module| module.strip_prefix("task_"))?;
         let mut parts = module.split('_');

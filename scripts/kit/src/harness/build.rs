@@ -1,4 +1,4 @@
-//! Building the test program of a lab.
+//! Builds the test program of a lab.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -14,50 +14,51 @@ use crate::fresh;
 use crate::lab::Lab;
 use crate::process;
 
-/// A lab's tests, compiled.
+/// Compiled tests of a lab.
 #[derive(Debug)]
 pub struct TestProgram {
     program: PathBuf,
-    /// Tests run in the folder of their package.
+    /// Folder of the package, in which the tests run.
     folder: PathBuf,
     top: PathBuf,
 }
 
-/// Why there is no test program.
+/// Reason why there is no test program.
 #[derive(Debug, Error)]
 pub enum BuildError {
     /// The code does not compile.
     #[error("it does not compile: {}", .0.first().map_or("", |error| error.rendered.trim()))]
     Compile(Vec<CompileError>),
-    /// Cargo could not even try.
+    /// Cargo failed before it compiled anything.
     #[error("{0}")]
     Cargo(String),
 }
 
-/// One error of the compiler.
+/// An error of the compiler.
 #[derive(Debug)]
 pub struct CompileError {
-    /// As the compiler shows it.
+    /// Text of the error as the compiler shows it.
     pub rendered: String,
-    /// The locations it points at: file below the workspace, and line from 1.
+    /// Locations in the error: file below the workspace, and line from 1.
     pub locations: Vec<(PathBuf, usize)>,
 }
 
-/// How a build runs.
+/// Order for building a lab's tests.
 pub struct Build<'a> {
-    /// Cargo, in the workspace's top folder, without arguments.
+    /// Cargo command in the workspace's top folder, without arguments.
     pub cargo: Command,
-    /// The package that the tests belong to.
+    /// Package that the tests belong to.
     pub package: &'a str,
-    /// The lab that they test.
+    /// Lab that they test.
     pub lab: Lab,
-    /// Whether cargo's bar and its complaints are shown.
+    /// Whether Cargo's progress bar and error messages are shown.
     pub shown: bool,
     /// Whether errors are shown in colours.
     pub colour: bool,
 }
 
-/// How snapshots are compared, also where a file `insta.yaml` says otherwise: nothing is written, nothing is hidden.
+/// Settings for comparing snapshots, which override a file `insta.yaml`. Nothing is written or
+/// hidden.
 const SNAPSHOTS: [(&str, &str); 4] = [
     ("INSTA_UPDATE", "no"),
     ("INSTA_FORCE_PASS", "0"),
@@ -109,7 +110,7 @@ pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
 }
 
 fn compile_error(message: &Value) -> Option<CompileError> {
-    // The closing 'aborting due to 3 errors' points nowhere.
+    // The final 'aborting due to 3 errors' has no location.
     let spans = message["spans"].as_array().filter(|spans| !spans.is_empty())?;
     if message["level"] != "error" {
         return None;
@@ -126,14 +127,16 @@ fn compile_error(message: &Value) -> Option<CompileError> {
 impl TestProgram {
     fn command(&self) -> Command {
         let mut command = Command::new(&self.program);
-        // What somebody has set for the tests of other projects, such as INSTA_FORCE_PASS, is not for these.
+        // Variables for the tests of other projects, such as INSTA_FORCE_PASS, must not affect
+        // these tests.
         for (name, _) in std::env::vars_os() {
             let shown = name.to_string_lossy();
             if shown.starts_with("INSTA_") || shown.starts_with("RUST_") {
                 command.env_remove(name);
             }
         }
-        // What cargo would set, and what spares the snapshots a search for the workspace.
+        // Cargo would set the first variable. The second saves the snapshots a search for the
+        // workspace.
         command
             .current_dir(&self.folder)
             .env("CARGO_MANIFEST_DIR", &self.folder)
@@ -142,7 +145,8 @@ impl TestProgram {
         command
     }
 
-    /// The names of its tests, in the order of the lab's table of questions, which the program prints.
+    /// Returns the names of its tests, in the order of the lab's table of questions, which the
+    /// program prints.
     pub fn tests(&self) -> Result<Vec<String>> {
         let mut command = self.command();
         command.args(["--exact", "questions", "--ignored", "--nocapture"]);
@@ -158,7 +162,7 @@ impl TestProgram {
         Ok(done.stdout.lines().filter_map(name).collect())
     }
 
-    /// Runs one test, with more environment if need be.
+    /// Runs one test, with additional environment variables.
     pub fn run(
         &self,
         test: &str,
@@ -184,13 +188,13 @@ mod tests {
     use crate::files::read_toml_at;
     use crate::kit::Kit;
 
-    /// Cargo sets the same for a plain `cargo test`.
+    /// Cargo sets the same variables for a plain `cargo test`.
     #[test]
     fn no_variable_of_other_projects_decides_about_a_snapshot() {
         let config = Kit::find().unwrap().path(".cargo/config.toml");
         let set: BTreeMap<String, Value> = read_toml_at(&config, "/env").unwrap().unwrap();
         let ours: Vec<_> = set.iter().filter(|(name, _)| name.starts_with("INSTA_")).collect();
-        // All that insta reads without its features for files and for its own command.
+        // insta reads these 13 variables without its features for files and for its own command.
         assert_eq!(ours.len(), 13);
         assert!(ours.iter().all(|(_, value)| value["force"] == true), "{ours:?}");
         for (name, value) in SNAPSHOTS {

@@ -1,22 +1,23 @@
-//! What a test's process printed, in the order in which a student needs it: why the test failed and
-//! where, then what the lab's own code printed.
+//! Orders the output of a test for a student.
+//!
+//! The reason and the location of the failure come first. The output of the lab's own code follows.
 
 use super::words;
 use crate::process::{Finished, panic_in};
 
-/// Lines kept of what the lab's own code printed.
+/// Maximal number of lines kept of the output of the lab's own code.
 const PRINTED: usize = 20;
 
-/// How a line begins that says where a lab's own code panicked.
+/// Beginning of a line with the location of a panic in a lab's own code.
 pub(crate) const PANIC: &str = "a panic in ";
 
-/// What a task's `todo!` says.
+/// Beginning of the message of a task's `todo!`.
 const TODO: &str = "not yet implemented: task ";
 
-/// How a test begins the line that says what it asks.
+/// Beginning of the line with a test's question.
 const ASKS: &str = "asks: ";
 
-/// What the test asks, why it failed, without what its harness says around it, and what was printed.
+/// Returns the question, the reason of the failure without the harness's own lines, and the output.
 pub(super) fn message(test: &str, done: &Finished) -> String {
     let (mut printed, table) = of_stdout(test, &done.stdout);
     let asks = printed.iter().position(|line| line.starts_with(ASKS));
@@ -24,7 +25,7 @@ pub(super) fn message(test: &str, done: &Finished) -> String {
         asks.map(|at| printed.remove(at).replacen(ASKS, "", 1)).into_iter().collect();
     let (noted, why) = of_stderr(&done.stderr);
     let why = [table, why].concat();
-    // A todo explains itself.
+    // A `todo!` needs no question to be understood.
     let asks = if why.iter().any(|line| line.starts_with(TODO)) { vec![] } else { asks };
     let why = if why.is_empty() { why } else { [asks, why].concat() };
     let why = words::of_a_failure(why.join("\n").trim());
@@ -38,11 +39,11 @@ pub(super) fn message(test: &str, done: &Finished) -> String {
     }
 }
 
-/// What was printed, and the table of a snapshot that differs.
+/// Splits stdout into the output and the table of a snapshot that differs.
 fn of_stdout(test: &str, stdout: &str) -> (Vec<String>, Vec<String>) {
     let begun = stdout.lines().skip_while(|line| line.is_empty() || line.starts_with("running "));
     let own = begun.take_while(|line| *line != "failures:" && !line.starts_with("test result: "));
-    // The name comes first and its verdict last, with whatever is printed between.
+    // The name comes first and its verdict last, with the test's output between them.
     let name = format!("test {test} ... ");
     let bare = |line: &str| {
         let line = line.strip_prefix(&*name).unwrap_or(line);
@@ -54,7 +55,7 @@ fn of_stdout(test: &str, stdout: &str) -> (Vec<String>, Vec<String>) {
     (lines, table)
 }
 
-/// What was printed before the first panic, and what was said from there on.
+/// Splits stderr into the lines before the first panic and the lines from there on.
 fn of_stderr(stderr: &str) -> (Vec<String>, Vec<String>) {
     let is_harness = |line: &&str| {
         line.starts_with("note: run with `RUST_BACKTRACE") || line.starts_with("error: test failed")
@@ -65,7 +66,7 @@ fn of_stderr(stderr: &str) -> (Vec<String>, Vec<String>) {
     let mut why = Vec::new();
     for (index, line) in said.iter().enumerate() {
         match panicked_at(line) {
-            // A `todo!` is found by its task.
+            // A `todo!` is found by its task, so its location is left out.
             Some(_) if said.get(index + 1).is_some_and(|next| next.starts_with(TODO)) => {}
             Some(location) => why.extend(in_a_lab(location)),
             None => why.push((*line).to_owned()),
@@ -74,14 +75,17 @@ fn of_stderr(stderr: &str) -> (Vec<String>, Vec<String>) {
     (noted.iter().map(|line| (*line).to_owned()).collect(), why)
 }
 
-/// The location in a line that says where a panic was, before the one that says why.
+/// Returns the location in the first line of a panic, which precedes the line with the message.
 fn panicked_at(line: &str) -> Option<&str> {
     let (_, location) = line.strip_prefix("thread '")?.split_once(" panicked at ")?;
     location.strip_suffix(':')
 }
 
-/// The location, as file, line and column, in words, if it is in a lab's source, or in the standard library, which does
-/// not always say by whom it was called: where a test's own assertion stands is no student's business.
+/// Formats a location (file, line and column) in a lab's source or in the standard library; `None`
+/// otherwise.
+///
+/// The standard library does not always report its caller. The location of a test's own assertion
+/// does not help a student.
 fn in_a_lab(location: &str) -> Option<String> {
     if location.starts_with("/rustc/") {
         return Some(format!("{PANIC}the standard library, in a function that the lab calls:"));
@@ -92,7 +96,8 @@ fn in_a_lab(location: &str) -> Option<String> {
     lab.bytes().all(|b| b.is_ascii_digit()).then(|| format!("{PANIC}{file}, line {line}:"))
 }
 
-/// What the first panic says, in the complaints of a process, after where it was in a lab's source.
+/// Returns the message of the first panic in a process's stderr, after its location if it is in a
+/// lab's source.
 pub fn located_panic(stderr: &str) -> Option<String> {
     let location = stderr.lines().find_map(panicked_at).and_then(in_a_lab);
     let said = panic_in(stderr)?;

@@ -1,7 +1,7 @@
-//! Test programs: building them, asking what tests they have, running a test by itself.
+//! Test programs: builds them, lists their tests, and runs single tests.
 //!
-//! Every test gets a process of its own, with a time limit. So a test that aborts or hangs takes
-//! no other down, and what it printed is its own.
+//! Every test runs in a separate process with a time limit. So a test that aborts or hangs does not
+//! affect other tests, and its output is separate.
 
 mod build;
 mod message;

@@ -1,4 +1,4 @@
-//! What came of a test.
+//! Outcome of a test.
 
 use std::os::unix::process::ExitStatusExt;
 
@@ -8,40 +8,40 @@ use super::message::{PANIC, message};
 use crate::answers::{RegionId, Task};
 use crate::process::Finished;
 
-/// What came of a test.
+/// Verdict on a test.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// It passed.
+    /// The test passed.
     Passed,
-    /// It failed, and said so.
+    /// The test failed with a message.
     Failed,
-    /// It is marked to be left out.
+    /// The test has the attribute `ignore`.
     Ignored,
-    /// It found nothing to run on, such as no graphics adapter, and said so.
+    /// The test reported that something it needs is missing, such as a graphics adapter.
     Skipped,
-    /// Its process ended without a verdict, such as by a signal.
+    /// The process ended without a verdict, for instance by a signal.
     Crashed(String),
-    /// It was still running when its time was up.
+    /// The test exceeded its time limit.
     TimedOut,
 }
 
-/// How a test begins the line by which it says that it has nothing to run on.
+/// Beginning of the line with which a test reports that something it needs is missing.
 const SKIPPED: &str = "skipped: ";
 
-/// A test and what came of it.
+/// A test and its outcome.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Outcome {
-    /// The test's name.
+    /// Name of the test.
     pub test: String,
-    /// What came of it.
+    /// Verdict on the test.
     pub verdict: Verdict,
-    /// Why it failed, as a student reads it.
+    /// Reason of the failure, as a student reads it.
     pub message: String,
 }
 
 impl Outcome {
-    /// Reads the outcome of a process that ran just this test, uncaptured.
+    /// Reads the outcome of a process that ran only this test, with its output uncaptured.
     pub fn read(test: &str, done: &Finished) -> Self {
         let outcome =
             Self { test: test.into(), verdict: verdict(done), message: message(test, done) };
@@ -51,28 +51,28 @@ impl Outcome {
         outcome
     }
 
-    /// Why the test did not run, if it said so.
+    /// Returns the reason why the test did not run; `None` if it ran.
     pub fn skipped(&self) -> Option<&str> {
         self.message.lines().find_map(|line| line.strip_prefix(SKIPPED))
     }
 
-    /// Whether it went on until a watchdog ended it, this program's or one of the oracle's.
+    /// Whether a watchdog ended the test, either this program's or the oracle's.
     pub fn hung(&self) -> bool {
         self.verdict == Verdict::TimedOut || self.message.contains("no answer within ")
     }
 
-    /// Whether the lab's own code panicked, before a test could say anything of what it does.
+    /// Whether the lab's own code panicked, so that the test could not judge its result.
     pub fn panicked(&self) -> bool {
         self.message.lines().any(|line| line.starts_with(PANIC))
     }
 
-    /// The task whose `todo!` it met first, such as `1.5b`.
+    /// Returns the task, such as `1.5b`, whose `todo!` the test met first.
     pub fn todo(&self) -> Option<&str> {
         let (_, rest) = self.message.split_once("not yet implemented: task ")?;
         rest.split_once(':').map(|(id, _)| id)
     }
 
-    /// Whether that is one of this task's.
+    /// Whether the first `todo!` that the test met belongs to this task.
     pub fn meets_todo_of(&self, task: Task) -> bool {
         let region = self.todo().and_then(|id| id.parse::<RegionId>().ok());
         region.is_some_and(|region| region.task == task)

@@ -1,9 +1,9 @@
-//! What a failed test printed, in a student's words.
+//! Rewrites the output of a failed test in a student's words.
 //!
-//! `assert_eq!` says left and right, insta old and new. The graders write what the lab gave on the
-//! left of what it should have given.
+//! `assert_eq!` writes left and right, insta old and new. The graders put the lab's result on the
+//! left and the expected result on the right.
 
-/// How lines begin of which a student has no use.
+/// Beginnings of lines that do not help a student.
 const FOR_AUTHORS: [&str; 6] = [
     "Source: ",
     "Expression: ",
@@ -13,7 +13,8 @@ const FOR_AUTHORS: [&str; 6] = [
     "snapshot assertion for ",
 ];
 
-/// The message with *found* and *expected*, without what only the author of a test can use.
+/// Rewrites a message with *found* and *expected*, without lines that only the author of a test
+/// needs.
 pub(crate) fn of_a_failure(message: &str) -> String {
     const EQUAL: &str = "assertion `left == right` failed";
     let compared = message.contains(EQUAL);
@@ -38,8 +39,10 @@ pub(crate) fn of_a_failure(message: &str) -> String {
     lines.join("\n").trim_end().to_owned()
 }
 
-/// A line of a snapshot's table with a gap behind its mark, in which a minus would be one of a number:
-/// `    2       │-0.003` becomes `    2       │- 0.003`.
+/// Adds a space behind the mark in a line of a snapshot's table, so that `-` is not read as a minus
+/// sign.
+///
+/// For example, `    2       │-0.003` becomes `    2       │- 0.003`.
 fn difference(line: &str) -> Option<String> {
     let (numbers, text) = line.split_once('│')?;
     let (mark, rest) = text.split_at_checked(1)?;

@@ -1,4 +1,4 @@
-//! What the starter of a lab must be, from its solution.
+//! Makes the starter of a lab from its solution.
 
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -14,23 +14,24 @@ use crate::files::{read_bytes, read_text, read_toml_at, sources_below, with_unix
 use crate::kit::Kit;
 use crate::lab::Lab;
 
-/// The files of a starter, by their path in its folder.
+/// Files of a starter, by their path in its folder.
 pub type Files = BTreeMap<PathBuf, Vec<u8>>;
 
-/// The [sources](sources_below) below a folder; none if there is no such folder.
+/// Reads the [sources](sources_below) below a folder; empty if there is no such folder.
 pub fn read_below(folder: &Path) -> Result<Files> {
     let read = |path: PathBuf| Ok((path.strip_prefix(folder)?.to_owned(), read_bytes(&path)?));
     sources_below(folder)?.into_iter().map(read).collect()
 }
 
-/// What lies where a starter's files belong, in src/ and tests/, by path in its folder.
+/// Returns the paths of the files in src/ and tests/ of a folder, relative to the folder.
 pub fn own_paths(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut paths = sources_below(&folder.join("src"))?;
     paths.extend(sources_below(&folder.join("tests"))?);
     Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
 }
 
-/// The starter as it was given: as it was kept or, in a kit that has not kept it, made from the solution.
+/// Returns the starter as it was given: the copy that the kit keeps, or else made from the
+/// solution.
 pub fn given(kit: &Kit, lab: Lab) -> Result<Files> {
     let kept = kit.starter(lab).join(GIVEN);
     if kept.is_dir() {
@@ -60,14 +61,15 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
         })?;
         files.insert(file.path, text);
     }
-    // What is neither Rust nor a shader is given as it is.
+    // Other files than Rust and shaders are copied unchanged.
     for (path, bytes) in read_below(&folder.join("src"))? {
         files.entry(Path::new("src").join(path)).or_insert_with(|| with_unix_lines(bytes));
     }
     let manifest = manifest(kit, lab).with_context(|| format!("solutions/lab{lab}/Cargo.toml"))?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
-    // An editor's analysis loads nothing that lies outside a package: the tests stand in it. Their root has the crate's
-    // documentation, which a file that a solution includes cannot have.
+    // An editor's analysis loads no files outside a package, so the tests are copied into it. The
+    // crate's documentation is added to their root, because a file that a solution includes cannot
+    // have it.
     let root = PathBuf::from(format!("tests/lab{lab}.rs"));
     for path in kit.test_sources(lab)? {
         let (path, mut bytes) =
@@ -85,12 +87,13 @@ fn rust_todo(region: &Region) -> String {
     format!("todo!(\"task {}: {}\"){end}\n", region.id, region.title)
 }
 
-/// WGSL has no `todo!`: a comment, which the lab refuses to compile.
+/// Returns the todo of a shader. WGSL has no `todo!`, so it is a comment that the lab refuses to
+/// compile.
 fn shader_todo(region: &Region) -> String {
     format!("    // todo: task {}: {}\n", region.id, region.title)
 }
 
-/// The file with a todo instead of every answer.
+/// Returns the file with a todo instead of every answer.
 fn starter_text(parts: &[Part], todo: fn(&Region) -> String) -> String {
     let mut text = String::new();
     for part in parts {
@@ -103,7 +106,7 @@ fn starter_text(parts: &[Part], todo: fn(&Region) -> String) -> String {
     text
 }
 
-/// The book's anchors mean nothing to a student.
+/// Removes the book's anchors, which mean nothing to a student.
 fn without_anchors(text: &str) -> String {
     let is_anchor = |line: &str| {
         line.trim().strip_prefix("//").is_some_and(|comment| comment.trim().starts_with("ANCHOR"))
@@ -111,13 +114,13 @@ fn without_anchors(text: &str) -> String {
     text.split_inclusive('\n').filter(|line| !is_anchor(line)).collect()
 }
 
-/// A lab's README is its crate's documentation.
+/// Replaces the crate's documentation by the lab's README.
 fn documented(text: &str) -> String {
     let rest = text.split_inclusive('\n').skip_while(|line| line.starts_with("//!"));
     iter::once("#![doc = include_str!(\"../README.md\")]\n").chain(rest).collect()
 }
 
-/// The lab's own crate has another name in the starter.
+/// Replaces the name of the solution's crate by that of the starter's.
 pub(crate) fn rename(text: &str, lab: Lab) -> String {
     let (old, new) = (format!("solution{lab}"), format!("lab{lab}"));
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
@@ -133,7 +136,7 @@ pub(crate) fn rename(text: &str, lab: Lab) -> String {
     renamed + rest
 }
 
-/// Formats a file by itself: rustfmt on a path would go on to the modules it names.
+/// Formats a single file through a pipe. With a path, rustfmt would format its modules too.
 fn formatted(kit: &Kit, text: &str) -> Result<Vec<u8>> {
     let mut rustfmt = Command::new("rustfmt")
         .args(["--edition", "2024"])
@@ -143,7 +146,7 @@ fn formatted(kit: &Kit, text: &str) -> Result<Vec<u8>> {
         .stderr(Stdio::piped())
         .spawn()
         .context("rustfmt did not start")?;
-    // rustfmt reads everything before it writes anything.
+    // rustfmt reads everything before it writes, so this cannot block.
     rustfmt.stdin.take().context("rustfmt has no input")?.write_all(text.as_bytes())?;
     let output = rustfmt.wait_with_output()?;
     if !output.status.success() {
@@ -152,9 +155,10 @@ fn formatted(kit: &Kit, text: &str) -> Result<Vec<u8>> {
     Ok(output.stdout)
 }
 
-/// The solution's manifest under the lab's name, with lints of its own: the workspace's, and none
-/// about what is unused, because beside a `todo!` everything is. What stands below the lints is the
-/// solution's alone.
+/// Makes the starter's manifest from the solution's, with the workspace's lints written out.
+///
+/// The lints about unused code are off, because next to a `todo!` everything is unused. The lines
+/// below the lints belong to the solution only.
 fn manifest(kit: &Kit, lab: Lab) -> Result<String> {
     let text = read_text(&kit.solution(lab).join("Cargo.toml"))?;
     let text = rename(&text, lab).replacen(": the solution\"", ": your work\"", 1);

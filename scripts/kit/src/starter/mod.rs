@@ -1,5 +1,5 @@
-//! Starters: [`generate`] says what the starter of a lab must be, [`Record`] which of its files are as
-//! they were given.
+//! Starters: [`generate`] makes the starter of a lab, and [`Record`] tells which of its files are
+//! unchanged.
 
 mod generate;
 mod record;
@@ -10,5 +10,5 @@ pub use generate::{Files, generate, given, own_paths, read_below};
 pub use record::{Plan, Record};
 pub use todo::todo;
 
-/// Where a lab's starter is kept a second time, for `cargo lab reset` in a kit that cannot make it.
+/// Folder with a copy of a lab's starter, for `cargo lab reset` in a kit that cannot generate it.
 pub const GIVEN: &str = ".given";

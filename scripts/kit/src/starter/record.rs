@@ -1,7 +1,7 @@
-//! What the tool wrote itself, so that it never overwrites what somebody else did.
+//! Record of the files that the tool wrote, so that it never overwrites a person's changes.
 //!
-//! Beside a starter lies `.starter`: a line `hash  path` for each of its files, as `sha256sum`
-//! writes and checks them. It is kept in the repository: a fresh clone knows what is its own.
+//! Beside a starter there is `.starter`, with a line `hash  path` for each file, in the format of
+//! `sha256sum`. It is kept in the repository, so that a fresh clone recognises the tool's files.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,31 +13,31 @@ use anyhow::{Context, Result, bail};
 use super::generate::Files;
 use crate::files::{digest, with_unix_lines, write_file};
 
-/// The hash of each file, by its path in the starter's folder.
+/// Hash of each file, by its path in the starter's folder.
 #[derive(Debug, Default, PartialEq)]
 pub struct Record(BTreeMap<PathBuf, String>);
 
-/// What is to be done so that a folder holds a starter.
+/// Changes that turn a folder into a starter.
 #[derive(Debug, Default, PartialEq)]
 pub struct Plan {
-    /// Files to write: new ones, and the tool's own that are out of date.
+    /// Files to write: new files, and the tool's own files that are out of date.
     pub write: Vec<PathBuf>,
     /// The tool's own files that the starter no longer has.
     pub remove: Vec<PathBuf>,
-    /// Files in the way that somebody else wrote or edited.
+    /// Conflicting files that a person wrote or edited.
     pub edited: Vec<PathBuf>,
 }
 
 impl Record {
-    /// The file that it is kept in, beside the starter.
+    /// Name of the record's file, beside the starter.
     pub const NAME: &str = ".starter";
 
-    /// The record of exactly these files.
+    /// Makes the record of exactly these files.
     pub fn of(files: &Files) -> Self {
         Self(files.iter().map(|(path, bytes)| (path.clone(), hash(bytes.clone()))).collect())
     }
 
-    /// Reads the record of a starter's folder; empty if there is none.
+    /// Reads the record in a starter's folder; empty if there is none.
     pub fn read(folder: &Path) -> Result<Self> {
         let path = folder.join(Self::NAME);
         let text = match fs::read_to_string(&path) {
@@ -54,28 +54,28 @@ impl Record {
         Ok(Self(record))
     }
 
-    /// As it stands in its file.
+    /// Returns the text of the record's file.
     pub fn to_text(&self) -> String {
         self.0.iter().map(|(path, hash)| format!("{hash}  {}\n", path.display())).collect()
     }
 
-    /// Writes it into the folder.
+    /// Writes the record into the folder.
     pub fn write(&self, folder: &Path) -> Result<()> {
         write_file(&folder.join(Self::NAME), self.to_text())
     }
 
-    /// The recorded paths.
+    /// Returns the recorded paths.
     pub fn paths(&self) -> impl Iterator<Item = &Path> {
         self.0.keys().map(PathBuf::as_path)
     }
 
-    /// Whether the file at `path` of `folder` is as the tool wrote it.
+    /// Whether the file at `path` in `folder` is unchanged since the tool wrote it.
     pub fn is_own(&self, folder: &Path, path: &Path) -> bool {
         let recorded = self.0.get(path);
         recorded.is_some() && recorded == fs::read(folder.join(path)).ok().map(hash).as_ref()
     }
 
-    /// What turns `folder` into the starter `files`.
+    /// Plans the changes that turn `folder` into the starter `files`.
     pub fn plan(&self, folder: &Path, files: &Files) -> Plan {
         let mut plan = Plan::default();
         for (path, bytes) in files {
@@ -95,7 +95,7 @@ impl Record {
     }
 }
 
-/// The hash of a file. Git on Windows may have given it other line endings.
+/// Returns the hash of a file. Line endings are normalised, because Git on Windows changes them.
 fn hash(bytes: Vec<u8>) -> String {
     digest(&with_unix_lines(bytes))
 }

@@ -1,8 +1,9 @@
-//! What a starter has where the solution has an answer.
+//! Recognises the `todo!` that replaces an answer in a starter.
 
 use crate::answers::RegionId;
 
-/// The number and title in a line with `todo!("task 3.2b: title")`, or a shader's `todo: task 9.2: title`.
+/// Returns the number and title in a line `todo!("task 3.2b: title")`, or in a shader's `todo: task
+/// 9.2: title`.
 pub fn todo(line: &str) -> Option<(RegionId, &str)> {
     let shader = line.trim_start().strip_prefix("// todo: task ");
     let rest = shader.or_else(|| Some(line.split_once("todo!(\"task ")?.1))?;
