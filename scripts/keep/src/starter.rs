@@ -1,7 +1,7 @@
-//! `cargo lab starter`: labs/ from solutions/.
+//! `cargo lab starter`: makes labs/ from solutions/.
 //!
-//! A lab is written once, as its solution. [`generate`] says what its starter must be, [`Record`] which
-//! files may be touched to get there.
+//! A lab is written once, as its solution. [`generate`] makes its starter, and [`Record`] tells
+//! which files may be overwritten.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -88,7 +88,7 @@ fn write(kit: &Kit, lab: Lab) -> Result<()> {
     Ok(())
 }
 
-/// Everything in which a starter is not what its solution makes it.
+/// Lists the differences between a starter and the result of its solution.
 fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     let folder = kit.starter(lab);
     let files = generate(kit, lab)?;
@@ -113,7 +113,7 @@ fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     Ok(drift)
 }
 
-/// Tasks that only the solution or only its facts have.
+/// Lists the tasks that only the solution or only its facts have.
 fn task_drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     let asked = answers::tasks(kit, lab)?;
     let hinted: BTreeSet<_> = hints::read(kit, lab)?.into_iter().map(|hints| hints.task).collect();

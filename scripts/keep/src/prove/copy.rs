@@ -1,8 +1,8 @@
-//! The copy of the kit that holds the mutated solutions: `target/prove/kit`.
+//! Copy of the kit with the mutated solutions: `target/prove/kit`.
 //!
-//! It is a workspace of its own, without starters, and its programs go to `target/prove/build`.
-//! What it has in common with the kit, the packages from a registry, is compiled once for both. A file
-//! that is right already is not touched, so that cargo compiles only what changed.
+//! It is a separate workspace without starters, and its programs go to `target/prove/build`.
+//! Packages from a registry are compiled once for the kit and the copy. A file that is already
+//! right is not written again, so that Cargo compiles only the changes.
 
 use std::collections::BTreeMap;
 use std::env;
@@ -16,17 +16,18 @@ use crate::handout::fit;
 use lab_kit::files::{read_bytes, read_text, write_file};
 use lab_kit::{Kit, Lab, files_below, sources_below};
 
-/// The copy.
+/// A copy of the kit.
 pub(crate) struct Copy {
     kit: Kit,
-    /// Where its programs go: they have the names of the kit's own.
+    /// Folder of its programs, which have the same names as the kit's own.
     programs: PathBuf,
-    /// Where the kit is built.
+    /// Build directory of the kit.
     shared: PathBuf,
 }
 
 impl Copy {
-    /// Makes the copy, with all solutions as they are but this lab's: its sources are the caller's.
+    /// Makes the copy, with all solutions unchanged except this lab's, whose sources the caller
+    /// writes.
     pub(crate) fn make(kit: &Kit, lab: Lab) -> Result<Self> {
         let copy = Self {
             kit: Kit::at(&kit.path("target/prove/kit")),
@@ -56,8 +57,9 @@ impl Copy {
             copy.put(relative, &read_bytes(path)?)?;
         }
         let paths = files.keys().map(PathBuf::as_path);
-        // Another version: cargo would take a package of the copy for the kit's own, which is in the same folder
-        // of its workspace, and then the kit's tests would run what the last proof has left.
+        // The copy has a different version. Otherwise Cargo would confuse its packages with the
+        // kit's own, which are in the same folders of their workspace, and the kit's tests would
+        // run programs that the last proof left.
         let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, paths)?.replacen(
             "[workspace.package]\nversion = \"",
             "[workspace.package]\nversion = \"0.0.0-",
@@ -68,7 +70,7 @@ impl Copy {
         Ok(copy)
     }
 
-    /// Writes a file, unless it is so already.
+    /// Writes a file, unless it has these contents already.
     pub(crate) fn put(&self, relative: &Path, bytes: &[u8]) -> Result<()> {
         let target = self.kit.path(relative);
         if fs::read(&target).is_ok_and(|there| there == bytes) {
@@ -77,7 +79,7 @@ impl Copy {
         write_file(&target, bytes)
     }
 
-    /// Cargo, in the copy.
+    /// Returns a Cargo command in the copy.
     pub(crate) fn cargo(&self) -> Command {
         let mut cargo = self.kit.cargo();
         cargo.env("CARGO_TARGET_DIR", &self.programs);
@@ -86,7 +88,8 @@ impl Copy {
     }
 }
 
-/// Starters, wrong solutions, exam questions, which ask the tools, and what builds left behind.
+/// Whether a path is not copied: starters, wrong solutions, exam questions (which call the tools),
+/// and the output of builds.
 fn is_left_out(relative: &Path) -> bool {
     let mut parts = relative.iter().filter_map(|part| part.to_str());
     let (top, second) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());

@@ -1,7 +1,7 @@
-//! `cargo lab prove`: do the graders grade?
+//! `cargo lab prove`: proves that the graders grade.
 //!
-//! Three proofs a lab: its solution passes; its starter fails, every test at the `todo!` of its own
-//! task and nowhere else; every known-wrong solution fails where it must.
+//! Each lab has three proofs. Its solution passes. Its starter fails, each test at the `todo!` of
+//! its own task and in no other place. Every known-wrong solution fails the tests that it names.
 
 mod copy;
 mod mutate;
@@ -83,7 +83,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(if faulty { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
-/// What is needed to prove something about a lab.
+/// Settings for the proofs of a lab.
 struct Bench<'a> {
     kit: &'a Kit,
     lab: Lab,
@@ -92,7 +92,7 @@ struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    /// Says what comes next, on a terminal in the bar, else as a line.
+    /// Announces the next proof, on a terminal in the progress bar, and otherwise in a line.
     fn begin(&self, what: &str) {
         self.bar.set_position(0);
         self.bar.set_length(0);
@@ -103,7 +103,7 @@ impl Bench<'_> {
         self.bar.set_message(what);
     }
 
-    /// A row about `what`, which is as it must be if there are no faults: then it says `how`.
+    /// Makes a row about `what`. Without faults, its result is `how`.
     fn row(&self, what: &str, how: &'static str, tests: usize, faults: Vec<String>) -> Row {
         let result = if faults.is_empty() { Proof::Proven(how) } else { Proof::Faulty };
         Row { lab: self.lab, what: what.into(), tests, result, faults }
@@ -129,7 +129,7 @@ impl Bench<'_> {
         on_all_cores(&tests, run).into_iter().collect()
     }
 
-    /// Builds a package of the kit and runs its tests; the inner error says why it does not build.
+    /// Builds a package of the kit and runs its tests. The inner error is a failed build.
     fn tested(&self, package: &str) -> Result<Result<Vec<Outcome>, String>> {
         match self.build(self.kit.cargo(), &format!("{package}{}", self.lab)) {
             Ok(program) => self.outcomes(&program).map(Ok),

@@ -1,8 +1,8 @@
-//! A solution with all its wrong answers in it at once.
+//! Builds all wrong answers into a solution at once.
 //!
-//! To compile a lab once per wrong answer would take an hour. So each answer that somebody got
-//! wrong becomes a chain: `if chosen() == 1 { wrong } else if … else { the answer }`, and the
-//! environment chooses when the tests run.
+//! Compiling a lab once for each wrong answer would take an hour. So each answer with wrong
+//! versions becomes a chain: `if chosen() == 1 { wrong } else if … else { the answer }`. An
+//! environment variable chooses the answer when the tests run.
 
 use std::path::{Path, PathBuf};
 
@@ -12,7 +12,7 @@ use lab_kit::Lab;
 use lab_kit::answers::{MarkedFile, Part, Region};
 use lab_kit::wrong::Wrong;
 
-/// The files of a solution, by their path in its folder, with all wrong answers built in.
+/// Returns the files of a solution, by their path in its folder, with all wrong answers built in.
 pub(crate) fn mutate(
     lab: Lab,
     files: &[MarkedFile],
@@ -44,7 +44,7 @@ pub(crate) fn mutate(
     Ok(mutants.collect())
 }
 
-/// The wrong answers to a region, by their numbers.
+/// Returns the wrong answers to a region, with their numbers.
 fn numbered<'w>(region: &Region, wrongs: &'w [Wrong]) -> impl Iterator<Item = (usize, &'w str)> {
     let id = region.id;
     let all = (1..=wrongs.len()).zip(wrongs).filter(move |(_, wrong)| wrong.region == id);
@@ -59,26 +59,28 @@ fn chain(region: &Region, wrongs: &[Wrong]) -> String {
     if chain.is_empty() { answer.clone() } else { format!("{chain}{{\n{answer}}}\n") }
 }
 
-/// A shader is compiled when the lab runs, so its wrong answers are told apart as text: below a line
-/// `//= 3` stands the answer that wrong solution 3 gives, below `//= 0` the right one, and `//= end`
-/// ends them.
+/// Writes the wrong answers of a shader, which is compiled when the lab runs.
+///
+/// The answers are marked in the text: below a line `//= 3` is the answer of wrong solution 3,
+/// below `//= 0` the right answer, and `//= end` ends them.
 fn alternatives(region: &Region, wrongs: &[Wrong]) -> String {
     let all = [(0, region.body.as_str())].into_iter().chain(numbered(region, wrongs));
     let all: String = all.map(|(number, body)| format!("//= {number}\n{body}")).collect();
     all + "//= end\n"
 }
 
-/// The environment in which wrong solution `index` of `lab` is chosen.
+/// Returns the environment variable and the value that choose wrong solution `index` of `lab`.
 pub(super) fn environment(lab: Lab, index: usize) -> (String, String) {
     (variable(lab), (index + 1).to_string())
 }
 
-/// A lab's code may be another lab's dependency: each has a variable of its own.
+/// Returns the name of a lab's variable. Each lab has its own, because a lab may depend on another
+/// lab's code.
 fn variable(lab: Lab) -> String {
     format!("CUTOFF_WRONG_{lab}")
 }
 
-/// Sends every shader's source through [`chooser`]'s `source`.
+/// Passes every shader's source through `source` of the module that [`chooser`] writes.
 fn choosing_sources(text: &str) -> String {
     text.split_inclusive('\n')
         .map(|line| match line.find("include_str!(").zip(line.find(".wgsl\")")) {
@@ -92,7 +94,7 @@ fn choosing_sources(text: &str) -> String {
         .collect()
 }
 
-/// The module that the chains ask. It is asked in the innermost loops, so it is one load.
+/// Writes the module that the chains call. The innermost loops call it, so it is a single load.
 fn chooser(lab: Lab) -> String {
     let variable = variable(lab);
     format!(

@@ -1,30 +1,30 @@
-//! What was proven, as a table.
+//! Table of the proofs.
 
 use lab_kit::Lab;
 
-/// One thing that had to be proven.
+/// Result of one proof.
 #[derive(Debug)]
 pub(crate) struct Row {
-    /// The lab.
+    /// Number of the lab.
     pub(crate) lab: Lab,
-    /// What it is about, such as `solution`.
+    /// Subject of the proof, such as `solution`.
     pub(crate) what: String,
-    /// How many tests were asked.
+    /// Number of tests that ran.
     pub(crate) tests: usize,
-    /// Whether it is as it must be.
+    /// Whether the proof succeeded.
     pub(crate) result: Proof,
-    /// What is not as it must be; or why it was skipped.
+    /// Faults, or the reason why the proof was skipped.
     pub(crate) faults: Vec<String>,
 }
 
-/// What came of a row.
+/// Whether a proof succeeded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Proof {
-    /// As it must be, in the table's words.
+    /// The proof succeeded. The text is the result in the table.
     Proven(&'static str),
-    /// Not as it must be.
+    /// The proof failed.
     Faulty,
-    /// Not tried: the system lacks something.
+    /// The proof was not tried, because software is missing.
     Skipped,
 }
 
@@ -38,7 +38,7 @@ impl Proof {
     }
 }
 
-/// Prints the table, what is wrong with the faulty rows, and the sum.
+/// Prints the table, the faults, and the total.
 pub(crate) fn print(rows: &[Row]) {
     let width = rows.iter().map(|row| row.what.len()).max().unwrap_or(0).max(4);
     println!("lab  {:width$}  tests  result", "what");

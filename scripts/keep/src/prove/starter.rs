@@ -1,4 +1,4 @@
-//! Whether a starter fails as it should.
+//! Checks that a starter fails as it should.
 
 use std::collections::BTreeSet;
 
@@ -6,8 +6,10 @@ use super::first_lines;
 use lab_kit::answers::Task;
 use lab_kit::harness::{Outcome, Verdict};
 
-/// What is wrong with how the starter of these tasks fails: every test of a task must meet the
-/// `todo!` of that task first, every other test must pass, and no task may be without a test.
+/// Lists the faults of a starter's outcomes.
+///
+/// Every test of a task must first meet the `todo!` of that task, every other test must pass, and
+/// every task must have a test.
 pub(crate) fn faults(outcomes: &[Outcome], tasks: &BTreeSet<Task>) -> Vec<String> {
     let mut faults = Vec::new();
     for outcome in outcomes {

@@ -1,4 +1,5 @@
-//! The known-wrong solutions: does every one fail where it must? And do the unusual right ones pass?
+//! Checks that every known-wrong solution fails the tests that it names, and that unusual right
+//! ones pass.
 
 use std::path::PathBuf;
 
@@ -66,14 +67,16 @@ impl Bench<'_> {
     }
 }
 
-/// Why an unusual right solution does not count as accepted.
+/// Returns the reason why an unusual right solution was not accepted; `None` if it was.
 fn rejected(outcome: &Outcome) -> Option<String> {
     let passed = outcome.verdict == Verdict::Passed;
     (!passed).then(|| format!("{}: {}", outcome.test, first_lines(outcome)))
 }
 
-/// Why a wrong solution does not count as caught. A process that dies or hangs says nothing
-/// against the solution, unless the oracle's watchdog has spoken.
+/// Returns the reason why a wrong solution was not caught; `None` if it was.
+///
+/// A crash or an endless loop proves nothing against the solution, unless the oracle's watchdog
+/// reported it.
 fn uncaught(outcome: &Outcome) -> Option<String> {
     let watchdog = outcome.message.contains(": no answer within ");
     match &outcome.verdict {
