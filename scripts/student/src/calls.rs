@@ -1,4 +1,4 @@
-//! The calls of MPI that a run made, rank by rank: which belong together.
+//! Table of the MPI calls of a run, for each rank, in which calls that belong together share a row.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -6,29 +6,29 @@ use std::path::Path;
 
 use lab_kit::table::Table;
 
-/// Rows of a table: more than a step or two has.
+/// Maximal number of rows, which is more than a step or two needs.
 const ROWS: usize = 60;
 
-/// What the table means.
+/// Explanation below the table.
 const LEGEND: &str = "\
 A row with a number is one call, which all ranks make together. Other calls are of
 one rank: →1 sends to rank 1, ←1 receives from it, and #4 is the same message on
 both. Behind a call stand its file and line.
 ";
 
-/// A call as `labs/common-mpi` writes it down.
+/// A call, as `labs/common-mpi` records it.
 struct Call {
-    /// Counted on all ranks alike; 0 for a call of this rank alone.
+    /// Number of a collective call, equal on all ranks; 0 for a call of this rank alone.
     number: u64,
     name: String,
-    /// The other rank; negative if there is none, or any.
+    /// The other rank; negative if there is none, or if it is any rank.
     other: i64,
     tag: i64,
-    /// Its file, without `.rs`, and its line: `root:29`.
+    /// File without `.rs`, and line: `root:29`.
     location: String,
 }
 
-/// The table of the records in `folder`; none if no rank has made a call that a lab's file makes.
+/// Makes the table of the records in `folder`; `None` if the lab's files made no call on any rank.
 pub(crate) fn table(folder: &Path, ranks: usize) -> Option<String> {
     let text = |rank| fs::read_to_string(folder.join(format!("{rank}.txt"))).unwrap_or_default();
     let calls: Vec<Vec<Call>> =
@@ -67,7 +67,7 @@ impl Call {
     }
 }
 
-/// A row for each call of all ranks, and between them rows of what each rank calls alone.
+/// Returns a row for each collective call, and between these rows the calls of single ranks.
 fn rows(calls: &[Vec<Call>]) -> Vec<Vec<String>> {
     let messages = messages(calls);
     let cell = |rank: usize, at: usize| -> String {
@@ -105,7 +105,7 @@ fn rows(calls: &[Vec<Call>]) -> Vec<Vec<String>> {
     }
 }
 
-/// How many calls follow each other from this one on that are alike and no other rank's business, such as to wait.
+/// Counts the consecutive equal calls from this one on that involve no other rank, such as waiting.
 fn alike(calls: &[Call], at: usize) -> usize {
     let first = &calls[at];
     let alone = first.number == 0 && !first.sends() && !first.receives();
@@ -114,9 +114,11 @@ fn alike(calls: &[Call], at: usize) -> usize {
     calls[at..].iter().take_while(same).count().max(1)
 }
 
-/// The number of the message of each call that sends or receives one, by rank and call. Messages from one rank to
-/// another arrive in the order in which they were sent; a tag that is asked for must be theirs, and a negative one
-/// is any.
+/// Numbers the messages: returns the number for each call that sends or receives one, by rank and
+/// call.
+///
+/// Messages between two ranks arrive in the order in which they were sent. A receiver's tag must
+/// equal the sender's; a negative tag accepts any.
 fn messages(calls: &[Vec<Call>]) -> BTreeMap<(usize, usize), usize> {
     let all = |is: fn(&Call) -> bool| {
         let of =

@@ -1,4 +1,4 @@
-//! `cargo lab check`: is my lab fit to be handed in?
+//! `cargo lab check`: checks whether a lab is ready to be handed in.
 
 use std::process::ExitCode;
 
@@ -35,7 +35,7 @@ pub(crate) struct Options {
     only: bool,
 }
 
-/// Checks the lab and those before it that were begun.
+/// Checks the lab, and earlier labs that the student has begun.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     process::kill_all_on_interrupt();
     let lab = options.lab;
@@ -43,7 +43,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let source = results::source(kit, lab)?;
     let mut troubles = Troubles::default();
     troubles.say("format", format(kit, lab)?);
-    // Beside a `todo!`, clippy blames what is given: a parameter that nobody changes yet, say.
+    // Beside a `todo!`, clippy complains about given code, for instance about a parameter that
+    // nothing changes yet.
     if !tasks::open_todos(kit, lab)?.is_empty() {
         println!("lints    not looked at while a todo! is left");
     } else {
@@ -74,16 +75,16 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(if troubles.0.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// What a lab's last check said of the lab itself, kept under `target/` for `cargo lab submit`.
+/// Result of a lab's last check, kept under `target/` for `cargo lab submit`.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Seen {
     source: String,
-    /// What is not well.
+    /// Troubles that the check found.
     pub(crate) troubles: Vec<String>,
 }
 
 impl Seen {
-    /// The last check of the lab as its source is now.
+    /// Reads the last check; `None` if the lab's source has changed since.
     pub(crate) fn read(kit: &Kit, lab: Lab) -> Result<Option<Self>> {
         let seen: Option<Self> = recall(kit, &name(lab));
         let now = results::source(kit, lab)?;
@@ -95,12 +96,12 @@ fn name(lab: Lab) -> String {
     format!("checks/lab{lab}.json")
 }
 
-/// What is not well, so far.
+/// Troubles found so far.
 #[derive(Default)]
 struct Troubles(Vec<String>);
 
 impl Troubles {
-    /// A line for what was checked: what is well with it, or else what is not.
+    /// Prints a line about a check, and records its trouble if it has one.
     fn say(&mut self, name: &str, verdict: Result<String, String>) {
         match verdict {
             Ok(well) => print!("{}", folded(&format!("{name:8} well: "), &well)),
@@ -123,8 +124,10 @@ fn format(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     })
 }
 
-/// What is unused, which the starters' manifests allow, counts now, and so does what prints: a grader asks about so many
-/// particles that printing takes longer than it waits.
+/// Runs clippy on the lab.
+///
+/// Unused code counts, although the starters' manifests allow it. Printing counts too: a grader's
+/// questions have so many particles that printing would exceed the time limit.
 fn lints(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     let mut cargo = kit.cargo();
     cargo.args(["clippy", "--no-deps", "--package", &format!("lab{lab}")]);
@@ -139,7 +142,7 @@ fn lints(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     })
 }
 
-/// Whether any file of the lab is not as it was given.
+/// Whether any file of the lab has changed since it was given.
 fn is_begun(kit: &Kit, lab: Lab) -> Result<bool> {
     let folder = kit.starter(lab);
     let record = Record::read(&folder)?;
@@ -153,7 +156,7 @@ fn tests(kit: &Kit, lab: Lab, judge: Judge) -> Result<Result<String, String>> {
     Ok(run.map_or_else(|| Err("it does not compile".into()), |run| judge(lab, &run)))
 }
 
-/// The lab as it would be handed in and graded.
+/// Tests the lab as it would be handed in and graded.
 fn graded(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     let collected = submission::collect(&kit.starter(lab))?;
     let graded = Graded::lay(kit, lab, &collected)?;
@@ -161,7 +164,7 @@ fn graded(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     Ok(run.map_or_else(|| Err(graded.unbuilt()), |run| whole(lab, &run)))
 }
 
-/// The lab that is handed in: every task is done.
+/// Judges the lab that is handed in: every task must be done.
 fn whole(lab: Lab, run: &Run) -> Result<String, String> {
     let well = unbroken(lab, run)?;
     match run.tasks.iter().find(|progress| progress.state != State::Done) {
@@ -170,7 +173,7 @@ fn whole(lab: Lab, run: &Run) -> Result<String, String> {
     }
 }
 
-/// A lab before it: what was answered holds. A task that is left out is nobody's business.
+/// Judges an earlier lab: no answer may fail. Tasks that were left out are ignored.
 fn unbroken(lab: Lab, run: &Run) -> Result<String, String> {
     let see = format!("'cargo lab test {lab}' shows why");
     if let Some(broken) = run.tasks.iter().find(|progress| progress.state == State::Failing) {

@@ -1,4 +1,4 @@
-//! The door to commands of other packages: known by name, built when somebody asks for one.
+//! Runs commands of other packages, which are found by name and built when they are called.
 
 use std::ffi::{OsStr, OsString};
 use std::os::unix::process::CommandExt;
@@ -11,10 +11,10 @@ use lab_kit::cargo::run_visibly;
 use lab_kit::command::{Family, command_line, families};
 use lab_kit::fresh;
 
-/// Hands the command line over if it names a command of another package: that becomes this process.
+/// Runs a command of a different package in place of this process, if the command line names one.
 pub(crate) fn elsewhere(kit: &Kit) -> Result<Option<ExitCode>> {
     let mut arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
-    // `cargo lab help race` asks race.
+    // `cargo lab help race` becomes `cargo lab race --help`.
     if arguments.len() == 2 && arguments[0] == "help" {
         arguments = vec![arguments.remove(1), "--help".into()];
     }
@@ -24,10 +24,10 @@ pub(crate) fn elsewhere(kit: &Kit) -> Result<Option<ExitCode>> {
     Err(command.args(arguments).exec()).context("cargo did not start")
 }
 
-/// Runs a command of another package, such as `speed 10`, to its end.
+/// Runs a command of a different package, such as `speed 10`, to its end.
 ///
 /// # Errors
-/// There is no such command, or it does not build or start.
+/// If there is no such command, or if it does not build or start.
 pub(crate) fn pass(kit: &Kit, words: &[&str]) -> Result<()> {
     let family = family_of(kit, words[0].as_ref())?;
     let family = family.with_context(|| format!("no command {}", words[0]))?;
@@ -35,7 +35,7 @@ pub(crate) fn pass(kit: &Kit, words: &[&str]) -> Result<()> {
     Ok(())
 }
 
-/// The other package that has a command, if one has.
+/// Finds the other package that has a command; `None` if there is none.
 fn family_of(kit: &Kit, name: &OsStr) -> Result<Option<Family>> {
     let has = |family: &Family| family.commands.iter().any(|(own, _)| name == own.as_str());
     Ok(others(families(kit)?).into_iter().find(has))
@@ -60,8 +60,9 @@ fn built(kit: &Kit, family: &Family) -> Result<Command> {
     Ok(command)
 }
 
-/// The command line of this package, which also knows the names of all other commands: its help lists
-/// them, and a slip of the pen is told the right one.
+/// Returns the command line of this package, which also contains the names of all other commands.
+///
+/// So the help lists them, and a mistyped name gets a suggestion.
 pub(crate) fn command<C: Subcommand>(kit: &Kit) -> Result<clap::Command> {
     let families = families(kit)?;
     let mut command = command_line::<C>();
@@ -78,7 +79,7 @@ fn others(mut families: Vec<Family>) -> Vec<Family> {
     families
 }
 
-/// All commands, below a heading for each package.
+/// Lists all commands, below a heading for each package.
 fn listed(families: &[Family]) -> String {
     let names = families.iter().flat_map(|family| &family.commands).map(|(name, _)| name.len());
     let width = names.max().unwrap_or(0);

@@ -1,4 +1,4 @@
-//! `cargo lab facts`: the facts of all labs for shell scripts, which read no TOML.
+//! `cargo lab facts`: prints the facts of all labs for shell scripts, which cannot read TOML.
 
 use std::collections::BTreeSet;
 use std::process::ExitCode;
@@ -28,8 +28,8 @@ fn lines(kit: &Kit, lab: Lab) -> Result<String> {
     Ok(lines)
 }
 
-/// The program to measure: the solution's. A class's kit lacks the solution of its newest lab, so there it is the
-/// student's own.
+/// Returns the program to measure: the solution's. A class's kit lacks the solution of its newest
+/// lab, so there it is the student's own.
 fn program(kit: &Kit, lab: Lab) -> String {
     let own = if kit.solutions().contains(&lab) { "solution" } else { "lab" };
     format!("{own}{lab}")

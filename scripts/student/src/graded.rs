@@ -1,7 +1,8 @@
-//! The lab as the grader builds it: the files that would be handed in, beside the kit's own.
+//! Builds a lab as the grader does: with the files that would be handed in, and the kit's own.
 //!
-//! A workspace below `target/lab/graded` has links to everything in the kit but the lab itself. There the lab's package has
-//! another name: cargo builds what it depends on once for both, and takes neither for the other.
+//! A workspace below `target/lab/graded` has links to everything in the kit except the lab itself.
+//! The lab's package has a different name there. So Cargo compiles dependencies once for both
+//! workspaces and does not confuse the two packages.
 
 use std::fs;
 use std::io;
@@ -18,20 +19,20 @@ use lab_kit::{Facts, Given, Kit, Lab};
 
 use crate::test::own_build;
 
-/// A lab that is laid as it is graded.
+/// A lab in a workspace for grading.
 pub(crate) struct Graded {
     lab: Lab,
     tree: Kit,
-    /// Where the kit is built.
+    /// Build directory of the kit.
     target: PathBuf,
-    /// The package of the lab there.
+    /// Name of the lab's package in the workspace.
     package: String,
-    /// Given files that the student changed, which are not what is built.
+    /// Given files that the student changed. The kit's own versions are built.
     pub(crate) changed: Vec<String>,
 }
 
 impl Graded {
-    /// Lays the lab of which these files are handed in.
+    /// Makes the workspace for a lab with these submitted files.
     pub(crate) fn lay(kit: &Kit, lab: Lab, collected: &Collected) -> Result<Self> {
         let given = Given::of(kit, lab)?;
         let mut files = collected.files.clone();
@@ -50,12 +51,12 @@ impl Graded {
         Ok(Self { lab, tree: Kit::at(&folder), target, package, changed })
     }
 
-    /// How its tests are built.
+    /// Returns the order for building its tests.
     pub(crate) fn tests(&self) -> Build<'_> {
         own_build(self.cargo(), self.lab, &self.package)
     }
 
-    /// Builds it, and returns what is not well with that.
+    /// Builds the lab; returns the message if that fails.
     pub(crate) fn trouble(&self) -> Option<String> {
         match build(self.tests()) {
             Ok(_) => None,
@@ -64,7 +65,7 @@ impl Graded {
         }
     }
 
-    /// What is said of a lab that does not compile so.
+    /// Returns the message about a lab that does not compile in the workspace.
     pub(crate) fn unbuilt(&self) -> String {
         let said = "it does not compile as the grader builds it";
         match &self.changed[..] {
@@ -79,8 +80,8 @@ impl Graded {
     fn cargo(&self) -> Command {
         let mut cargo = self.tree.cargo();
         cargo.env("CARGO_TARGET_DIR", &self.target);
-        // The grader builds for speed. Only these two settings of that can change an answer, and what the lab depends on
-        // need not be built again for them.
+        // The grader builds in release mode. Only these two of its settings can change an answer,
+        // and dependencies need not be built again for them.
         for setting in ["debug-assertions", "overflow-checks"] {
             cargo.arg("--config");
             cargo.arg(format!("profile.dev.package.{}.{setting}=false", self.package));
@@ -89,7 +90,7 @@ impl Graded {
     }
 }
 
-/// The lab's manifest with another package, whose library has the lab's name.
+/// Changes the package's name in the lab's manifest. The library keeps the lab's name.
 fn renamed(manifest: &str, lab: Lab, package: &str) -> String {
     let name = format!("name = \"lab{lab}\"\n");
     let manifest = manifest.replacen(&name, &format!("name = \"{package}\"\n"), 1);
@@ -97,7 +98,7 @@ fn renamed(manifest: &str, lab: Lab, package: &str) -> String {
     format!("{head}\n[lib]\n{name}{tail}")
 }
 
-/// Lays the workspace. Files that are right already keep their times.
+/// Writes the workspace. Files that are already right keep their times.
 fn lay(kit: &Kit, lab: Lab, files: &Sources, folder: &Path) -> Result<()> {
     let own = format!("lab{lab}");
     let labs = folder.join("labs");
@@ -134,7 +135,7 @@ fn link(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> io::Result<()>
         let link = to.join(entry.file_name());
         let is_wanted = wanted(&entry.file_name().to_string_lossy());
         if is_wanted && fs::read_link(&link).ok() != Some(entry.path()) {
-            // One into a kit that was moved since.
+            // An old link may lead into a kit that was moved.
             let _ = fs::remove_file(&link);
             symlink(entry.path(), link)?;
         }
@@ -151,7 +152,7 @@ mod tests {
     const MANIFEST: &str = "[package]\nname = \"lab1\"\nedition = \"2024\"\n";
     const TESTS: &str = "#[test]\nfn task() {\n    assert_eq!(lab1::task::f(), 1);\n}\n";
 
-    /// What is not well with a lab of these files, instead of those that were given.
+    /// Returns the message about a lab in which these files replace the given ones.
     fn trouble(own: &[(&str, &str)]) -> Option<String> {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path().canonicalize().unwrap();

@@ -1,4 +1,4 @@
-//! `cargo lab hint`: help in three steps.
+//! `cargo lab hint`: shows a hint, in three steps.
 
 use std::collections::BTreeMap;
 use std::process::ExitCode;
@@ -25,7 +25,7 @@ pub(crate) struct Options {
     tier: Option<u8>,
 }
 
-/// Shows the hint whose turn it is.
+/// Shows the next hint.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let task = options.task;
     kit.expect_starter(task.lab)?;
@@ -52,10 +52,10 @@ fn print(hints: &Hints, tier: usize) {
     print!("{}", folded("", next));
 }
 
-/// The tier after the last one shown.
+/// Returns the tier after the last one shown.
 fn next(kit: &Kit, task: Task) -> Result<usize> {
     const SHOWN: &str = "hints.json";
-    // A hint too early does less harm than none.
+    // If the record cannot be read, the first hint is shown again, which does little harm.
     let mut shown: BTreeMap<String, usize> = recall(kit, SHOWN).unwrap_or_default();
     let tier = shown.entry(task.to_string()).or_default();
     *tier = (*tier + 1).min(TIERS);

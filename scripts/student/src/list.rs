@@ -1,4 +1,4 @@
-//! `cargo lab list`: which tasks of a lab are done, or all labs at a glance.
+//! `cargo lab list`: shows the state of a lab's tasks, or of all labs.
 
 use std::env;
 use std::fs;
@@ -24,19 +24,19 @@ pub(crate) struct Options {
     all: bool,
 }
 
-/// A lab, with what is known of its tasks.
+/// A lab and the state of its tasks.
 pub(crate) struct Overview {
     lab: Lab,
     title: String,
-    /// Whether its source is not what was tested.
+    /// Whether its source has changed since it was tested.
     pub(crate) stale: bool,
     tasks: Vec<Progress>,
-    /// What to install before it can run.
+    /// Software that must be installed before it can run; `None` if nothing is missing.
     missing: Option<&'static str>,
 }
 
 impl Overview {
-    /// What the last run of the lab's tests said.
+    /// Reads the results of the last run of the lab's tests.
     pub(crate) fn of(kit: &Kit, lab: Lab) -> Result<Self> {
         let results = Results::read(kit, lab);
         let fresh = results.as_ref().map(|results| results.is_fresh(kit, lab)).transpose()?;
@@ -50,7 +50,7 @@ impl Overview {
         })
     }
 
-    /// How many of its tasks are done.
+    /// Returns the number of tasks that are done.
     pub(crate) fn done(&self) -> usize {
         tasks::done(&self.tasks)
     }
@@ -88,7 +88,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The lab that somebody is in: whose folder is the current one, or else whose tests ran last, or else the first.
+/// Returns the current lab: the lab of the current folder, or else the last tested one, or else the
+/// first.
 fn current(kit: &Kit) -> Result<Lab> {
     let labs = kit.starters();
     let here = env::current_dir()?;
@@ -122,7 +123,7 @@ fn table(overviews: &[Overview]) -> String {
     out
 }
 
-/// A task's mark in its lab's bar.
+/// Returns a task's mark in its lab's bar.
 fn mark(state: State) -> char {
     match state {
         State::Done => '█',

@@ -1,4 +1,4 @@
-//! The `cargo lab` command: the students' part of it, and the [door] to the others.
+//! The `cargo lab` command: the students' commands, and the [door] to the others.
 
 mod calls;
 mod check;

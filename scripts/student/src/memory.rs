@@ -1,4 +1,4 @@
-//! What the command remembers from one call to the next: JSON files under `target/`.
+//! Data that the command keeps from one call to the next: JSON files under `target/`.
 
 use std::fs;
 
@@ -9,12 +9,12 @@ use serde::de::DeserializeOwned;
 use lab_kit::Kit;
 use lab_kit::files::write_file;
 
-/// What was remembered as `name`. What cannot be read is forgotten.
+/// Reads the data kept as `name`; `None` if it cannot be read.
 pub(crate) fn recall<T: DeserializeOwned>(kit: &Kit, name: &str) -> Option<T> {
     serde_json::from_str(&fs::read_to_string(kit.memory().join(name)).ok()?).ok()
 }
 
-/// Remembers `what` as `name`.
+/// Keeps `what` as `name`.
 pub(crate) fn remember(kit: &Kit, name: &str, what: &impl Serialize) -> Result<()> {
     write_file(&kit.memory().join(name), serde_json::to_vec_pretty(what)?)
 }

@@ -1,4 +1,4 @@
-//! What `cargo lab test` and `watch` print.
+//! Output of `cargo lab test` and `cargo lab watch`.
 
 use anyhow::Result;
 
@@ -10,10 +10,10 @@ use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::page::folded;
 use lab_kit::{Kit, Lab};
 
-/// Lines shown of a test's message.
+/// Maximal number of lines shown of a test's message.
 const LINES: usize = 40;
 
-/// Says of a lab or a task what its tests say, and what comes next.
+/// Prints the state of a lab or a task, and the next step.
 pub(crate) fn report(kit: &Kit, what: What, run: &Run, all: bool) -> Result<()> {
     match what.task {
         Some(_) => run.tasks.iter().try_for_each(|progress| report_task(kit, progress, all)),
@@ -21,7 +21,7 @@ pub(crate) fn report(kit: &Kit, what: What, run: &Run, all: bool) -> Result<()> 
     }
 }
 
-/// Says how far the lab is, what comes next, and where.
+/// Prints the state of a lab, the next task, and its location.
 fn report_lab(kit: &Kit, lab: Lab, run: &Run, all: bool) -> Result<()> {
     let (progress, others) = (&run.tasks, run.other_failures());
     let (title, done, total) = (kit.title(lab), tasks::done(progress), progress.len());
@@ -68,7 +68,7 @@ fn report_lab(kit: &Kit, lab: Lab, run: &Run, all: bool) -> Result<()> {
     Ok(())
 }
 
-/// Says of one task alone whether it is done, and if not why.
+/// Prints whether a single task is done, and otherwise the reason.
 fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<()> {
     let Progress { task, title, state, .. } = progress;
     let state = state.word().unwrap_or("not tested");
@@ -89,7 +89,7 @@ fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<()> {
     Ok(())
 }
 
-/// Where a task is, and who helps with it.
+/// Prints the location of a task, and where to find help.
 fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
     let task = progress.task;
     if let Some((_, line)) = tasks::line_of_todo(kit, task)? {
@@ -110,9 +110,10 @@ fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
     Ok(())
 }
 
-/// Prints why a task is not done: its first failure, or all of them. A `todo!` explains itself. A sentence
-/// about particles says more than a panic in the lab's own code, which may follow from the same mistake, and
-/// that more than a process that broke off or did not end.
+/// Prints why a task is not done: its first failure, or all of them. A `todo!` explains itself.
+///
+/// The clearest failures come first: a sentence about particles, then a panic in the lab's own
+/// code, which may follow from the same mistake, then a crash or an endless run.
 fn explain(progress: &Progress, all: bool) {
     let failures = progress.tests.iter().filter(|o| !passes(o) && !o.meets_todo_of(progress.task));
     let mut failures: Vec<_> = failures.collect();

@@ -1,4 +1,4 @@
-//! `cargo lab reset`: a lab from its beginning.
+//! `cargo lab reset`: puts the starter of a lab back.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use lab_kit::machine::date;
 use lab_kit::starter::{Files, Record, given, own_paths};
 use lab_kit::{Kit, Lab};
 
-/// Where work is kept: not under `target/`, which `cargo clean` empties.
+/// Folder in which work is kept. It is not under `target/`, because `cargo clean` empties that.
 const KEPT: &str = "kept";
 
 /// Start a lab anew; your work so far is kept aside
@@ -38,7 +38,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Returns where the work is now, below the top folder; none if there was none.
+/// Resets a lab. Returns the folder of the kept work, below the top folder; `None` if there was no
+/// work.
 fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
     let folder = kit.starter(lab);
     let given = given(kit, lab)?;
@@ -58,7 +59,7 @@ fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
     Ok(Some(kept))
 }
 
-/// The files that a student may have changed or added, by their path in the lab's folder.
+/// Reads the files that a student may have changed or added, by their path in the lab's folder.
 fn work(folder: &Path) -> Result<Files> {
     let paths = own_paths(folder)?.into_iter().chain(["Cargo.toml".into()]);
     let read = |path: PathBuf| {
@@ -68,7 +69,7 @@ fn work(folder: &Path) -> Result<Files> {
     paths.map(read).collect()
 }
 
-/// Writes the files, all or none, to a folder that is not there yet.
+/// Writes the files, all or none, to a new folder.
 fn keep(kit: &Kit, lab: Lab, files: &Files) -> Result<PathBuf> {
     let all_kept = kit.path(KEPT);
     let failed = || format!("your work cannot be kept in {KEPT}/, so nothing was changed");
@@ -106,7 +107,7 @@ pub fn f() -> u8 {
 }
 ";
 
-    /// A kit with nothing but lab 1, its starter laid.
+    /// Makes a kit with only lab 1 and its starter.
     fn kit(root: &Path) -> Kit {
         let manifest = "[package]\nname = \"solution1\"\n\n[lints]\nworkspace = true\n";
         let files = [
@@ -149,7 +150,7 @@ pub fn f() -> u8 {
         let folder = tempfile::tempdir().unwrap();
         let kit = kit(folder.path());
         let lab = "1".parse().unwrap();
-        // As a clone made on Windows has them, the solution's too.
+        // A clone made on Windows has these line endings, in the solution too.
         for folder in ["labs/lab1", "solutions/lab1"] {
             for path in ["src/lib.rs", "Cargo.toml"].map(|path| kit.path(folder).join(path)) {
                 let text = fs::read_to_string(&path).unwrap();

@@ -1,4 +1,4 @@
-//! What a lab's tests said the last time, kept under `target/`.
+//! Results of the last run of a lab's tests, kept under `target/`.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -17,39 +17,40 @@ use lab_kit::machine::on_all_cores;
 use lab_kit::starter::{Record, read_below};
 use lab_kit::{Kit, Lab, Workers};
 
-/// A test of threads takes seconds. One that takes longer does not end.
+/// Time limit of a test with threads. Such a test takes seconds, so a longer one is endless.
 const LIMIT: Duration = Duration::from_secs(30);
 
-/// Ranks and devices take longer to start, and tests of ranks have a watch of their own.
+/// Time limit of a test with ranks or a device. These start more slowly, and tests with ranks have
+/// their own watchdog.
 const LONG_LIMIT: Duration = Duration::from_secs(180);
 
-/// What every test of a lab said when it last ran.
+/// Last result of every test of a lab.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Results {
-    /// The tests and what came of them.
+    /// Tests with their outcomes.
     pub(crate) outcomes: Vec<Outcome>,
-    /// What the lab's source was when each test ran.
+    /// Hash of the lab's source when each test ran, by the test's name.
     sources: BTreeMap<String, String>,
 }
 
-/// Tests that ran now.
+/// Results of a single run of tests.
 #[derive(Debug)]
 pub(crate) struct Run {
-    /// The lab's tasks, or the one that was asked for, with what came of their tests.
+    /// The lab's tasks, or the chosen one, with the outcomes of their tests.
     pub(crate) tasks: Vec<Progress>,
-    /// The tests that belong to no task.
+    /// Outcomes of tests that belong to no task.
     pub(crate) others: Vec<Outcome>,
-    /// How many tests did not run, because one before them did not end.
+    /// Number of tests that did not run, because an earlier test did not end.
     pub(crate) left_out: usize,
 }
 
 impl Run {
-    /// What came of all tests.
+    /// Returns the outcomes of all tests.
     pub(crate) fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
         self.tasks.iter().flat_map(|task| &task.tests).chain(&self.others)
     }
 
-    /// The tests that belong to no task and fail.
+    /// Returns the failures of tests that belong to no task.
     pub(crate) fn other_failures(&self) -> Vec<&Outcome> {
         self.others.iter().filter(|outcome| !passes(outcome)).collect()
     }
@@ -60,8 +61,8 @@ impl Run {
     }
 }
 
-/// Builds a student's lab, runs its tests or those of one task, and remembers what came of them.
-/// `advance` hears of every step.
+/// Builds a student's lab, runs its tests or those of one task, and keeps the results. It calls
+/// `advance` at every step.
 pub(crate) fn run(
     kit: &Kit,
     lab: Lab,
@@ -77,7 +78,7 @@ pub(crate) fn run(
     let mut tests = program.tests().map_err(trouble)?;
     tests.retain(|test| only.is_none() || Task::of_test(test) == only);
     advance(Step::Tests(tests.len()));
-    // Behind a loop without end most other tests would wait for their time to be up, too.
+    // After an endless loop, most other tests would exceed their time limits too.
     let hangs = AtomicBool::new(false);
     let run = |test: &String| {
         if hangs.load(Ordering::Relaxed) {
@@ -104,30 +105,30 @@ pub(crate) fn run(
     Ok(Run { tasks, others: outcomes.into_iter().filter(is_other).collect(), left_out })
 }
 
-/// How far a run of tests is.
+/// Progress of a run of tests.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Step<'a> {
-    /// They are built, and this is their number.
+    /// The tests are built, and this is their number.
     Tests(usize),
-    /// This one runs.
+    /// This test starts.
     Begun(&'a str),
-    /// This one has run.
+    /// This test has ended.
     Ended(&'a str),
 }
 
 impl Results {
-    /// The results of the last runs; none if there was none that can be read.
+    /// Reads the last results; `None` if there are no results, or if they cannot be read.
     pub(crate) fn read(kit: &Kit, lab: Lab) -> Option<Self> {
         recall(kit, &name(lab))
     }
 
-    /// Whether the lab's source is still what every test saw.
+    /// Whether the lab's source is unchanged since every test ran.
     pub(crate) fn is_fresh(&self, kit: &Kit, lab: Lab) -> Result<bool> {
         let source = source(kit, lab)?;
         Ok(self.sources.values().all(|seen| *seen == source))
     }
 
-    /// Puts what came of tests now instead of what came of them before.
+    /// Replaces the earlier outcomes of these tests.
     fn add(&mut self, outcomes: &[Outcome], source: &str) {
         for outcome in outcomes {
             self.outcomes.retain(|old| old.test != outcome.test);
@@ -141,7 +142,7 @@ impl Results {
     }
 }
 
-/// The file that they are kept in.
+/// Returns the file of a lab's results.
 pub(crate) fn file(kit: &Kit, lab: Lab) -> PathBuf {
     kit.memory().join(name(lab))
 }
@@ -150,7 +151,7 @@ fn name(lab: Lab) -> String {
     format!("results/lab{lab}.json")
 }
 
-/// A hash over the lab's source files and their names.
+/// Returns a hash of the lab's source files and their names.
 pub(crate) fn source(kit: &Kit, lab: Lab) -> Result<String> {
     let files = read_below(&kit.starter(lab).join("src"))?;
     Ok(digest(Record::of(&files).to_text().as_bytes()))

@@ -1,4 +1,4 @@
-//! `cargo lab run`: a lab's program.
+//! `cargo lab run`: runs a lab's program.
 
 use std::process::{Command, ExitCode, Stdio};
 
@@ -34,10 +34,10 @@ pub(crate) struct Options {
     arguments: Vec<String>,
 }
 
-/// Builds and runs the lab; its exit code becomes ours.
+/// Builds and runs the lab, and returns its exit code.
 pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let lab = options.lab;
-    // Behind the number it means the same: no lab has such a flag.
+    // The flag is accepted behind the number too, because no lab has such a flag.
     if options.arguments.first().is_some_and(|argument| argument == "--solution") {
         options.arguments.remove(0);
         options.solution = true;
@@ -83,7 +83,8 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     Ok(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)))
 }
 
-/// A line of the list of variants, `sorted       a counting sort`, folded below where its text begins.
+/// Folds a line of the list of variants, `sorted       a counting sort`, below the beginning of its
+/// text.
 fn below_its_text(line: &str) -> String {
     let name = line.find("  ").unwrap_or(0);
     let spaces = line[name..].len() - line[name..].trim_start().len();

@@ -1,4 +1,4 @@
-//! `cargo lab submit`: what is handed in, packed.
+//! `cargo lab submit`: packs a lab for handing in.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -30,7 +30,7 @@ pub(crate) struct Options {
     output: Option<PathBuf>,
 }
 
-/// Packs the lab, and tells of what is in the archive, what is not, and what is still to do.
+/// Packs the lab, and prints the files in the archive, the files left out, and the remaining work.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let lab = options.lab;
     kit.expect_starter(lab)?;
@@ -51,7 +51,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Of a lab of which the student changed these given files.
+/// Describes the archive of a lab in which the student changed these given files.
 fn account(
     kit: &Kit,
     lab: Lab,
@@ -76,7 +76,8 @@ fn account(
     for (path, why) in &collected.left_out {
         lines.push(format!("  left out: labs/lab{lab}/{}, {why}", path.display()));
     }
-    // What grading brings itself is not taken, and a student who changed it should know.
+    // The grader uses its own versions of these files, and a student who changed them should know
+    // that.
     for path in record.paths().filter(|path| !path.starts_with("src")) {
         if !record.is_own(&folder, path) {
             lines.push(format!(

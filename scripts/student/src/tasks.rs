@@ -1,4 +1,4 @@
-//! The tasks of a lab, and how far a student has come with each.
+//! Tasks of a lab, and the state of each.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,21 +12,21 @@ use lab_kit::page::folded;
 use lab_kit::starter::todo;
 use lab_kit::{Kit, Lab, sources_below};
 
-/// How far a task has come.
+/// State of a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum State {
     /// All its tests pass.
     Done,
     /// It was answered, and a test fails.
     Failing,
-    /// Its `todo!` is still there, or that of a task that it builds on.
+    /// Its own `todo!`, or that of a task that it builds on, is still there.
     Todo,
-    /// Some of its tests have not run, or found nothing to run on; the others pass.
+    /// Some of its tests have not run, or lack a device; the others pass.
     Untested,
 }
 
 impl State {
-    /// In a word, if there is anything to say.
+    /// Returns the state in a word; `None` if there is nothing to print.
     pub(crate) fn word(self) -> Option<&'static str> {
         match self {
             Self::Done => Some("done"),
@@ -37,28 +37,28 @@ impl State {
     }
 }
 
-/// A task and what its tests say.
+/// A task with the outcomes of its tests.
 #[derive(Clone, Debug)]
 pub(crate) struct Progress {
     /// The task.
     pub(crate) task: Task,
-    /// Its title.
+    /// Title of the task.
     pub(crate) title: String,
-    /// How far it has come.
+    /// State of the task.
     pub(crate) state: State,
-    /// Its tests, as far as they have run.
+    /// Outcomes of its tests, as far as they have run.
     pub(crate) tests: Vec<Outcome>,
 }
 
-/// Whether an outcome is nothing to worry about.
+/// Whether an outcome is not a failure.
 pub(crate) fn passes(outcome: &Outcome) -> bool {
     matches!(outcome.verdict, Verdict::Passed | Verdict::Ignored | Verdict::Skipped)
 }
 
-/// The tasks of a lab in order, with the outcomes that belong to each.
+/// Returns the tasks of a lab in order, with the outcomes that belong to each.
 pub(crate) fn progress(kit: &Kit, lab: Lab, outcomes: &[Outcome]) -> Result<Vec<Progress>> {
     let mut titles = titles(kit, lab)?;
-    // A task without hints is a task all the same.
+    // A task may have no hints.
     for task in outcomes.iter().filter_map(|outcome| Task::of_test(&outcome.test)) {
         titles.entry(task).or_insert_with(|| "(no title)".into());
     }
@@ -70,7 +70,7 @@ pub(crate) fn progress(kit: &Kit, lab: Lab, outcomes: &[Outcome]) -> Result<Vec<
     Ok(titles.into_iter().map(of).collect())
 }
 
-/// How many tasks are done.
+/// Returns the number of tasks that are done.
 pub(crate) fn done(tasks: &[Progress]) -> usize {
     tasks.iter().filter(|progress| progress.state == State::Done).count()
 }
@@ -85,7 +85,7 @@ fn state(tests: &[Outcome]) -> State {
     }
 }
 
-/// The titles of a lab's tasks: its hints have them, and its `todo!`s as long as they are there.
+/// Returns the titles of a lab's tasks, from its hints and from the remaining `todo!`s.
 fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
     let mut titles: BTreeMap<_, _> =
         hints::read(kit, lab)?.into_iter().map(|hints| (hints.task, hints.title)).collect();
@@ -95,29 +95,29 @@ fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
     Ok(titles)
 }
 
-/// A task's first `todo!` that is left, 2.1 before 2.1b, and where it stands below the top folder and what it
-/// asks for.
+/// Returns a task's first remaining `todo!`, 2.1 before 2.1b, and its location below the top folder
+/// with its title.
 pub(crate) fn line_of_todo(kit: &Kit, task: Task) -> Result<Option<(RegionId, String)>> {
     let own = todos(kit, task.lab)?.into_iter().filter(|todo| todo.id.task == task);
     let first = own.min_by_key(|todo| todo.id);
     Ok(first.map(|Todo { id, title, location }| (id, format!("{location}: {id}, {title}"))))
 }
 
-/// The tasks that still have a `todo!`, in order.
+/// Returns the tasks that still have a `todo!`, in order.
 pub(crate) fn open_todos(kit: &Kit, lab: Lab) -> Result<Vec<Task>> {
     let open: BTreeSet<Task> = todos(kit, lab)?.into_iter().map(|todo| todo.id.task).collect();
     Ok(open.into_iter().collect())
 }
 
-/// A `todo!` that is left.
+/// A remaining `todo!`.
 struct Todo {
     id: RegionId,
     title: String,
-    /// The file below the top folder, and the line.
+    /// File below the top folder, and line.
     location: String,
 }
 
-/// All of a lab.
+/// Returns all remaining `todo!`s of a lab.
 fn todos(kit: &Kit, lab: Lab) -> Result<Vec<Todo>> {
     let mut todos = Vec::new();
     for path in sources_below(&kit.starter(lab).join("src"))? {
@@ -131,7 +131,7 @@ fn todos(kit: &Kit, lab: Lab) -> Result<Vec<Todo>> {
     Ok(todos)
 }
 
-/// One line a task: its state, its number, its title.
+/// Prints a line for each task: its state, its number, its title.
 pub(crate) fn print_tasks(tasks: &[Progress]) {
     for Progress { task, title, state, .. } in tasks {
         let state = state.word().unwrap_or_default();

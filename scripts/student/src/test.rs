@@ -1,4 +1,4 @@
-//! `cargo lab test`: how far is my lab?
+//! `cargo lab test`: shows the state of a lab.
 
 use std::process::{Command, ExitCode};
 use std::str::FromStr;
@@ -53,7 +53,7 @@ impl FromStr for What {
     }
 }
 
-/// Runs the tests and says how far the lab is, or the task.
+/// Runs the tests and prints the state of the lab or the task.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     process::kill_all_on_interrupt();
     let What { lab, task } = options.what;
@@ -73,7 +73,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(if run.passes() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// Refuses a task that its lab does not have.
+/// Returns an error if a lab does not have this task.
 pub(crate) fn expect_task(kit: &Kit, task: Task) -> Result<()> {
     let all = tasks::progress(kit, task.lab, &[])?;
     let known = all.iter().any(|progress| progress.task == task);
@@ -82,19 +82,20 @@ pub(crate) fn expect_task(kit: &Kit, task: Task) -> Result<()> {
     Ok(())
 }
 
-/// Builds and runs the tests of a lab, or of one task. None if the lab does not compile, which is said.
+/// Builds and runs the tests of a lab, or of one task. `None` if the lab does not compile; the
+/// error is printed.
 pub(crate) fn run_tests(kit: &Kit, lab: Lab, only: Option<Task>) -> Result<Option<Run>> {
     let package = format!("lab{lab}");
     run_build(kit, lab, only, own_build(kit.cargo(), lab, &package))
 }
 
-/// How the tests of a package are built for somebody who looks on.
+/// Returns the order for building the tests of a package with visible output.
 pub(crate) fn own_build(cargo: Command, lab: Lab, package: &str) -> Build<'_> {
     let colour = can_draw(&std::io::stdout()) && std::env::var_os("NO_COLOR").is_none();
     Build { cargo, package, lab, shown: true, colour }
 }
 
-/// The same for tests that are built so. A bar on a terminal names the test that has run longest.
+/// Builds and runs tests by `build`. A bar on a terminal names the test that has run longest.
 pub(crate) fn run_build(
     kit: &Kit,
     lab: Lab,
@@ -139,7 +140,7 @@ pub(crate) fn run_build(
     }
 }
 
-/// Names what lies in src and is not read, unless that was said before.
+/// Prints the files in src that are not read, unless the last run printed them.
 fn name_unread(kit: &Kit, lab: Lab) -> Result<()> {
     let file = format!("unread/lab{lab}.json");
     let mut unread = Vec::new();
@@ -154,7 +155,7 @@ fn name_unread(kit: &Kit, lab: Lab) -> Result<()> {
     Ok(())
 }
 
-/// Says where and what the compiler says, the first error only: the others often follow from it.
+/// Prints the first compiler error and its location. Further errors often follow from it.
 fn print_compile_errors(lab: Lab, errors: &[CompileError]) {
     let Some(first) = errors.first() else { return };
     let location = first.locations.first();

@@ -1,4 +1,4 @@
-//! `cargo lab --version`: what a report of a bug needs to say.
+//! `cargo lab --version`: prints the versions that a bug report needs.
 
 use std::env;
 use std::fs;
@@ -8,10 +8,11 @@ use std::process::Command;
 use lab_kit::Kit;
 use lab_kit::machine::machine;
 
-/// Where drivers of Vulkan are named on Linux.
+/// Folders of Vulkan drivers on Linux.
 const DRIVERS: [&str; 2] = ["/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d"];
 
-/// Versions of the kit, of the compiler and of what the labs with ranks or a device need.
+/// Returns the versions of the kit, of the compiler, and of the software for labs with ranks or a
+/// device.
 pub(crate) fn version(kit: &Kit) -> String {
     let mut git = Command::new("git");
     git.arg("-C").arg(kit.root()).args(["log", "-1", "--format= (%h, %cs)"]);
@@ -30,13 +31,13 @@ pub(crate) fn version(kit: &Kit) -> String {
     )
 }
 
-/// The first line that a program prints; none if it fails or prints nothing.
+/// Returns the first line that a program prints; `None` if it fails or prints nothing.
 fn first_line(command: &mut Command) -> Option<String> {
     let output = command.output().ok().filter(|output| output.status.success())?;
     String::from_utf8_lossy(&output.stdout).lines().next().map(str::to_owned)
 }
 
-/// The names of drivers in a folder, such as `lvp_icd.x86_64`, in order.
+/// Returns the names of drivers in a folder, such as `lvp_icd.x86_64`, sorted.
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut names: Vec<String> = entries

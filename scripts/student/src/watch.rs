@@ -1,4 +1,4 @@
-//! `cargo lab watch`: the tests again, whenever a file is saved.
+//! `cargo lab watch`: runs the tests again whenever a file is saved.
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -17,8 +17,8 @@ use lab_kit::process;
 use lab_kit::progress::can_draw;
 use lab_kit::{Kit, Lab};
 
-/// How often the source is looked at. An editor writes a file in several steps: within this time they
-/// are one change.
+/// Interval between two looks at the source. An editor writes a file in several steps, which count
+/// as one change within this time.
 const TOGETHER: Duration = Duration::from_millis(300);
 
 /// Test a lab again whenever you save a file
@@ -52,8 +52,9 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
 }
 
-/// Runs the tests of the task that was open the last time, which answer soonest, and then all: any task
-/// may have been broken since. None if the lab does not compile.
+/// Runs the tests of the task that was open the last time, which are quick, and then all tests.
+///
+/// All tests run, because the change may have broken any task. `None` if the lab does not compile.
 fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Option<Run>> {
     let run = |task| -> Result<Option<Run>> {
         let run = run_tests(kit, lab, task)?;
@@ -69,7 +70,7 @@ fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Option<Run>> {
     run(None)
 }
 
-/// Returns when the source is not what it was, and stays so for a moment.
+/// Waits until the source has changed and stays unchanged for a moment.
 fn wait(kit: &Kit, lab: Lab, before: &str) -> Result<()> {
     let mut last = before.to_owned();
     loop {
@@ -82,11 +83,11 @@ fn wait(kit: &Kit, lab: Lab, before: &str) -> Result<()> {
     }
 }
 
-/// An empty screen, if it is one.
+/// Clears the screen, if the output is a terminal.
 fn clear() {
     let mut out = std::io::stdout();
     if can_draw(&out) {
-        // A terminal that does not take it keeps what it shows.
+        // A terminal that refuses the codes keeps its contents.
         let _ = write!(out, "\x1b[2J\x1b[3J\x1b[H").and_then(|()| out.flush());
     }
 }

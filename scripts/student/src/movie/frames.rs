@@ -1,34 +1,37 @@
-//! The frames of a run, small enough for a page.
+//! Frames of a run, small enough for a page.
 
 use anyhow::{Context, Result, bail};
 use common::soft::{CUTOFF, MASS, Particle};
 use oracle::potential_of_pair;
 
-/// Positions are whole numbers from 0 to this across the box; velocities too, half of it for none and all
-/// of it for the greatest component of all frames.
+/// Largest encoded number.
+///
+/// Positions are integers from 0 to this number across the box. For velocities, half of it means 0,
+/// and all of it the largest component in all frames.
 const WHOLE: f64 = 65_534.0;
 
-/// A run as a page needs it.
+/// A run in the form that a page needs.
 #[derive(Debug)]
 pub(super) struct Movie {
     /// Number of discs.
     pub(super) n: usize,
     /// Side of the box.
     pub(super) size: f64,
-    /// The greatest component of a velocity in any frame.
+    /// Largest component of a velocity in any frame.
     pub(super) fastest: f64,
-    /// For each frame x, y, vx and vy of one disc after the other.
+    /// Encoded x, y, vx and vy of each disc, frame by frame.
     pub(super) numbers: Vec<u16>,
-    /// The energy of each frame.
+    /// Energy of each frame.
     pub(super) energy: Vec<f64>,
-    /// For each frame how many pairs are within the cutoff; none of hard discs.
+    /// Number of pairs within the cutoff in each frame; empty for hard discs.
     pub(super) touching: Vec<usize>,
-    /// The discs of the last frame, each with whether it is within the cutoff of another.
+    /// Discs of the last frame, and whether each is within the cutoff of another.
     pub(super) still: Vec<(Particle, bool)>,
 }
 
-/// Reads what a lab of soft discs writes with `--full`: `n size`, then `x y vx vy` lines, frames
-/// apart by an empty line.
+/// Reads the output of a lab of soft discs with `--full`.
+///
+/// The first line is `n size`. Lines `x y vx vy` follow, with an empty line between frames.
 pub(super) fn soft(text: &str) -> Result<Movie> {
     let mut lines = text.lines();
     let header = lines.next().and_then(|line| line.split_once(' '));
@@ -57,14 +60,16 @@ pub(super) fn soft(text: &str) -> Result<Movie> {
     Ok(movie)
 }
 
-/// Reads what a lab of hard discs prints in a square of side `size`, every `every`-th step of it:
-/// `t i x y vx vy` lines, and at the end lines with counts.
+/// Reads the output of a lab of hard discs in a square of side `size`, and keeps every `every`-th
+/// step.
+///
+/// The output consists of lines `t i x y vx vy`, and at the end of lines with counts.
 pub(super) fn hard(text: &str, size: f64, every: u32) -> Result<Movie> {
     let mut frames: Vec<Vec<Particle>> = Vec::new();
     for (at, line) in text.lines().enumerate() {
         let [step, id, x, y, vx, vy] = match numbers(line)[..] {
             [step, id, x, y, vx, vy] => [step, id, x, y, vx, vy],
-            // The positions of the last step once more.
+            // These lines repeat the positions of the last step.
             [_, _, _, _, _, _, _, _] => continue,
             _ => bail!("line {} is not 't i x y vx vy'", at + 1),
         };
@@ -107,7 +112,7 @@ impl Movie {
         })
     }
 
-    /// All numbers in base 64, their low bytes first.
+    /// Encodes all numbers in base 64, low bytes first.
     pub(super) fn frames(&self) -> String {
         const LETTERS: &[u8; 64] =
             b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -129,7 +134,7 @@ fn kinetic(frame: &[Particle], mass: f64) -> f64 {
     frame.iter().map(|p| mass * (p.vx * p.vx + p.vy * p.vy) / 2.0).sum()
 }
 
-/// All pairs within the cutoff, and their potentials. In ascending x only a few come next.
+/// Returns all pairs within the cutoff, with their potentials. Sorting by x makes the search short.
 fn pairs(frame: &[Particle]) -> Vec<([u32; 2], f64)> {
     let mut sorted = frame.to_vec();
     sorted.sort_by(|a, b| a.x.total_cmp(&b.x));

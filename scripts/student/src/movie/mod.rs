@@ -1,4 +1,4 @@
-//! `cargo lab movie`: a run as a web page that plays.
+//! `cargo lab movie`: writes a run as a web page that plays it.
 
 mod frames;
 mod page;
@@ -17,15 +17,17 @@ use lab_kit::program::Program;
 use lab_kit::system;
 use lab_kit::{Discs, Kit, Lab};
 
-/// Steps between frames of soft discs, where a page has room for them; of hard discs one.
+/// Steps between frames of soft discs, if the page has space for them; for hard discs it is one.
 const EVERY: u32 = 2;
-/// Steps shown unless asked for: soft discs move little in one, hard discs by their diameter.
+/// Default number of steps, for soft and for hard discs. Soft discs move little in a step, hard
+/// discs by their diameter.
 const STEPS: [u32; 2] = [300, 100];
-/// Hard discs have this radius, these speeds and so much room each that they move about.
+/// Radius of hard discs, their speeds, and the area for each disc, which is large enough to move
+/// about.
 const RADIUS: f64 = 1.0;
 const SPEEDS: &str = "0.3,2";
 const ROOM: f64 = 36.0;
-/// Owners shown of a run without ranks, unless threads are asked for.
+/// Number of owners shown for a run without ranks, unless the user chooses threads.
 const OWNERS: u16 = 4;
 
 /// Show a run as a web page that plays
@@ -129,13 +131,13 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 }
 
 impl Options {
-    /// Adds what is the program's own affair to its command.
+    /// Adds the options that are meant for the program to its command.
     fn tell(&self, command: &mut Command) {
         command.args(self.param.iter().flat_map(|param| ["--param", param]));
         command.args(self.threads.iter().flat_map(|threads| ["-t".into(), threads.to_string()]));
     }
 
-    /// What runs, in words.
+    /// Returns the title of the page: lab, variant, ranks, and whether it is the solution.
     fn title(&self, kit: &Kit, variant: &str, ranks: Option<u16>) -> String {
         let (lab, whose) = (self.lab, if self.solution { ", the solution" } else { "" });
         let on_ranks = ranks.map(|ranks| format!(" on {ranks} ranks")).unwrap_or_default();
@@ -143,13 +145,15 @@ impl Options {
     }
 }
 
-/// How many steps are between two frames, `usual` or more; none if there is no room for two frames.
+/// Returns the number of steps between two frames, at least `usual`; `None` if the page has no
+/// space for two frames.
 fn spacing(n: usize, steps: u32, usual: u32) -> Option<u32> {
     let frames = page::room(n).checked_sub(1).filter(|more| *more > 0)?;
     Some((steps as usize).div_ceil(frames).max(usual as usize) as u32)
 }
 
-/// The program of the lab that has a variant, and the variant; without a name the first of the first.
+/// Finds the lab's program that has a variant, and the variant. Without a name it is the first
+/// program's first variant.
 fn choose(
     program: &Program,
     binaries: &Binaries,

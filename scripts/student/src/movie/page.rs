@@ -1,4 +1,5 @@
-//! The page: the run, the book's scripts that play it, and a picture for where nothing plays.
+//! The page: the data of a run, the book's scripts that play it, and a still picture for browsers
+//! without scripts.
 
 use std::fmt::Write;
 
@@ -10,18 +11,18 @@ use serde_json::json;
 
 use super::frames::Movie;
 
-/// The most bytes of a page.
+/// Maximal number of bytes of a page.
 const MOST: usize = 1_000_000;
-/// Bytes of a page for what is neither frames nor discs of the picture.
+/// Bytes of a page that contain neither frames nor discs of the picture.
 const REST: usize = 90_000;
-/// A disc in a frame: four numbers of two bytes, as letters of six bits.
+/// Letters of a disc in a frame: four numbers of two bytes, with six bits in a letter.
 const LETTERS_PER_DISC: usize = 11;
-/// A disc in the picture.
+/// Letters of a disc in the picture.
 const LETTERS_OF_STILL: usize = 14;
-/// What is known of each frame as a whole.
+/// Letters of the data about a whole frame.
 const LETTERS_PER_FRAME: usize = 40;
 
-/// The book's scripts, in the order in which they need each other.
+/// The book's scripts, in the order of their dependencies.
 const SCRIPTS: [&str; 12] = [
     "random.js",
     "soft.js",
@@ -37,30 +38,30 @@ const SCRIPTS: [&str; 12] = [
     "boxes.js",
 ];
 
-/// What a page says of its run.
+/// Data of a page about its run.
 pub(super) struct Run {
-    /// What ran: lab, variant, workers.
+    /// Title: lab, variant, workers.
     pub(super) title: String,
     pub(super) discs: Discs,
     pub(super) radius: f64,
     pub(super) dt: f64,
-    /// The number of the first frame's step, and how many steps later the next is.
+    /// Step of the first frame, and number of steps between frames.
     pub(super) first: u32,
     pub(super) between: u32,
     pub(super) workers: u16,
-    /// What is switched on at first.
+    /// Initial settings of the page.
     pub(super) shown: facts::Movie,
 }
 
-/// How many frames of `n` discs a page has room for.
+/// Returns the number of frames of `n` discs for which a page has space.
 pub(super) fn room(n: usize) -> usize {
     (MOST - REST).saturating_sub(LETTERS_OF_STILL * n) / (LETTERS_PER_DISC * n + LETTERS_PER_FRAME)
 }
 
-/// The page of a run, whole.
+/// Writes the whole page of a run.
 ///
 /// # Errors
-/// A script of the book cannot be read, or the page is too long.
+/// If a script of the book cannot be read, or if the page is too long.
 pub(super) fn write(kit: &Kit, run: &Run, movie: &Movie) -> Result<String> {
     let is_soft = run.discs == Discs::Soft;
     let data = json!({
@@ -83,13 +84,13 @@ pub(super) fn write(kit: &Kit, run: &Run, movie: &Movie) -> Result<String> {
         .replace("PICTURE", &picture(run, movie))
         .replace("SAYS", &escaped(&says))
         .replace("SCRIPTS", &scripts)
-        // A word of the data must not end the script that it stands in.
+        // The data must not contain the end tag of the script around it.
         .replace("MOVIE", &data.to_string().replace('<', "\\u003c"));
     ensure!(page.len() <= MOST, "the page would have {} bytes, more than {MOST}", page.len());
     Ok(page)
 }
 
-/// What the picture shows and the page plays, in words.
+/// Describes the picture and the movie in words.
 fn says(run: &Run, movie: &Movie) -> String {
     let frames = movie.energy.len();
     let last = run.first + run.between * (frames as u32 - 1);
@@ -110,8 +111,8 @@ fn says(run: &Run, movie: &Movie) -> String {
     )
 }
 
-/// The last frame as a drawing that stands in the page itself. A disc is a line of no length with a round
-/// end, which takes the fewest letters.
+/// Draws the last frame. A disc is a line of zero length with round ends, which needs the fewest
+/// letters.
 fn picture(run: &Run, movie: &Movie) -> String {
     const SIDE: f64 = 4000.0;
     let scale = SIDE / movie.size;
@@ -150,7 +151,7 @@ mod tests {
         }
     }
 
-    /// `frames` frames of `n` discs that fly to the right.
+    /// Makes a movie of `frames` frames of `n` discs that fly to the right.
     fn flying(n: usize, frames: usize) -> Movie {
         let mut text = format!("{n} 0.5\n");
         for frame in 0..frames {
