@@ -1,4 +1,4 @@
-//! A program that answers a question.
+//! Runs a submission's program on one question and keeps its answers.
 
 use std::fs::{self, Permissions};
 use std::os::unix::fs::PermissionsExt;
@@ -13,15 +13,17 @@ use super::table::Question;
 use crate::sandbox::Sandbox;
 use lab_kit::process::{Finished, run as run_process};
 
-/// What a program did to answer a question.
+/// Result of a program that was run on a question.
 pub(super) struct Answers {
     pub(super) finished: Finished,
     folder: TempDir,
 }
 
 impl Answers {
-    /// Has a program answer. The answers come in a file of their own, whatever the program prints. It could
-    /// write anything there, but only right answers count, whoever writes them.
+    /// Runs the program on a question.
+    ///
+    /// The program writes its answers to a separate file, so its other output does not matter. It
+    /// can write anything to that file, but only right answers count.
     pub(super) fn of(
         sandbox: &Sandbox,
         folder: &Path,
@@ -32,14 +34,14 @@ impl Answers {
         let written = sandbox.folder()?;
         let file = written.path().join("answers");
         fs::write(&file, "")?;
-        // Programs run as nobody.
+        // The program runs as the user nobody.
         fs::set_permissions(&file, Permissions::from_mode(0o666))?;
         let mut command = sandbox.program(folder, ANSWER, Some(&file));
         command.args([&question.test, &seed.to_string()]);
         Ok(Self { finished: run_process(&mut command, limit)?, folder: written })
     }
 
-    /// The file of its answers.
+    /// Returns the path of the file with the answers.
     pub(super) fn file(&self) -> PathBuf {
         self.folder.path().join("answers")
     }

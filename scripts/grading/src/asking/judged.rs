@@ -1,4 +1,4 @@
-//! The grader's own program: it judges the answers that a submission's program wrote.
+//! Runs the grader's own program, which judges the answers that a submission's program wrote.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -10,22 +10,22 @@ use super::table::Question;
 use lab_kit::process::run;
 use lab_kit::{Kit, Lab};
 
-/// What came of the answers to a question.
+/// Verdict on the answers to a question.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Judged {
-    /// How many answers were asked for, and how many of them are right.
+    /// Number of answers that were asked for, and number of answers that are right.
     pub(crate) asked: usize,
     pub(crate) right: usize,
-    /// Whether the answers broke off.
+    /// Whether the answers end too early.
     pub(crate) broke_off: bool,
-    /// The first question at fault and what is wrong with its answer; empty if nothing is.
+    /// First wrong answer: its question and what is wrong with it. Empty if all answers are right.
     pub(crate) wrong: String,
 }
 
-/// The program, built from the solution.
+/// The judging program, built from the solution.
 pub(crate) struct Judge {
     pub(super) program: PathBuf,
-    /// How the paths of the lab's snapshots begin.
+    /// Common beginning of the paths of the lab's snapshots.
     snapshots: PathBuf,
     limit: Duration,
 }
@@ -38,7 +38,7 @@ impl Judge {
     /// Judges the answers in a file.
     ///
     /// # Errors
-    /// The program fails: that is never a submission's mistake.
+    /// If the judging program fails. The submission is never the cause.
     pub(crate) fn judge(&self, question: &Question, seed: u64, answers: &Path) -> Result<Judged> {
         let mut command = Command::new(&self.program);
         command.arg(answers).args([&question.test, &seed.to_string()]).arg(&self.snapshots);
@@ -50,7 +50,8 @@ impl Judge {
     }
 }
 
-/// Three numbers in a line, and then words.
+/// Parses the judge's output: a line with three numbers, then the text about the first wrong
+/// answer.
 fn parse(text: &str) -> Option<Judged> {
     let (first, wrong) = text.split_once('\n')?;
     let mut numbers = first.split(' ').map(|number| number.parse().ok());

@@ -1,7 +1,7 @@
-//! Asking a submission the questions of its lab, and having its answers judged.
+//! Asks a submission the questions of its lab and has its answers judged.
 //!
-//! The program that runs a submission writes answers to a file, and nothing in it knows what is right.
-//! The grader's own program, which is built from the solution, judges the file.
+//! The program that runs a submission writes answers to a file and contains no right answer. The
+//! grader's own program, which is built from the solution, judges the file.
 
 mod answering;
 mod judged;
@@ -23,32 +23,36 @@ use lab_kit::harness::located_panic;
 use lab_kit::process::Finished;
 use table::Question;
 
-/// What is said of a program that was ended by us or by the system.
+/// Message for a program that was killed, by the grader or by the system.
 const KILLED: &str = "it was ended: it needed more memory than it may have";
 
-/// And of one that printed this number of bytes and gave no answer: printing is what took its time.
+/// Number of printed bytes above which a program without an answer is assumed to have spent its
+/// time printing, and the message for such a program.
 const MUCH: usize = 1 << 19;
 const PRINTS: &str = "it prints too much: take out what prints for each particle or pair";
 
 /// Message for a task whose questions all need another task that is wrong.
 const UNASKED: &str = "not asked, because each of its questions needs a task that is wrong";
 
-/// The name of the program that answers, and of the one that judges.
+/// Names of the answering program and of the judging program.
 pub(crate) const ANSWER: &str = "answer";
 pub(crate) const JUDGE: &str = "judge";
 
-/// The solution gets this many times the time that a submission may take: no mark hangs on it. A submission gets this
-/// many times what the solution took, if that is more: the machine may be busy.
+/// Factor for time limits.
+///
+/// The solution may take this many times a submission's limit, because no mark depends on its time.
+/// A submission may take this many times the solution's time if that is longer than its limit,
+/// because the machine may be busy.
 const PATIENCE: u32 = 10;
 
-/// The questions of a lab, the solution's programs, and how long they took for each question.
+/// Questions of a lab, the solution's programs, and a time limit for each question.
 pub(crate) struct Questions {
     judge: Judge,
     solution: PathBuf,
     all: Vec<Asked>,
 }
 
-/// An answer, and what came of it.
+/// Answers to a question, and the verdict on them.
 struct Answered {
     answers: Answers,
     judged: Judged,
@@ -56,25 +60,25 @@ struct Answered {
 
 struct Asked {
     question: Question,
-    /// How many answers it asks for.
+    /// Number of answers that the question asks for.
     answers: usize,
-    /// How long a submission may take for them.
+    /// Time limit of a submission for all these answers.
     limit: Duration,
 }
 
-/// What a submission said about a task.
+/// A submission's result in a task.
 #[derive(Default)]
 pub(crate) struct Said {
-    /// What is wrong with it, in the order of the questions; none if nothing is.
+    /// First mistake, in the order of the questions; `None` if there is no mistake.
     pub(crate) wrong: Option<String>,
-    /// The share of the answers that are right.
+    /// Share of the answers that are right, from 0 to 1.
     pub(crate) share: f64,
-    /// What it printed, as far as it is kept.
+    /// Output of the program, cut to a maximal length.
     pub(crate) printed: String,
 }
 
 impl Questions {
-    /// Asks the solution in `folder`; all that it answers must be right.
+    /// Asks the solution in `folder` all questions. Every answer must be right.
     pub(crate) fn of(sandbox: &Sandbox, folder: &Path, judge: Judge, seed: u64) -> Result<Self> {
         let all = table::read(&judge.program)?;
         let mut questions = Self { judge, solution: folder.to_owned(), all: Vec::new() };
@@ -90,7 +94,7 @@ impl Questions {
     /// Asks the solution a question.
     ///
     /// # Errors
-    /// Its answer is wrong.
+    /// If an answer is wrong.
     fn ask_solution(&self, sandbox: &Sandbox, question: &Question, seed: u64) -> Result<Judged> {
         let limit = PATIENCE * sandbox.limits.run;
         let Answered { answers, judged } =
@@ -102,8 +106,10 @@ impl Questions {
         Ok(judged)
     }
 
-    /// What a submission in `folder` says about each of these tasks. A question that needs another task is
-    /// left out if that one is wrong, so that a mistake costs one task.
+    /// Asks the submission in `folder` about each of these tasks.
+    ///
+    /// A question is skipped if it needs another task that is wrong, so that a mistake costs one
+    /// task only.
     pub(crate) fn ask<'a>(
         &self,
         sandbox: &Sandbox,
@@ -132,8 +138,9 @@ impl Questions {
         Ok(said.into_iter().map(Marks::end).collect())
     }
 
-    /// Asks a submission a question. Before an answer counts as wrong, the solution answers the same question
-    /// with the same seed.
+    /// Asks a submission a question.
+    ///
+    /// Before an answer counts as wrong, the solution answers the same question with the same seed.
     fn ask_one(
         &self,
         sandbox: &Sandbox,
@@ -152,7 +159,7 @@ impl Questions {
         Ok(answered)
     }
 
-    /// Has a program answer, and judges the answer.
+    /// Runs a program on a question and judges its answers.
     fn answered(
         &self,
         sandbox: &Sandbox,
@@ -167,13 +174,13 @@ impl Questions {
     }
 }
 
-/// What a submission has said about a task so far.
+/// A submission's intermediate result in a task.
 #[derive(Default)]
 struct Marks {
     said: Said,
     asked: usize,
     right: usize,
-    /// Whether a question was not answered in time: further ones would not be, either.
+    /// Whether a question was not answered in time. Further questions are then skipped.
     hangs: bool,
 }
 
@@ -197,7 +204,8 @@ impl Marks {
     }
 }
 
-/// Why answers are wrong. A program that broke off says why itself.
+/// Explains why answers are wrong. If the program crashed, the explanation is its own error
+/// message.
 fn words(judged: &Judged, finished: &Finished, limit: Duration) -> String {
     let wrong = judged.wrong.replacen('\n', ": ", 1);
     if !judged.broke_off {

@@ -1,4 +1,4 @@
-//! The table of a lab's questions, as the grader's own program prints it.
+//! Table of a lab's questions, as the grader's own program prints it.
 
 use std::path::Path;
 use std::process::Command;
@@ -8,15 +8,15 @@ use anyhow::{Context, Result, ensure};
 /// One question of a lab.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Question {
-    /// The task that it is about, such as `3.2`.
+    /// Task that the question is about, such as `3.2`.
     pub(crate) task: String,
-    /// Its name, which is that of its test: `task_3_2::forces`.
+    /// Name of the question and of its test, such as `task_3_2::forces`.
     pub(crate) test: String,
-    /// The tasks that it needs besides its own.
+    /// Other tasks that the question needs.
     pub(crate) after: Vec<String>,
 }
 
-/// The questions, in order.
+/// Reads the questions, in order.
 pub(crate) fn read(judge: &Path) -> Result<Vec<Question>> {
     let output = Command::new(judge).output().context("the grader's own program does not start")?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
@@ -25,7 +25,7 @@ pub(crate) fn read(judge: &Path) -> Result<Vec<Question>> {
     Ok(questions)
 }
 
-/// The question in a line `question|task_3_2|forces|3.1, 3.3|what a student reads`.
+/// Parses a line `question|task_3_2|forces|3.1, 3.3|what a student reads`.
 fn question(line: &str) -> Option<Question> {
     let mut fields = line.strip_prefix("question|")?.splitn(4, '|');
     let (module, name, after) = (fields.next()?, fields.next()?, fields.next()?);

@@ -1,4 +1,4 @@
-//! Memory that belongs to a sandbox and to no process in it: files in memory, and what waits in connections.
+//! Memory of a sandbox that belongs to no process: files in memory, and unread data in connections.
 
 use std::fs;
 use std::os::unix::fs::MetadataExt;
@@ -6,16 +6,17 @@ use std::path::{Path, PathBuf};
 
 use rustix::fs::statvfs;
 
-/// Where a sandbox has files in memory.
+/// Folders of a sandbox whose files are in memory.
 const FOLDERS: [&str; 2] = ["tmp", "dev/shm"];
 
-/// Bytes of a file in memory that is empty: the system's notes about it, and its name.
+/// Bytes of memory that an empty file takes: its name and the system's data about it.
 const FILE: u64 = 1280;
 
-/// A byte that waits in a connection takes up to this number of bytes of memory.
+/// Largest number of bytes of memory that one unread byte in a connection takes.
 const SPREAD: u64 = 2;
 
-/// Bytes that are held beside a process in a sandbox; 0 of one that is in none.
+/// Returns the bytes of memory that a process's sandbox holds outside processes; 0 without a
+/// sandbox.
 pub(super) fn held(number: u32) -> u64 {
     in_files(number) + in_connections(number)
 }
@@ -33,7 +34,7 @@ fn in_files(number: u32) -> u64 {
     bytes.sum()
 }
 
-/// What the system calls the disk of a folder.
+/// Returns the number of the disk that a folder is on.
 fn device(folder: &Path) -> Option<u64> {
     fs::metadata(folder).map(|folder| folder.dev()).ok()
 }
@@ -48,12 +49,13 @@ fn in_connections(number: u32) -> u64 {
     SPREAD * tables.into_iter().flatten().map(|table| waiting(&table)).sum::<u64>()
 }
 
-/// The network that a process has.
+/// Returns the network namespace of a process.
 fn network(process: &str) -> Option<PathBuf> {
     fs::read_link(format!("/proc/{process}/ns/net")).ok()
 }
 
-/// Bytes that wait in the connections of a table of the system's: its fifth column, sent and received.
+/// Returns the unread bytes in a connection table of the system: its fifth column, sent and
+/// received.
 fn waiting(table: &str) -> u64 {
     let bytes = table.lines().skip(1).filter_map(|line| {
         let (sent, received) = line.split_whitespace().nth(4)?.split_once(':')?;
@@ -98,7 +100,7 @@ mod tests {
             let all = all();
             family(&all, started.child.id()).last().map_or(0, |(number, _)| held(number))
         };
-        // Making them takes a moment.
+        // Making the files takes a moment.
         for _ in 0..600 {
             if of_youngest() >= 5000 * FILE {
                 return;

@@ -1,9 +1,10 @@
-//! Telling a fault of the machine from a mistake of a submission.
+//! Distinguishes a fault of the machine from a mistake of a submission.
 //!
-//! A full disk or a missing process ends a right program as a mistake would. The complaints of a program prove nothing,
-//! because a submission can print the same. So each run that a fault could have ended is followed by a control,
-//! which succeeds on a machine that works. The end of a run counts only if it comes [`RUNS`] times and the control
-//! succeeds each time. If the control fails, the submission is not graded.
+//! A full disk or a missing process stops a right program just as a mistake would. The error
+//! messages of a program prove nothing, because a submission can print the same text. So each run
+//! that a fault could have stopped is followed by a control, which succeeds on a machine that
+//! works. The failure of a run counts only if it occurs [`RUNS`] times and the control succeeds
+//! each time. If the control fails, the submission is not graded.
 
 use std::os::unix::process::ExitStatusExt;
 use std::thread::sleep;
@@ -13,17 +14,19 @@ use anyhow::{Context, Result};
 
 use lab_kit::process::Finished;
 
-/// The number of doubtful runs after which the last of them counts.
+/// Number of doubtful runs after which the last run counts.
 const RUNS: usize = 3;
 
-/// Attempts at a control, and the pause between them: a busy machine may lack a process for a moment.
+/// Number of attempts at a control, and the pause between them. A busy machine may lack a process
+/// for a moment.
 const ATTEMPTS: usize = 4;
 const PAUSE: Duration = Duration::from_secs(2);
 
-/// The beginning of the message about a submission that is not graded.
+/// Beginning of the message about a submission that is not graded.
 const FAULT: &str = "not graded because of a fault of this machine";
 
-/// Words of the system, and of the programs that make the sandbox, about what is missing.
+/// Parts of error messages of the system, and of the programs that make the sandbox, about missing
+/// resources.
 const SIGNS: [&str; 11] = [
     "bwrap: ",
     "setpriv: ",
@@ -41,10 +44,11 @@ const SIGNS: [&str; 11] = [
 /// Exit codes of a shell that cannot start a program, and of a sandbox whose program was killed.
 const CODES: [i32; 3] = [126, 127, 137];
 
-/// Runs something once, or again if it `is_doubtful` whether the machine or the submission ended it.
+/// Runs `once`, and repeats it while it `is_doubtful` whether the machine or the submission ended
+/// it.
 ///
 /// # Errors
-/// The control fails, which is a fault of the machine.
+/// If the control fails, which is a fault of the machine.
 pub(crate) fn believed<T>(
     once: impl Fn() -> Result<T>,
     is_doubtful: impl Fn(&T) -> bool,
@@ -63,10 +67,10 @@ pub(crate) fn believed<T>(
     Ok(result)
 }
 
-/// Does the control until it succeeds.
+/// Repeats the control until it succeeds.
 ///
 /// # Errors
-/// It does not succeed.
+/// If every attempt fails.
 pub(crate) fn machine_works(control: impl Fn() -> Result<()>) -> Result<()> {
     for _ in 1..ATTEMPTS {
         if control().is_ok() {
@@ -84,12 +88,13 @@ pub(crate) fn could_end(finished: &Finished) -> bool {
     killed || status.code().is_some_and(|code| CODES.contains(&code)) || is_sign(&finished.stderr)
 }
 
-/// Whether a complaint is about the machine.
+/// Whether an error message is about the machine.
 pub(crate) fn is_sign(complaint: &str) -> bool {
     SIGNS.iter().any(|sign| complaint.contains(sign))
 }
 
-/// The line of a complaint that names what is missing, or else its first.
+/// Returns the first line of an error message that names a missing resource, or else its first
+/// line.
 pub(crate) fn named(complaint: &str) -> &str {
     let mut lines = complaint.lines().map(str::trim).filter(|line| !line.is_empty());
     let first = lines.clone().next().unwrap_or("it says nothing");

@@ -1,11 +1,14 @@
-//! Calls of the system that no program may make: a filter, which bubblewrap loads.
+//! Filter of system calls that no program may make. Bubblewrap loads it.
 //!
-//! - A program stays on the processors that it was given, and whatever it starts has the same ones.
-//! - The kernel's keyrings belong to the user who started the grader: one program could leave a key for a later one.
-//! - Memory that belongs to no process's addresses is in no limit.
-//! - In a user namespace of its own a program would be root, and so much more of the kernel be in reach.
-//! - Where programs need not connect to each other, there are no connections: what waits in one is in no limit.
-//! - Nothing changes or watches a program that runs: not its own memory by way of the kernel, and no other process.
+//! - A program and its child processes stay on the processors that the grader gave them.
+//! - The kernel's keyrings belong to the user who started the grader. A program could leave a key
+//!   there for a later program.
+//! - No limit counts memory outside the address space of a process.
+//! - In its own user namespace a program would be root, with access to much more of the kernel.
+//! - Programs that need no connections get none, because no limit counts unread data in a
+//!   connection.
+//! - No program may change or watch a running process: neither its own memory through the kernel,
+//!   nor another process.
 //!
 //! A refused call fails as if this kernel did not have it.
 
@@ -14,7 +17,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
-/// Writes the filter into a folder. With `loopback` programs may connect to each other.
+/// Writes the filter into a folder. With `loopback`, programs may connect to each other.
 #[cfg(target_os = "linux")]
 pub(super) fn write(folder: &Path, loopback: bool) -> Result<Option<PathBuf>> {
     let path = folder.join("calls.bpf");
@@ -37,7 +40,7 @@ fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
     use seccompiler::SeccompCmpOp::{Eq, MaskedEq, Ne};
     use seccompiler::{SeccompCmpArgLen, SeccompCondition, SeccompFilter, SeccompRule};
 
-    // Numbers from here on are of the other calls that x86-64 has, with shorter pointers.
+    // From this number on, x86-64 has a second set of calls, with shorter pointers.
     const X32: libc::c_long = 0x4000_0000;
     let refused = [
         SYS_io_uring_setup,
@@ -59,10 +62,11 @@ fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
         SYS_memfd_create,
         SYS_memfd_secret,
         SYS_setns,
-        // No filter can read its flags. Who is told that there is none takes `clone`.
+        // A filter cannot read the flags of `clone3`. A program that finds no `clone3` uses
+        // `clone`.
         SYS_clone3,
     ];
-    // A call is refused if one argument, counted from 0, compares so with a number.
+    // Refuses a call if the comparison of one argument, counted from 0, with the number holds.
     let if_argument = |at, comparison, number| -> Result<_> {
         let condition = SeccompCondition::new(at, SeccompCmpArgLen::Dword, comparison, number)?;
         Ok(vec![SeccompRule::new(vec![condition])?])
@@ -87,7 +91,7 @@ fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
     Ok(filter.try_into()?)
 }
 
-/// There is none elsewhere.
+/// Writes no filter, because only Linux has them.
 #[cfg(not(target_os = "linux"))]
 pub(super) fn write(_folder: &Path, _loopback: bool) -> Result<Option<PathBuf>> {
     Ok(None)

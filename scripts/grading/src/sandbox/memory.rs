@@ -1,13 +1,15 @@
-//! Watches the memory of everything that grading has started.
+//! Watches the memory of all processes that grading has started.
 //!
-//! A limit that the system sets counts by process, and a submission may have many. So every process
-//! that this one started is watched together with all that descend from it, and ended with them
-//! when they hold too much. What counts is their resident memory, what their sockets can hold, and what their
-//! sandbox holds beside them ([`super::beside`]). Other memory is small or cannot be had: pipes have the
-//! system's limit (64 MiB of a user, beyond that a page or two each), and [`super::filter`] refuses the rest.
+//! The system's memory limits count each process separately, and a submission may have many. So the
+//! grader watches each of its child processes together with all descendants, and kills the whole
+//! group when it holds too much. Three kinds of memory count: resident memory, the buffers of
+//! sockets, and memory of the sandbox outside processes ([`super::beside`]). Other memory is small
+//! or cannot be allocated: pipes have the system's limit (64 MiB for a user, beyond that a page or
+//! two each), and [`super::filter`] refuses the rest.
 //!
-//! A control group with `memory.max` would count all of it. It needs a group that somebody has delegated to whoever
-//! grades: in containers there is none, and with systemd each program would become a unit of the user's manager.
+//! A control group with `memory.max` would count all of this memory. It needs a group that was
+//! delegated to the user who grades. Containers have no such group, and with systemd each program
+//! would become a unit of the user's manager.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -21,20 +23,21 @@ use rustix::process::{Pid, Signal, kill_process_group};
 use super::beside;
 use super::processes::{Process, all, family, in_sockets};
 
-/// Bytes of memory of all processes of a submission together, however large the machine.
+/// Maximal memory of all processes of a submission together, in bytes, on any machine.
 const MEMORY_IN_ALL: u64 = 8 << 30;
 
-/// How often it looks.
+/// Interval between two checks.
 const GLANCE: Duration = Duration::from_millis(200);
 
-/// Ends a program that holds too much, until it is dropped.
+/// Guard that kills programs with too much memory, until it is dropped.
 pub(crate) struct Guard {
     over: Arc<AtomicBool>,
     watcher: Option<JoinHandle<()>>,
 }
 
 impl Guard {
-    /// Watches on behalf of several submissions at a time: together they get half the memory.
+    /// Starts to watch `jobs` submissions that run at the same time. Together they get half the
+    /// memory.
     pub(crate) fn set(jobs: usize) -> Self {
         let over = Arc::new(AtomicBool::new(false));
         let total = memory("MemTotal:");
@@ -48,7 +51,7 @@ impl Guard {
                 thread::sleep(GLANCE);
             }
         };
-        // Where the system does not tell, the limits by process have to do.
+        // If the system does not report its memory, only the limits for each process apply.
         Self { over, watcher: limit.map(|limit| thread::spawn(move || watch(limit))) }
     }
 }
@@ -57,14 +60,17 @@ impl Drop for Guard {
     fn drop(&mut self) {
         self.over.store(true, Ordering::Relaxed);
         if let Some(watcher) = self.watcher.take() {
-            // It does not panic, and if it did, nothing would be lost here.
+            // The watcher does not panic. A panic would lose nothing here.
             let _ = watcher.join();
         }
     }
 }
 
-/// Whether somebody can hold so much, by what all processes have left over. To look at each process
-/// takes milliseconds of a processor, which would be in other people's times.
+/// Whether a process can hold more than `limit` bytes, judged by the memory of all processes
+/// together.
+///
+/// Reading the memory of each process would take milliseconds of processor time, which would
+/// disturb the timed programs.
 fn may_be_held(all: Option<u64>, left: Option<u64>, limit: u64) -> bool {
     all.zip(left).is_none_or(|(all, left)| all.saturating_sub(left) > limit)
 }
@@ -74,20 +80,21 @@ fn end_the_greedy(all: &BTreeMap<u32, Process>, own: u32, limit: u64) {
         if held(all, child) > limit
             && let Some(group) = i32::try_from(child).ok().and_then(Pid::from_raw)
         {
-            // It is the first of its group. If it is gone by now, so is its memory.
+            // The child is the leader of its group. If it has ended, its memory is free.
             let _ = kill_process_group(group, Signal::KILL);
         }
     }
 }
 
-/// Bytes that a process and its family hold. The youngest is inside their sandbox, if anyone is.
+/// Returns the bytes that a process and its descendants hold. The youngest descendant is inside the
+/// sandbox, if there is one.
 fn held(all: &BTreeMap<u32, Process>, root: u32) -> u64 {
     let of = |(number, process): (u32, &Process)| process.resident + in_sockets(number);
     let youngest = family(all, root).map(|(number, _)| number).last();
     family(all, root).map(of).sum::<u64>() + youngest.map_or(0, beside::held)
 }
 
-/// Bytes of memory of the machine: `MemTotal:`, `MemAvailable:`.
+/// Returns an amount of the machine's memory in bytes: `MemTotal:` or `MemAvailable:`.
 fn memory(which: &str) -> Option<u64> {
     let text = fs::read_to_string("/proc/meminfo").ok()?;
     let line = text.lines().find_map(|line| line.strip_prefix(which))?;
@@ -116,7 +123,7 @@ mod tests {
         command.args(["-c", "sleep 600 & wait"]).stdin(Stdio::null()).process_group(0);
         let mut child = command.spawn().unwrap();
         let (own, number) = (std::process::id(), child.id());
-        // Another test's child may hold as little: only this one is offered.
+        // Another test's child may hold as little, so only this child is passed on.
         let offered = || {
             let mut all = all();
             all.retain(|it, process| *it == number || process.parent == number);
@@ -124,7 +131,8 @@ mod tests {
         };
         end_the_greedy(&offered(), own, u64::MAX);
         assert!(child.try_wait().unwrap().is_none(), "it holds little");
-        // A process that has just begun may hold nothing that is counted, so more than one glance.
+        // A process that has just started may hold no memory that counts, so several checks are
+        // needed.
         for _ in 0..50 {
             end_the_greedy(&offered(), own, 0);
             thread::sleep(GLANCE / 10);

@@ -1,7 +1,9 @@
-//! Where foreign code is built and run: no network, no home, nothing to write to, limits.
+//! Sandbox in which submissions are built and run.
 //!
-//! Bubblewrap makes it: namespaces of its own, and of the machine only what a compiler and
-//! a program need, read-only. Root ignores limits on processes, so a program never runs as root.
+//! A submission in it has no network, no home folder, nothing to write to, and limits on its
+//! resources. Bubblewrap makes the sandbox from namespaces. Of the machine it shows only the files
+//! that a compiler and a program need, read-only. Root ignores limits on processes, so a program
+//! never runs as root.
 
 mod beside;
 pub(crate) mod faults;
@@ -26,41 +28,45 @@ use lab_kit::Kit;
 use registry::Registry;
 use scratch::Scratch;
 
-/// What foreign code may have.
+/// Limits of a submission.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
-    /// The longest time of a program.
+    /// Longest time of a program.
     pub(crate) run: Duration,
-    /// The longest time of the compiler, for one submission.
+    /// Longest time of the compiler, for one submission.
     pub(crate) build: Duration,
-    /// Whether programs may connect to each other through the network's loopback, as ranks do.
+    /// Whether programs may connect to each other through the loopback network, as ranks do.
     pub(crate) loopback: bool,
 }
 
-/// What a process of a program may have.
+/// Limits of each process of a program, as arguments of `prlimit`.
 const PROGRAM: [&str; 5] =
     ["--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256", "--as=4294967296"];
 
-/// Bytes of a file that the build of a submission may write, and of one that the build of the solution may write: it
-/// compiles what the lab depends on.
+/// Size limits of a file, in bytes, for the build of a submission and for the build of the
+/// solution. The second is larger because that build compiles the dependencies too.
 pub(crate) const BUILT_FILE: u64 = 1 << 26;
 pub(crate) const GIVEN_FILE: u64 = 1 << 30;
 
-/// Bytes that the build of a submission may write: its objects, of which there are sixteen, its library, and two programs
-/// with an object and a file that describes each.
+/// Bytes that the build of a submission may write.
+///
+/// This is enough for its sixteen objects, its library, and two programs, each with an object and a
+/// file that describes it.
 pub(crate) const BUILD_QUOTA: u64 = 24 * BUILT_FILE;
 
-/// Bytes of a program's own temporary files, of memory that its ranks share, of a build's temporary files.
+/// Size limits in bytes: a program's temporary files, memory that its ranks share, a build's
+/// temporary files.
 const TEMPORARY: &str = "67108864";
 const SHARED: &str = "134217728";
 const BUILDS: &str = "1073741824";
 
-/// Nobody's number, of user and group.
+/// User and group number of nobody.
 const NOBODY: &str = "65534";
 
-/// What of the machine is there, read-only: libraries, the ranks' launcher, drivers of Vulkan. No device is: what
-/// its driver has in the system's core is a large thing to show to strangers, and Mesa's software driver
-/// computes the same.
+/// Folders and files of the machine that are visible in the sandbox, read-only.
+///
+/// They contain libraries, the launcher of ranks, and Vulkan drivers. Devices are not visible: a
+/// kernel driver is a large attack surface, and Mesa's software driver computes the same results.
 const SYSTEM: [&str; 10] = [
     "/usr",
     "/bin",
@@ -74,20 +80,20 @@ const SYSTEM: [&str; 10] = [
     "/etc/glvnd",
 ];
 
-/// Only errors are printed, and programs have no symbols.
+/// Options of Cargo: the compiler prints only errors, and programs contain no symbols.
 const SETTINGS: [&str; 4] =
     ["--config", "build.rustflags=['-Awarnings']", "--config", "profile.release.strip='symbols'"];
 
-/// What opens a file for bubblewrap.
+/// Shell that opens a file for bubblewrap.
 const SHELL: &str = "/bin/sh";
 
-/// Where programs are looked for.
+/// Folders in which programs are looked up.
 const PATH: &str = "/usr/local/bin:/usr/bin:/bin";
 
-/// Where a program finds the file that it may write.
+/// Path, inside the sandbox, of the file that a program may write.
 const WRITTEN: &str = "/written";
 
-/// What a program is told. There is no home, no window system, and nothing is kept for later.
+/// Environment of a program. It names no home folder and no window system, and turns off caches.
 const ENVIRONMENT: [(&str, &str); 8] = [
     ("PATH", PATH),
     ("HOME", "/tmp"),
@@ -95,36 +101,37 @@ const ENVIRONMENT: [(&str, &str); 8] = [
     ("NODEVICE_SELECT", "1"),
     ("MESA_SHADER_CACHE_DISABLE", "true"),
     ("HWLOC_HIDE_ERRORS", "2"),
-    // It would go to each processor to ask what it is, which no program may.
+    // The component `x86` would move to each processor to query it, and no program may change its
+    // processors.
     ("HWLOC_COMPONENTS", "-x86"),
-    // One rank reading another's memory needs a right that no rank has here.
+    // Reading another rank's memory needs a right that no rank has here.
     ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),
 ];
 
-/// How foreign code is kept in; or that it is not.
+/// Sandbox for submissions, or its replacement on a machine where no sandbox can be made.
 #[derive(Debug)]
 pub(crate) struct Sandbox {
-    /// The compiler's folder.
+    /// Folder of the compiler.
     sysroot: PathBuf,
-    /// Where cargo keeps the sources of dependencies.
+    /// Folder in which Cargo keeps the sources of dependencies.
     cargo_home: PathBuf,
-    /// And how it reaches them.
+    /// Settings with which Cargo reaches the dependencies.
     registry: Registry,
-    /// Whether code is kept in: it can be made here.
+    /// Whether a sandbox can be made on this machine.
     pub(crate) keeps: bool,
-    /// Whether code runs at least as [`nobody`], where nothing keeps it in.
+    /// Whether code runs as [`nobody`] because no sandbox can be made.
     as_nobody: bool,
     pub(crate) limits: Limits,
     scratch: Scratch,
-    /// See [`filter`].
+    /// File with the [`filter`] of system calls; `None` if there is no filter.
     filter: Option<PathBuf>,
 }
 
 impl Sandbox {
-    /// Finds out whether a sandbox can be made here.
+    /// Checks whether a sandbox can be made on this machine.
     ///
     /// # Errors
-    /// It cannot, and the code is not `trusted`; the message says why.
+    /// If no sandbox can be made and the code is not `trusted`. The message gives the reason.
     pub(crate) fn find(kit: &Kit, trusted: bool, limits: Limits) -> Result<Self> {
         let output = Command::new("rustc")
             .args(["--print", "sysroot"])
@@ -158,31 +165,33 @@ impl Sandbox {
         Ok(sandbox)
     }
 
-    /// Folders of this machine that a program or the compiler may name.
+    /// Returns the folders of this machine that may occur in messages of a program or the compiler.
     pub(crate) fn folders(&self) -> [&Path; 3] {
         [&self.sysroot, &self.cargo_home, self.scratch()]
     }
 
-    /// A new temporary folder, into which programs can look.
+    /// Makes a new temporary folder that programs can read.
     pub(crate) fn folder(&self) -> Result<TempDir> {
         self.scratch.folder()
     }
 
-    /// Whether programs can be started in it now.
+    /// Checks that programs can be started in the sandbox now.
     ///
     /// # Errors
-    /// They cannot; the message says why.
+    /// If they cannot. The message gives the reason.
     pub(crate) fn works(&self) -> Result<()> {
         if self.keeps { self_test::check(self) } else { Ok(()) }
     }
 
-    /// Where its temporary folders are.
+    /// Returns the folder of the temporary folders.
     pub(crate) fn scratch(&self) -> &Path {
         self.scratch.path()
     }
 
-    /// Cargo, in `tree`, which is `/kit` inside and may be written: no program of a submission
-    /// runs during a build, the compiler only reads its sources. It writes no larger file than `most` bytes.
+    /// Returns a command that runs Cargo in `tree` and writes no file of more than `most` bytes.
+    ///
+    /// Inside the sandbox `tree` is `/kit` and writable. No program of a submission runs during a
+    /// build, because the compiler only reads its sources.
     pub(crate) fn cargo(&self, tree: &Path, most: u64) -> Command {
         let cargo = self.sysroot.join("bin/cargo");
         if !self.keeps {
@@ -215,7 +224,7 @@ impl Sandbox {
             ("PATH", path.as_str()),
             ("CARGO_HOME", "/cargo"),
             ("CARGO_TARGET_DIR", "/kit/target"),
-            // Nobody's sources are built twice.
+            // Incremental data would be useless, because each submission is built once.
             ("CARGO_INCREMENTAL", "0"),
         ] {
             command.args(["--setenv", name, value]);
@@ -224,7 +233,8 @@ impl Sandbox {
         command
     }
 
-    /// A program that lies in `folder` and may write one file, whose name is then its first argument, or none.
+    /// Returns a command that runs the program `name` in `folder`. If the program may write the
+    /// file `written`, its path is the first argument.
     pub(crate) fn program(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
         let mut command = Command::new(folder.join(name));
         if self.as_nobody {
@@ -237,17 +247,19 @@ impl Sandbox {
         command
     }
 
-    /// A shell, with `folder` as `/kit`.
+    /// Returns a command that runs a shell, with `folder` as `/kit`.
     pub(crate) fn shell(&self, folder: &Path) -> Command {
         let mut command = self.inside(folder, None);
         command.arg(SHELL);
         command
     }
 
-    /// Whatever is given next runs in the sandbox, with `folder` as `/kit`, and may write a file.
+    /// Returns a sandbox command, with `folder` as `/kit`; append the program and its arguments.
+    /// The program may write only the file `written`.
     fn inside(&self, folder: &Path, written: Option<&Path>) -> Command {
-        // Processes are counted by user. The limit is set inside, where only this sandbox's own
-        // count: set outside, one fork bomb would keep every other submission from starting.
+        // Processes are counted by user. The limit is set inside, where only this sandbox's
+        // processes count. Set outside, one fork bomb would keep every other submission from
+        // starting.
         let mut command = if getuid().is_root() {
             let mut command = launcher("setpriv");
             command.args(["--reuid", NOBODY, "--regid", NOBODY, "--clear-groups", SHELL]);
@@ -256,7 +268,7 @@ impl Sandbox {
             launcher(SHELL)
         };
         if let Some(filter) = &self.filter {
-            // Bubblewrap wants an open file, and reads it to its end: each needs one of its own.
+            // Bubblewrap reads an open file to its end, so each sandbox opens the filter again.
             command.args(["-c", "exec bwrap --seccomp 3 \"$@\" 3<\"$0\""]).arg(filter);
         } else {
             command.args(["-c", "exec bwrap \"$@\"", "sh"]);
@@ -267,9 +279,9 @@ impl Sandbox {
         if let Some(file) = written {
             command.arg("--bind").arg(file).arg(WRITTEN);
         }
-        // A shared mapping of it would be memory that no limit counts.
+        // A shared mapping of `/dev/zero` would be memory that no limit counts.
         command.args(["--ro-bind", "/dev/null", "/dev/zero"]);
-        // Through /proc/self/mem a program could change what it is.
+        // Through `/proc/self/mem` a program could overwrite its own code.
         command.args(["--remount-ro", "/proc", "--remount-ro", "/dev", "--remount-ro", "/"]);
         command.args(["--chdir", "/kit"]);
         for (name, value) in ENVIRONMENT {
@@ -280,8 +292,10 @@ impl Sandbox {
     }
 }
 
-/// A program that makes the sandbox. Who is inside could read its environment, where a shell puts its folder too: so
-/// there is nothing but where programs are.
+/// Returns a command that makes the sandbox.
+///
+/// Code inside could read the environment of this command, in which a shell also puts its folder.
+/// So the environment contains only `PATH`.
 fn launcher(program: &str) -> Command {
     let mut command = Command::new(program);
     command.env_clear().current_dir("/");

@@ -1,7 +1,7 @@
-//! The second line of defence, where no sandbox can be made: what was handed in runs as nobody, within limits.
+//! Second line of defence where no sandbox can be made: submissions run as nobody, with limits.
 //!
-//! Only root can become nobody, and nobody must find the compiler: `scripts/gradescope` sees to both. Then a
-//! submission reads and writes only what everybody may.
+//! Only root can become nobody, and nobody must be able to run the compiler. `scripts/gradescope`
+//! provides both. A submission then reads and writes only files that are open to every user.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -10,7 +10,8 @@ use rustix::process::getuid;
 
 use super::{ENVIRONMENT, NOBODY, PATH, PROGRAM, launcher};
 
-/// Changes the owner of a tree to nobody, who then may build there, and goes on with the arguments behind it.
+/// Shell script that gives a tree to nobody, so that nobody can build there, and runs the remaining
+/// arguments.
 const OWN: &str = "chown -R \"$1:$1\" \"$2\" && shift 2 && exec \"$@\"";
 
 /// Whether nobody can run the compiler in `sysroot` and read the sources in `cargo_home`.
@@ -23,14 +24,14 @@ pub(super) fn can_build(sysroot: &Path, cargo_home: &Path) -> bool {
         && well(nobody().args(["test", "-x"]).arg(cargo_home.join("registry")))
 }
 
-/// A program of a submission as nobody.
+/// Returns a command that runs a program of a submission as nobody.
 pub(super) fn program(path: &Path) -> Command {
     let mut command = nobody();
     command.envs(ENVIRONMENT).arg("prlimit").args(PROGRAM).arg(path);
     command
 }
 
-/// Cargo as nobody, in a tree that belongs to nobody from now on.
+/// Returns a command that gives `tree` to nobody and runs Cargo there as nobody.
 pub(super) fn cargo(sysroot: &Path, cargo_home: &Path, tree: &Path) -> Command {
     let programs = sysroot.join("bin");
     let mut command = launcher("sh");

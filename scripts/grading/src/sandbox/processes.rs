@@ -1,32 +1,32 @@
-//! The machine's processes, as Linux shows them in `/proc`. Elsewhere there are none.
+//! The machine's processes, as Linux lists them in `/proc`. On other systems the list is empty.
 
 use std::collections::BTreeMap;
 use std::fs;
 
-/// The ticks of a second, as Linux counts time for programs.
+/// Clock ticks in a second, in the files of `/proc`.
 const TICKS: f64 = 100.0;
 
-/// Bytes that a socket keeps of what is sent, unless it asks for more: Linux's `net.core.wmem_default`.
+/// Bytes that a socket buffers by default: Linux's `net.core.wmem_default`.
 const SOCKET: u64 = 212_992;
 
 /// A process.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Process {
     pub(crate) parent: u32,
-    /// Bytes of memory.
+    /// Resident memory in bytes.
     pub(crate) resident: u64,
-    /// Seconds of processors, with those of the children that it has seen end.
+    /// Processor time in seconds, including children that have ended and were waited for.
     pub(crate) seconds: f64,
 }
 
-/// All of them, by number.
+/// Returns all processes by number.
 pub(crate) fn all() -> BTreeMap<u32, Process> {
     let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
     let numbers = entries.filter_map(|entry| entry.file_name().to_str()?.parse().ok());
     numbers.filter_map(|number| Some((number, process(number)?))).collect()
 }
 
-/// A process and all that descend from it.
+/// Returns a process and all its descendants.
 pub(crate) fn family(
     all: &BTreeMap<u32, Process>,
     root: u32,
@@ -41,7 +41,8 @@ pub(crate) fn family(
     family.into_iter().filter_map(|number| Some((number, all.get(&number)?)))
 }
 
-/// Bytes that may be in the buffers of a process's sockets, which are nobody's resident memory.
+/// Returns the bytes that the buffers of a process's sockets may hold. No resident memory contains
+/// them.
 pub(super) fn in_sockets(number: u32) -> u64 {
     let files = fs::read_dir(format!("/proc/{number}/fd")).into_iter().flatten().flatten();
     let sockets = files.filter(|file| {
@@ -52,7 +53,7 @@ pub(super) fn in_sockets(number: u32) -> u64 {
 
 fn process(number: u32) -> Option<Process> {
     let text = fs::read_to_string(format!("/proc/{number}/stat")).ok()?;
-    // The name, in parentheses, may hold anything.
+    // The name, in parentheses, may contain any character.
     let fields: Vec<&str> = text.rsplit_once(')')?.1.split_whitespace().collect();
     let field = |at: usize| fields.get(at)?.parse::<u64>().ok();
     let ticks = (11..15).map(field).sum::<Option<u64>>()?;
@@ -63,7 +64,8 @@ fn process(number: u32) -> Option<Process> {
     })
 }
 
-/// Seconds of processors of a process's living threads, to the nanosecond; 0 where the system does not say.
+/// Returns the processor time of a process's living threads, in seconds with nanosecond precision;
+/// 0 if the system does not report it.
 fn precise(number: u32) -> f64 {
     let threads = fs::read_dir(format!("/proc/{number}/task")).into_iter().flatten().flatten();
     let seconds = threads.filter_map(|thread| {

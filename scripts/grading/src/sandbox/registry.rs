@@ -1,7 +1,8 @@
-//! What builds in the sandbox need of the user's own settings of cargo: how to reach the registry.
+//! Settings from the user's Cargo configuration that builds in the sandbox need to reach the
+//! registry.
 //!
-//! The rest is for the user's own work. A wrapper of the compiler that is not there, another target or build folder would
-//! keep everybody from being graded.
+//! The other settings are for the user's own work. A missing compiler wrapper, or a different
+//! target or build folder, would make every build fail.
 
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -11,13 +12,13 @@ use std::process::Command;
 use anyhow::{Context, Result};
 use toml_edit::{DocumentMut, Item, value};
 
-/// The tables that say where sources of dependencies come from.
+/// Tables of the configuration that name the sources of dependencies.
 const KEPT: [&str; 3] = ["source", "registries", "registry"];
 
-/// A source may be a folder of the machine.
+/// Keys whose value is a folder of the machine.
 const FOLDERS: [&str; 2] = ["directory", "local-registry"];
 
-/// Variables of cargo and the compiler that change a build. Their names begin so.
+/// Beginnings of the names of environment variables that change a build.
 const CHANGING: [&str; 6] = [
     "CARGO_BUILD_",
     "CARGO_TARGET_",
@@ -27,17 +28,17 @@ const CHANGING: [&str; 6] = [
     "RUST",
 ];
 
-/// Cargo's folder with nothing else in it.
+/// A Cargo home folder with only the settings of the registry.
 #[derive(Debug)]
 pub(super) struct Registry {
-    /// The folder.
+    /// Path of the folder.
     pub(super) home: PathBuf,
     /// Folders of the machine that the settings name.
     pub(super) folders: Vec<PathBuf>,
 }
 
 impl Registry {
-    /// Makes it in `scratch` from the user's own.
+    /// Makes the folder in `scratch` from the user's own `cargo_home`.
     pub(super) fn of(cargo_home: &Path, scratch: &Path) -> Result<Self> {
         let home = scratch.join("cargo");
         let make = || -> Result<Vec<PathBuf>> {
@@ -45,7 +46,7 @@ impl Registry {
             for part in ["registry", "git"] {
                 symlink(cargo_home.join(part), home.join(part))?;
             }
-            // Cargo reads the name without an ending first.
+            // Cargo prefers the name without an extension.
             let files = ["config", "config.toml"].map(|name| cargo_home.join(name));
             let text = files.iter().find_map(|file| fs::read_to_string(file).ok());
             let (text, folders) = reduced(&text.unwrap_or_default(), cargo_home)?;
@@ -57,7 +58,7 @@ impl Registry {
         Ok(Self { home, folders })
     }
 
-    /// Lets cargo see nothing else, where there is no sandbox.
+    /// Makes a Cargo command outside a sandbox use only these settings.
     pub(super) fn set(&self, cargo: &mut Command) {
         for (name, _) in std::env::vars_os() {
             let shown = name.to_string_lossy();
@@ -70,7 +71,7 @@ impl Registry {
     }
 }
 
-/// Settings without what is not of the registry, and the folders that they name.
+/// Returns the settings of the registry only, and the folders that they name.
 fn reduced(text: &str, cargo_home: &Path) -> Result<(String, Vec<PathBuf>)> {
     let mut settings: DocumentMut = text.trim_start_matches('\u{feff}').parse()?;
     settings.retain(|name, _| KEPT.contains(&name));
@@ -79,7 +80,7 @@ fn reduced(text: &str, cargo_home: &Path) -> Result<(String, Vec<PathBuf>)> {
     for (_, source) in sources.into_iter().flat_map(|sources| sources.iter_mut()) {
         for key in FOLDERS {
             let Some(path) = source.get(key).and_then(Item::as_str) else { continue };
-            // A path is below the folder that has cargo's own in it.
+            // Cargo resolves a relative path from the parent of its home folder.
             let folder = cargo_home.parent().unwrap_or(cargo_home).join(path);
             source[key] = value(folder.display().to_string());
             folders.push(folder);

@@ -1,4 +1,4 @@
-//! The room on disks. It is checked before anything is built.
+//! Free space on disks. It is checked before the grader builds.
 
 use std::fs;
 use std::path::Path;
@@ -6,19 +6,19 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 use rustix::fs::statvfs;
 
-/// Bytes of the records, letters and pages of a class.
+/// Bytes that the records, letters and pages of a class need.
 const RECORDS: u64 = 64 << 20;
 
-/// Bytes that this user may still write in a folder.
+/// Returns the bytes that this user may still write in a folder.
 pub(crate) fn free(folder: &Path) -> Result<u64> {
     let disk = statvfs(folder).with_context(|| format!("cannot read {}", folder.display()))?;
     Ok(disk.f_bavail.saturating_mul(disk.f_frsize))
 }
 
-/// Makes a folder of records.
+/// Makes a folder for records.
 ///
 /// # Errors
-/// It cannot be written, or has too little room.
+/// If the folder cannot be written or has too little space.
 pub(crate) fn make_for_records(folder: &Path) -> Result<()> {
     let unwritten = || format!("cannot write in {}", folder.display());
     fs::create_dir_all(folder).with_context(unwritten)?;
@@ -26,10 +26,10 @@ pub(crate) fn make_for_records(folder: &Path) -> Result<()> {
     expect(folder, RECORDS)
 }
 
-/// Whether a folder has room for so many bytes.
+/// Checks that a folder has `bytes` bytes of free space.
 ///
 /// # Errors
-/// It has not; the message says where room is needed.
+/// If it has less. The message says where space is needed.
 pub(crate) fn expect(folder: &Path, bytes: u64) -> Result<()> {
     let left = free(folder)?;
     ensure!(

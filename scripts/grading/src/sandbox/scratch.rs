@@ -1,7 +1,9 @@
-//! Temporary folders that go when grading ends; if it is killed, the next grading removes them.
+//! Temporary folders that are removed when grading ends. If grading is killed, the next grading
+//! removes them.
 //!
-//! All of them lie in one folder, which is locked. The system lets go of a lock when its process ends, however it
-//! ends: a folder whose lock can be had belongs to nobody, unless it is just being made and empty.
+//! All of them are in one folder, which is locked. The system releases a lock when its process
+//! ends, for whatever reason. So a folder that can be locked belongs to no running process, unless
+//! it was just made and is empty.
 
 use std::fs::{self, File, Permissions};
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
@@ -17,29 +19,29 @@ const PREFIX: &str = "cutoff-grade-";
 #[derive(Debug)]
 pub(crate) struct Scratch {
     folder: TempDir,
-    /// Held as long as this lives.
+    /// Lock that is held as long as this value exists.
     _lock: File,
 }
 
 impl Scratch {
-    /// Makes one below `parent`, where those of dead processes go first.
+    /// Makes a folder in `parent` and removes the folders of ended processes there.
     pub(crate) fn below(parent: &Path) -> Result<Self> {
         remove_left(parent);
         let unmade = || format!("cannot make a folder in {}", parent.display());
         let folder = Builder::new().prefix(PREFIX).tempdir_in(parent).with_context(unmade)?;
         let lock = File::open(folder.path()).with_context(unmade)?;
         lock.lock().with_context(unmade)?;
-        // Programs run as nobody, and must get through to their own folder.
+        // Programs run as nobody and must reach their own folder.
         fs::set_permissions(folder.path(), Permissions::from_mode(0o711)).with_context(unmade)?;
         Ok(Self { folder, _lock: lock })
     }
 
-    /// Where it is.
+    /// Returns the path of the folder.
     pub(crate) fn path(&self) -> &Path {
         self.folder.path()
     }
 
-    /// A folder in it, into which everybody may look.
+    /// Makes a folder inside that every user can read.
     pub(crate) fn folder(&self) -> Result<TempDir> {
         let unmade = || format!("cannot make a folder in {}", self.folder.path().display());
         let folder = tempfile::tempdir_in(self.folder.path()).with_context(unmade)?;
@@ -48,8 +50,8 @@ impl Scratch {
     }
 }
 
-/// Removes what killed gradings of this user left in `parent`. What cannot be removed stays: that is
-/// no reason not to grade.
+/// Removes folders in `parent` that killed gradings of this user left. A folder that cannot be
+/// removed does not prevent grading.
 fn remove_left(parent: &Path) {
     for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
         let path = entry.path();

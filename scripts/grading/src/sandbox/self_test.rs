@@ -1,4 +1,4 @@
-//! Whether a sandbox keeps out what it must: one that cannot do what it is for is none.
+//! Self-test of the sandbox. A sandbox that does not isolate programs must not be used.
 
 use std::time::Duration;
 
@@ -8,12 +8,15 @@ use super::Sandbox;
 use lab_kit::process::run as run_process;
 use lab_kit::system::on_path;
 
-/// What makes a sandbox, and the packages that bring it.
+/// Programs that make a sandbox, and the packages that contain them.
 const PROGRAMS: [(&str, &str); 3] =
     [("bwrap", "bubblewrap"), ("prlimit", "util-linux"), ("setpriv", "util-linux")];
 
-/// The home folder is not there, nothing of the kit can be written, no environment names the grader's folder, nobody is
-/// root, there is no network and a limit on memory, and no program can choose its processors or be root of a namespace.
+/// Shell script that succeeds if the sandbox isolates programs.
+///
+/// It checks that there is no home folder, that nothing of the kit can be written, that no
+/// environment names the grader's folder, that the user is not root, that there is no network, that
+/// memory is limited, and that no program can choose its processors or become root of a namespace.
 const SCRIPT: &str = "test ! -e /root && test ! -e /home && ! touch /kit/x 2>/dev/null \
                       && ! touch /usr/x 2>/dev/null && ! touch /dev/x 2>/dev/null \
                       && ! cat /proc/*/environ | tr '\\0' '\\n' | grep -v '^PWD=/kit$' | grep -q '^PWD=/.' \
@@ -22,10 +25,10 @@ const SCRIPT: &str = "test ! -e /root && test ! -e /home && ! touch /kit/x 2>/de
                       && ! taskset -pc 0 $$ >/dev/null 2>&1 \
                       && ! unshare --user true 2>/dev/null && echo kept in";
 
-/// Tries it.
+/// Tests the sandbox.
 ///
 /// # Errors
-/// It cannot be made, or keeps too little out; the message says why.
+/// If the sandbox cannot be made or does not isolate programs. The message gives the reason.
 pub(crate) fn check(sandbox: &Sandbox) -> Result<()> {
     ensure!(cfg!(target_os = "linux"), "there are namespaces on Linux only");
     for (program, package) in PROGRAMS {

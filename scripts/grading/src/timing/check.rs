@@ -1,11 +1,14 @@
-//! Whether a timed run did what it should.
+//! Checks whether the result of a timed run is right.
 
-/// Two programs differ by rounding, and chaos makes more of it: this share of the particles may
-/// differ by more than [`CLOSE`] after the timed steps. A program that leaves out a step moves all of them.
+/// Share of the particles that may differ by more than [`CLOSE`] after the timed steps.
+///
+/// Two programs differ by rounding, and chaos enlarges the difference. A program that skips a step
+/// moves all particles.
 pub(crate) const STRAY: f64 = 0.001;
 const CLOSE: f64 = 1e-9;
 
-/// What is wrong with a state; none if it is the right one up to rounding, but for a share of strays.
+/// Describes the difference between two states; `None` if they agree up to rounding, except for the
+/// share `stray`.
 pub(crate) fn difference(right: &[f64], given: &[f64], stray: f64) -> Option<String> {
     if right.len() != given.len() {
         return Some(format!("{} particles came back, not {}", given.len() / 4, right.len() / 4));
@@ -30,8 +33,10 @@ pub(crate) fn difference(right: &[f64], given: &[f64], stray: f64) -> Option<Str
     })
 }
 
-/// Whether a program that should sum as the solution does has the serial program's last digits instead:
-/// then it is that program, or a parallel one of another lab that sums as it does.
+/// Whether a program that should sum as the solution does has the serial program's last digits
+/// instead.
+///
+/// Then it is the serial program, or a parallel program of another lab that sums in the same order.
 pub(crate) fn is_another(own: &[f64], serial: &[f64], solution: &[f64]) -> bool {
     let same =
         |a: &[f64], b: &[f64]| a.iter().map(|x| x.to_bits()).eq(b.iter().map(|x| x.to_bits()));
@@ -47,7 +52,7 @@ mod tests {
         let right: Vec<f64> = (0..4000).map(|i| f64::from(i) * 1e-3).collect();
         let mut given: Vec<f64> = right.iter().map(|x| x + 1e-13).collect();
         assert_eq!(difference(&right, &given, STRAY), None);
-        // One particle of a thousand may have met chaos; two may not.
+        // One particle in a thousand may have met chaos; two may not.
         given[8] += 1.0;
         assert_eq!(difference(&right, &given, STRAY), None);
         assert!(difference(&right, &given, 0.0).is_some(), "chaos needs many steps");

@@ -1,8 +1,9 @@
-//! Times of a submission, and what they are worth.
+//! Times a submission and grades its times.
 //!
-//! The [`plan`] says what runs: the submission, the solution and the best serial program take
-//! turns on scenes that nobody knew before. A [`take`] is one run, on our clock and judged by its
-//! result. All of it goes into the record as it is, and [`judge`] makes grades of that. [`whole`] looks at results alone.
+//! The [`plan`] lists the runs: the submission, the solution and the best serial program take turns
+//! on scenes that are new to all of them. A [`take`] is one run, timed by the grader's clock and
+//! checked by its result. All measurements go into the record unchanged, and [`judge`] computes
+//! grades from them. [`whole`] checks results only.
 
 mod check;
 mod judge;
@@ -29,18 +30,20 @@ use judge::is_noisy;
 pub(crate) use judge::{judge, seconds_of};
 pub(crate) use take::PROGRAM;
 
-/// Rounds at least, and at most.
+/// Smallest and largest number of rounds.
 const LEAST: usize = 5;
 const MOST: usize = 15;
 
-/// No further round begins after this time.
+/// Time after which no further round begins.
 const BUDGET: Duration = Duration::from_secs(90);
 
-/// Times a submission and writes into its record what came out. Its programs and the solution's lie in a folder
-/// each. Nothing else should run.
+/// Times a submission and writes the runs into its record.
+///
+/// `folders` are the folders of its programs and of the solution's. Nothing else should run on the
+/// machine.
 ///
 /// # Errors
-/// The solution fails, or the programs cannot be started.
+/// If the solution fails, or the programs cannot be started.
 pub(crate) fn time(
     sandbox: &Sandbox,
     folders: (&Path, &Path),
@@ -50,7 +53,7 @@ pub(crate) fn time(
     let mut runs = plan(rubric, record.seed, lab_kit::machine::cores());
     let start = Instant::now();
     (record.timed, record.runs) = (true, Vec::new());
-    // No program that was asked before has seen it, and no letter names it.
+    // The scene is random: no program has seen it before, and no letter names its seed.
     let mut random = Random::new(RandomState::new().hash_one(()));
     for round in 0..MOST {
         one_round(sandbox, folders, &mut runs, round, scene(&mut random))?;
@@ -62,13 +65,13 @@ pub(crate) fn time(
     Ok(())
 }
 
-/// A scene's number.
+/// Draws the seed of a scene.
 fn scene(random: &mut Random) -> u32 {
-    // Seed 0 means another thing to the official program.
+    // Seed 0 has a special meaning in the official program.
     random.bits() as u32 | 1
 }
 
-/// Whether nothing is left to be timed: everything is graded that can be on a machine with so many cores.
+/// Whether every measure is graded that can be graded on a machine with this many cores.
 pub(crate) fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool {
     // With one core scaling is never graded.
     let cannot_be = |measure: &Measure| measure.kind == Kind::Scaling && cores == 1;
@@ -76,14 +79,15 @@ pub(crate) fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool 
     record.timed && judge(record, rubric).iter().all(is_judged)
 }
 
-/// What a lab's programs simulate, each with the lab's name for their list.
+/// Returns the kinds of discs that a lab's programs simulate, each with the name of the lab's list
+/// of programs.
 pub(crate) fn programs(lab: &Facts) -> Vec<(&'static str, &'static str)> {
     let own = if lab.discs == Discs::Hard { "hard" } else { "soft" };
     let hard = lab.programs.get("hard").map(|_| ("hard", "HARD_VARIANTS"));
     [(own, "VARIANTS")].into_iter().chain(hard).collect()
 }
 
-/// The files of a lab's timed program: their names, and where they are in the kit.
+/// Returns the files of a lab's timed program: their names, and their paths in the kit.
 pub(crate) fn sources(lab: &Facts) -> Vec<(String, String)> {
     let timed = |to: &str, from: &str| (to.to_owned(), format!("tests/timed/{from}"));
     let team = if lab.workers == Workers::Ranks { "ranks.rs" } else { "alone.rs" };

@@ -1,25 +1,26 @@
-//! Which runs the measures of a lab need.
+//! Plans the runs that the measures of a lab need.
 
 use crate::record::{Run, Whose};
 use lab_kit::machine::doubled_up_to;
 use lab_kit::{Facts, Workers};
 use oracle::Random;
 
-/// The best serial program: lab 2's.
+/// Name of the best serial program, which is lab 2's.
 pub(crate) const SERIAL: &str = "sorted";
 
-/// The sizes of a complexity measure: doubled up to `most`, over a factor of 64.
+/// Returns the sizes of a complexity measure, doubled up to `most`, over a factor of 64.
 pub(crate) fn sizes(most: usize) -> Vec<usize> {
     (0..7).rev().map(|halvings| (most >> halvings).max(1)).collect()
 }
 
-/// 2, 4, … and all cores: one worker does not scale.
+/// Returns the numbers of workers: 2, 4, … and all cores. One worker does not scale.
 pub(crate) fn workers(cores: usize) -> Vec<usize> {
     doubled_up_to(cores).into_iter().filter(|p| *p > 1).collect()
 }
 
-/// A rubric with up to a tenth more particles in each measure, hundreds of them: no program is right for one number
-/// alone. A record's seed says how many.
+/// Returns a rubric with up to a tenth more particles in each measure, in steps of a hundred.
+///
+/// The seed of a record determines the number, so a program cannot be written for one number alone.
 pub(crate) fn drawn(rubric: &Facts, seed: u64) -> Facts {
     let mut rubric = rubric.clone();
     let more = Random::new(seed).between(1.0, 1.1);
@@ -30,9 +31,11 @@ pub(crate) fn drawn(rubric: &Facts, seed: u64) -> Facts {
     rubric
 }
 
-/// All runs of a lab's measures, each once. For every size there is a trusted one, which says what
-/// is right, and one without any step, which says what making and sending a scene takes. With ranks
-/// that also depends on how many bring their parts together, so each number of them has its own.
+/// Returns all runs of a lab's measures, each once.
+///
+/// Every size has a run of a trusted program, whose result is right by definition, and a run
+/// without steps, which shows the time for making and sending a scene. With ranks, that time also
+/// depends on the number of ranks, so each number of ranks has its own run without steps.
 pub(crate) fn plan(rubric: &Facts, seed: u64, cores: usize) -> Vec<Run> {
     let (rubric, steps) = (drawn(rubric, seed), 40 + seed % 21);
     let mut runs: Vec<Run> = Vec::new();
@@ -54,7 +57,7 @@ pub(crate) fn plan(rubric: &Facts, seed: u64, cores: usize) -> Vec<Run> {
             add(Whose::Serial, SERIAL, each, 1, steps);
             for n in [timed.n, each * p] {
                 add(Whose::Serial, SERIAL, n, 1, steps);
-                // Whose the noise is shows beside the solution's times.
+                // The solution's times beside the submission's show whose the noise is.
                 add(Whose::Solution, &timed.variant, n, p, steps);
                 add(Whose::Own, &timed.variant, n, p, steps);
             }

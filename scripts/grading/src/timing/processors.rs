@@ -1,14 +1,14 @@
-//! Which processors a program may use, and how much it did.
+//! Limits the processors of a program and measures its processor time.
 
 use std::io;
 
 use crate::sandbox::processes::{all, family};
 
-/// Starts a command that may run on `count` processors only, as far as the system can say so.
+/// Starts a command that may use only `count` processors.
 #[cfg(target_os = "linux")]
 pub(crate) fn confined<T>(count: usize, start: impl FnOnce() -> io::Result<T>) -> io::Result<T> {
     use rustix::thread::{CpuSet, sched_getaffinity, sched_setaffinity};
-    // A child has its parent's processors from the moment it is made.
+    // A child process inherits its parent's processors when it is made.
     let all = sched_getaffinity(None)?;
     let mut few = CpuSet::new();
     (0..CpuSet::MAX_CPU).filter(|cpu| all.is_set(*cpu)).take(count).for_each(|cpu| few.set(cpu));
@@ -18,14 +18,14 @@ pub(crate) fn confined<T>(count: usize, start: impl FnOnce() -> io::Result<T>) -
     started
 }
 
-/// Starts a command.
+/// Starts a command. Processors can be limited on Linux only.
 #[cfg(not(target_os = "linux"))]
 pub(crate) fn confined<T>(_count: usize, start: impl FnOnce() -> io::Result<T>) -> io::Result<T> {
     start()
 }
 
-/// Seconds that processors have spent on a process and on all that descend from it; none where the
-/// system does not say.
+/// Returns the processor time of a process and all its descendants, in seconds; `None` if the
+/// system does not report it.
 pub(crate) fn seconds(root: u32) -> Option<f64> {
     let all = all();
     (!all.is_empty()).then(|| family(&all, root).map(|(_, process)| process.seconds).sum())
@@ -41,7 +41,7 @@ mod tests {
     fn a_confined_program_sees_fewer_processors() {
         let command = || {
             let mut command = Command::new("nproc");
-            // OpenMP's own wish is not what is asked about.
+            // This test is not about OpenMP's own setting.
             command.env_remove("OMP_NUM_THREADS").stdout(Stdio::piped());
             command
         };

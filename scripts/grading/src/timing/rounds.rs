@@ -1,4 +1,4 @@
-//! A round: every program once, in turn, and its result compared.
+//! A round: runs every program once, in turn, and compares the results.
 
 use std::path::Path;
 use std::time::Duration;
@@ -13,17 +13,17 @@ use crate::sandbox::Sandbox;
 use crate::sandbox::faults::believed;
 use lab_measure::experiment::turns;
 
-/// The limit of a run: this time, and this multiple of the solution's time on top of it.
+/// Limit of a run: this time plus this multiple of the solution's time.
 const ALLOWANCE: Duration = Duration::from_secs(8);
 const TIMES: f64 = 10.0;
 
-/// What a trusted program made of a scene.
+/// Result of a trusted program on a scene.
 struct Right {
     run: Run,
     taken: Taken,
 }
 
-/// Every program once, forwards or backwards, and the states compared.
+/// Runs every program once, forwards or backwards in the list, and compares the states.
 pub(crate) fn one_round(
     sandbox: &Sandbox,
     (own, solution): (&Path, &Path),
@@ -31,7 +31,7 @@ pub(crate) fn one_round(
     round: usize,
     seed: u32,
 ) -> Result<()> {
-    // The trusted programs come first: they say what is right and how long a run may take.
+    // Trusted programs come first: their results are right, and their times limit the other runs.
     let mut order = turns(runs.len(), round);
     order.sort_by_key(|at| (runs[*at].n, runs[*at].whose == Whose::Own));
     let mut right: Vec<Right> = Vec::new();
@@ -44,7 +44,7 @@ pub(crate) fn one_round(
         let allowed = right.first().map_or(ALLOWANCE * 8, |right| {
             ALLOWANCE + Duration::from_secs_f64(TIMES * right.taken.seconds)
         });
-        // The serial program is the solution's.
+        // The serial program is in the solution's folder.
         let folder = if run.whose == Whose::Own { own } else { solution };
         let once = || take(sandbox, folder, run, seed, run.workers, allowed);
         let taken = match believed(once, is_doubtful, || sandbox.works())? {
@@ -72,7 +72,8 @@ pub(crate) fn one_round(
     Ok(())
 }
 
-/// What is wrong with a result, by those of the trusted programs.
+/// Describes what is wrong with a result, compared with the trusted programs' results; `None` if it
+/// is right.
 fn wrong(right: &[Right], run: &Run, taken: &Taken) -> Option<String> {
     let first = right.first().filter(|_| run.steps > 0)?;
     let state = |is: &dyn Fn(&Run) -> bool| {
@@ -93,7 +94,7 @@ fn wrong(right: &[Right], run: &Run, taken: &Taken) -> Option<String> {
     })
 }
 
-/// Whether the program was too slow on a smaller scene already.
+/// Whether the program was already too slow on a smaller scene.
 fn gave_up_before(runs: &[Run], run: &Run) -> bool {
     let program = |run: &Run| (run.whose, run.workers);
     runs.iter().any(|other| {

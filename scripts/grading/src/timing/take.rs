@@ -16,32 +16,32 @@ use crate::sandbox::Sandbox;
 use crate::sandbox::faults::is_sign;
 use lab_kit::process::{ends, panic_in, start as start_process};
 
-/// The name of the timed program in its folder.
+/// Name of the timed program in its folder.
 pub(crate) const PROGRAM: &str = "timed";
 
-/// To start takes no longer; it is not timed.
+/// Time limit for starting a program. The start is not timed.
 const START: Duration = Duration::from_secs(20);
 
-/// What a program that broke off complains of comes within this.
+/// Time limit for reading the error messages of a program that crashed.
 const REST: Duration = Duration::from_secs(5);
 
-/// Nobody needs to say more.
+/// Maximal number of bytes that a program may print.
 const MOST: u64 = 1 << 28;
 
-/// What came back.
+/// Result of a run.
 pub(crate) struct Taken {
-    /// From the order to the last particle, on our clock.
+    /// Seconds from sending the order to receiving the last particle, on the grader's clock.
     pub(crate) seconds: f64,
-    /// Seconds of processors in that time.
+    /// Processor time in these seconds; `None` if the system does not report it.
     pub(crate) processors: Option<f64>,
     /// x, y, vx, vy of each particle.
     pub(crate) state: Vec<f64>,
 }
 
-/// Why nothing did: the time was up, or the program ended or talked nonsense.
+/// Reason why no result came back: the time was up, the program ended, or its output was malformed.
 pub(crate) type Trouble = (Outcome, String);
 
-/// What is said of a program that ended and complained of nothing.
+/// Message for a program that ended without an error message.
 const SILENT: &str = "it broke off without a result";
 
 /// Whether a fault of the machine could have ended a program.
@@ -51,16 +51,18 @@ pub(crate) fn is_doubtful(taken: &Result<Taken, Trouble>) -> bool {
         .is_err_and(|(outcome, why)| *outcome == Outcome::Wrong && (why == SILENT || is_sign(why)))
 }
 
-/// What a program says, as it says it.
+/// A message from the timed program.
 enum Said {
     Ready,
     State(Instant, Vec<f64>),
-    /// More than [`MOST`].
+    /// The program printed more than [`MOST`] bytes.
     TooMuch,
 }
 
-/// Runs a program in `folder` on so many processors, in a process of its own that is gone afterwards: whatever it
-/// leaves behind would run beside the next one.
+/// Runs a program in `folder` on `processors` processors, in a new process.
+///
+/// The process has ended when this function returns. A process that is left behind would disturb
+/// the next run.
 pub(crate) fn take(
     sandbox: &Sandbox,
     folder: &Path,
@@ -94,7 +96,7 @@ pub(crate) fn take(
     let whose = if run.whose == Whose::Serial { "serial" } else { "lab" };
     let Run { variant, workers, n, steps, .. } = run;
     let start = Instant::now();
-    // A program that has closed its ears will not answer either.
+    // A program that has closed its stdin will not answer either.
     let _ = writeln!(stdin, "{whose} {variant} {workers} {n} {seed} {steps}");
     let (end, state) = match receive.recv_timeout(limit) {
         Ok(Said::State(end, state)) => (end, state),
@@ -114,7 +116,7 @@ pub(crate) fn take(
     }))
 }
 
-/// The time was up, or the program broke off and wrote something of itself.
+/// Explains why a run has no result: the time was up, or the program crashed with an error message.
 fn ended(error: RecvTimeoutError, limit: Duration, complaints: &Receiver<String>) -> Trouble {
     if error == RecvTimeoutError::Timeout {
         return (Outcome::TooSlow, format!("no result within {:.0} s", limit.as_secs_f64()));
@@ -125,12 +127,13 @@ fn ended(error: RecvTimeoutError, limit: Duration, complaints: &Receiver<String>
     (Outcome::Wrong, line.chars().take(300).collect())
 }
 
-/// Marks our lines among whatever a program prints. It tells nothing of the scene.
+/// Returns a random mark for the program's messages to the grader, in which no part of the scene is
+/// encoded.
 fn nonce() -> String {
     format!("{:016x}", RandomState::new().hash_one(()))
 }
 
-/// Passes on what a program says to us; the rest of its output is its own affair.
+/// Sends on the program's messages to the grader and ignores the rest of its output.
 fn listen(stdout: ChildStdout, nonce: &str, most: usize, send: &Sender<Said>) -> Result<()> {
     let mut reader = BufReader::with_capacity(1 << 18, stdout.take(MOST));
     let mark = format!("@{nonce} ");

@@ -1,7 +1,7 @@
-//! Whole programs: each of a lab once, on a scene that nobody knew before, whatever time it takes.
+//! Checks whole programs: runs each program of a lab once on a new scene, without timing it.
 //!
-//! Functions that answer every question may still make a wrong program: where they know the questions, or do not fit
-//! together.
+//! A submission whose functions answer every question may still be a wrong program, because it
+//! recognises the questions or because its functions do not fit together.
 
 use std::path::Path;
 
@@ -16,15 +16,15 @@ use crate::sandbox::faults::believed;
 use lab_kit::Facts;
 use oracle::Random;
 
-/// A program on a scene.
+/// A program and a scene for it.
 struct Whole {
-    /// The last task that it is made of.
+    /// Last task that the program needs.
     task: String,
     run: Run,
     seed: u32,
 }
 
-/// The lab's programs on drawn scenes, in the order of their tasks.
+/// Returns the lab's programs with random scenes, in the order of their tasks.
 fn wholes(rubric: &Facts, seed: u64) -> Vec<Whole> {
     let mut random = Random::new(seed);
     let runs = runs(rubric, &mut random).into_iter();
@@ -34,7 +34,7 @@ fn wholes(rubric: &Facts, seed: u64) -> Vec<Whole> {
     all
 }
 
-/// What came of a run on any processors.
+/// Runs a program on all processors.
 fn result(
     sandbox: &Sandbox,
     folder: &Path,
@@ -43,8 +43,11 @@ fn result(
     take(sandbox, folder, run, *seed, usize::MAX, sandbox.limits.run)
 }
 
-/// Each program on a small scene, and those that are timed on one as large as then. The steps are enough to meet others
-/// and to cross borders, and too few for chaos: no particle may stray.
+/// Plans the runs: each program on a small scene, and each timed program also on a scene as large
+/// as the timed one.
+///
+/// The steps are enough for particles to meet and to cross borders, and too few for chaos, so every
+/// particle must be right.
 fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
     let mut runs = Vec::new();
     for variant in &rubric.variants {
@@ -61,8 +64,10 @@ fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
     runs
 }
 
-/// Runs a submission's programs beside the solution's, on scenes from a seed. One whose tasks are all right, and that
-/// is wrong all the same, costs the last of them; others that need this task are then not run.
+/// Runs a submission's programs and the solution's on scenes from a seed.
+///
+/// If all tasks of a program are right and the program is wrong nevertheless, its last task counts
+/// as wrong. Other programs that need this task are then not run.
 pub(crate) fn check(
     sandbox: &Sandbox,
     (own, solution): (&Path, &Path),
@@ -88,10 +93,10 @@ pub(crate) fn check(
     Ok(())
 }
 
-/// What is wrong with a submission's program, if something is.
+/// Describes what is wrong with a submission's program; `None` if it is right.
 ///
 /// # Errors
-/// The solution's program fails.
+/// If the solution's program fails.
 fn wrong(sandbox: &Sandbox, own: &Path, solution: &Path, whole: &Whole) -> Result<Option<String>> {
     let right = trusted(sandbox, solution, whole)?;
     let taken = believed(
@@ -105,7 +110,7 @@ fn wrong(sandbox: &Sandbox, own: &Path, solution: &Path, whole: &Whole) -> Resul
     })
 }
 
-/// What came of the solution's program.
+/// Runs the solution's program.
 fn trusted(sandbox: &Sandbox, solution: &Path, whole: &Whole) -> Result<Taken> {
     let right = result(sandbox, solution, whole)?;
     right.map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", whole.run.variant))

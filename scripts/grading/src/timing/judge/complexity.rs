@@ -1,4 +1,4 @@
-//! How the time grows with the number of particles.
+//! Grade of complexity: how the time grows with the number of particles.
 
 use super::runs::{Runs, waited};
 use super::{Found, Without};
@@ -7,8 +7,10 @@ use crate::timing::plan::sizes;
 use lab_measure::autograder::{complexity_grade, slopes};
 use lab_measure::clock::Span;
 
-/// A program that dawdles on small scenes looks flat. One that takes this multiple of the solution's time
-/// on the largest scene is judged by a line that begins at the solution's time on the smallest.
+/// Multiple of the solution's time on the largest scene from which a program is suspected to wait.
+///
+/// A program that waits on small scenes appears to scale well. From this multiple on, its line
+/// begins at the solution's time on the smallest scene.
 const DAWDLE: f64 = 10.0;
 
 pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {
@@ -18,7 +20,7 @@ pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {
     for &n in &sizes {
         let own = runs.find(Whose::Own, n, 1)?;
         if own.outcome == Outcome::TooSlow {
-            // It took longer than this, so the slope is steeper still.
+            // The program took longer than this, so the slope is steeper still.
             slow = Some(own);
             let longest = own.seconds.iter().copied().fold(0.0, f64::max);
             points.push((n as f64, Span { min: longest, median: longest }));

@@ -1,4 +1,4 @@
-//! Grades from times.
+//! Computes grades from times.
 
 mod complexity;
 mod runs;
@@ -16,23 +16,23 @@ use lab_measure::clock::{self, Span};
 use runs::Runs;
 pub(crate) use runs::seconds_of;
 
-/// What a measure comes to: the grade, and what was measured, in words.
+/// Result of a measure: the grade, and the measurement in words.
 struct Found {
     grade: Span,
     words: String,
 }
 
-/// Why there is no grade.
+/// Reason why there is no grade.
 type Without = (Verdict, String);
 
-/// The measures of a record by a rubric, from the runs that are in it.
+/// Judges all measures of a rubric from the runs in a record.
 pub(crate) fn judge(record: &Record, rubric: &Facts) -> Vec<Measure> {
     let rubric = drawn(rubric, record.seed);
     let found = all(record, &rubric).into_iter();
     found.map(|(kind, timed, found)| measure(&record.runs, kind, timed, found)).collect()
 }
 
-/// Whether further takes may tell more, whosever the noise is.
+/// Whether further takes may improve a grade, whatever the source of the noise.
 pub(crate) fn is_noisy(record: &Record, rubric: &Facts) -> bool {
     let noisy = |found: &Result<Found, Without>| match found {
         Ok(found) => clock::is_noisy(found.grade),
@@ -68,7 +68,7 @@ fn all<'r>(record: &Record, rubric: &'r Facts) -> Vec<Judged<'r>> {
             found.words += &which;
         }
     }
-    // Where the machine has too little for the one, it has for the other.
+    // A machine that is unfit for scaling is unfit for speed too.
     let unfit = found.iter().find_map(|(_, _, found)| match found {
         Err(unfit) if unfit.0 == Verdict::TooNoisy => Some(unfit.clone()),
         _ => None,
@@ -80,7 +80,7 @@ fn all<'r>(record: &Record, rubric: &'r Facts) -> Vec<Judged<'r>> {
     found
 }
 
-/// How long it takes beside the solution.
+/// Grades the time relative to the solution's.
 fn speed(runs: &Runs<'_>) -> Result<Found, Without> {
     let n = runs.timed.n;
     let most = runs.of(Whose::Own).filter(|run| run.n == n).map(|run| run.workers).max();
@@ -95,8 +95,10 @@ fn speed(runs: &Runs<'_>) -> Result<Found, Without> {
     Ok(Found { grade: Span::both(|way| efficiency_grade(1.0 / way(&times))), words })
 }
 
-/// Where the noise is the submission's, as the solution beside it was quiet, its medians count; else nothing
-/// is graded.
+/// Makes a measure from a grade.
+///
+/// If the times are noisy and the solution's times are quiet, the noise is the submission's and its
+/// medians count. If the solution's times are noisy too, there is no grade.
 fn measure(runs: &[Run], kind: Kind, timed: &Timed, found: Result<Found, Without>) -> Measure {
     let (verdict, grade, message) = match found {
         Ok(Found { grade, words }) if clock::is_noisy(grade) => {
@@ -117,7 +119,7 @@ fn measure(runs: &[Run], kind: Kind, timed: &Timed, found: Result<Found, Without
         Ok(Found { grade, words }) => (Verdict::Graded, Some(grade.min), words),
         Err((verdict, why)) => (verdict, (verdict == Verdict::Wrong).then_some(0.0), why),
     };
-    // Two decimals: half points are given, and nobody adds up sixteen digits.
+    // Two decimals are enough: half points occur, and sixteen digits would only confuse.
     let points = (timed.points * grade.unwrap_or(0.0)).round() / 100.0;
     let variant = timed.variant.clone();
     Measure { kind, variant, verdict, message, grade, points, out_of: timed.points }

@@ -1,30 +1,31 @@
-//! The runs that a measure is made of, and their seconds.
+//! Runs that a measure needs, and their times in seconds.
 
 use super::Without;
 use crate::record::{Outcome, Record, Run, Verdict, Whose};
 use lab_kit::facts::Timed;
 use lab_measure::clock::{Span, Times};
 
-/// Medians and shortest takes of a quiet program are less than this apart: not enough for another grade.
+/// Largest ratio of the median to the shortest take of a quiet program. A smaller ratio does not
+/// change a grade.
 const QUIET: f64 = 1.06;
 
-/// No program does this multiple of the work of a trusted one on as many processors. The fastest of the kit
-/// is 25 times as fast as the slowest that is timed.
+/// Multiple of a trusted program's work on as many processors that is impossible. The kit's fastest
+/// program is 25 times as fast as the slowest that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// A program that has a processor and works for less than this part of its time has waited, if it was for this number of
-/// seconds in each take: shorter waits are the clock's.
+/// Largest share of its time for which a waiting program works, and shortest wait in each take, in
+/// seconds. Shorter waits are errors of the clock.
 const MOSTLY: f64 = 0.7;
 const LONG: f64 = 0.01;
 
-/// What ran, and what is asked of it.
+/// All runs of a record, and the measure that they are for.
 pub(crate) struct Runs<'r> {
     pub(crate) all: &'r [Run],
     pub(crate) timed: &'r Timed,
 }
 
 impl<'r> Runs<'r> {
-    /// Those that a measure looks at, of one of the programs.
+    /// Returns the runs of one program that the measure needs.
     pub(crate) fn of(&self, whose: Whose) -> impl Iterator<Item = &'r Run> {
         let timed = self.timed;
         let same = move |run: &&Run| run.variant == timed.variant || whose == Whose::Serial;
@@ -36,7 +37,7 @@ impl<'r> Runs<'r> {
         (Verdict::NotTimed, why)
     }
 
-    /// A run that was not wrong.
+    /// Finds a run whose result was not wrong.
     pub(crate) fn find(&self, whose: Whose, n: usize, workers: usize) -> Result<&'r Run, Without> {
         let mut of_n = self.of(whose).filter(|run| run.n == n);
         let run = of_n.find(|run| run.workers == workers).ok_or_else(|| self.not_timed(n))?;
@@ -47,12 +48,12 @@ impl<'r> Runs<'r> {
         if whose == Whose::Own { self.possible(run) } else { Ok(run) }
     }
 
-    /// A run of the submission, if it can be.
+    /// Returns a run of the submission, unless its time is impossible.
     fn possible(&self, run: &'r Run) -> Result<&'r Run, Without> {
         let same = |r: &&Run| r.whose != Whose::Own && (r.n, r.steps) == (run.n, run.steps);
         for trusted in self.all.iter().filter(same) {
             let whole = span(run).map_or(f64::INFINITY, |span| span.min);
-            // Without what it takes to make the scene: that much is certain.
+            // The time for making the scene is subtracted, so this much work is certain.
             let work = net(self.all, trusted)?.min * trusted.workers as f64;
             if whole * run.workers as f64 * IMPOSSIBLE < work {
                 let why = format!(
@@ -66,12 +67,12 @@ impl<'r> Runs<'r> {
         Ok(run)
     }
 
-    /// A program's seconds.
+    /// Returns a program's seconds.
     pub(crate) fn time(&self, whose: Whose, n: usize, workers: usize) -> Result<Span, Without> {
         self.seconds(self.find(whose, n, workers)?)
     }
 
-    /// Seconds of a run; forever if it was too slow.
+    /// Returns the seconds of a run; infinite if it was too slow.
     pub(crate) fn seconds(&self, run: &Run) -> Result<Span, Without> {
         match run.outcome {
             Outcome::TooSlow => Ok(Span { min: f64::INFINITY, median: f64::INFINITY }),
@@ -79,7 +80,7 @@ impl<'r> Runs<'r> {
         }
     }
 
-    /// Whether the solution's takes beside the submission's were quiet, wherever a measure looks.
+    /// Whether the solution's takes were quiet in every run that the measure needs.
     pub(crate) fn is_quiet(&self) -> bool {
         self.of(Whose::Own).all(|own| {
             let beside = self.find(Whose::Solution, own.n, own.workers).ok().and_then(span);
@@ -88,13 +89,15 @@ impl<'r> Runs<'r> {
     }
 }
 
-/// How many processors a run kept busy; all of them where the system does not say.
+/// Returns the average number of processors that a run kept busy; infinite if the system does not
+/// report it.
 pub(crate) fn busy(run: &Run) -> f64 {
     let wall: f64 = run.seconds.iter().sum();
     run.processors.filter(|busy| *busy > 0.0).map_or(f64::INFINITY, |busy| busy / wall)
 }
 
-/// The share of its time for which a run of one worker was at work, if that is so little that it waited.
+/// Returns the share of its time for which a run of one worker computed; `None` unless it clearly
+/// waited.
 pub(crate) fn waited(run: &Run) -> Option<f64> {
     let (takes, wall) = (run.seconds.len() as f64, run.seconds.iter().sum::<f64>());
     let share = busy(run);
@@ -102,31 +105,32 @@ pub(crate) fn waited(run: &Run) -> Option<f64> {
     (run.outcome == Outcome::Timed && waits).then_some(share)
 }
 
-/// Seconds of a run's shortest take, without start and result; none without a take.
+/// Returns the seconds of a run's shortest take, without start and result; `None` without a take.
 pub(crate) fn seconds_of(record: &Record, run: &Run) -> Option<f64> {
     let timed = run.outcome == Outcome::Timed;
     timed.then(|| net(&record.runs, run).ok())?.map(|span| span.min)
 }
 
-/// Seconds of a run as they were taken; none without a take.
+/// Returns the measured seconds of a run; `None` without a take.
 fn span(run: &Run) -> Option<Span> {
     Times::of(run.seconds.clone()).map(|times| times.span(1.0))
 }
 
-/// Seconds of a run without those that it takes to make such a scene and to send the result.
+/// Returns the seconds of a run without the time for making the scene and sending the result.
 fn net(runs: &[Run], run: &Run) -> Result<Span, Without> {
     let all = taken(run)?;
     let without_steps = idle(runs, run).map(taken).transpose()?;
     Ok(without_steps.map_or(all, |idle| less(all, idle)))
 }
 
-/// Seconds of the takes of a run.
+/// Returns the measured seconds of a run, or the verdict that it was not timed.
 fn taken(run: &Run) -> Result<Span, Without> {
     let none = || (Verdict::NotTimed, "no take was finished: grade it again".into());
     span(run).ok_or_else(none)
 }
 
-/// A trusted run without steps on as many particles, of the same program on as many workers if there is one.
+/// Finds a trusted run without steps on the same number of particles. A run of the same program and
+/// the same number of workers is preferred.
 fn idle<'r>(runs: &'r [Run], run: &Run) -> Option<&'r Run> {
     let is_idle = |r: &&Run| r.whose != Whose::Own && r.steps == 0 && r.n == run.n;
     let mut all = runs.iter().filter(is_idle);
@@ -134,7 +138,7 @@ fn idle<'r>(runs: &'r [Run], run: &Run) -> Option<&'r Run> {
     all.find(|r| (&r.variant, r.workers) == (&run.variant, run.workers)).or(first)
 }
 
-/// A time less another, and never nothing.
+/// Subtracts one time from another. The result is always positive.
 fn less(all: Span, part: Span) -> Span {
     Span::both(|way| (way(&all) - way(&part)).max(1e-6))
 }

@@ -1,4 +1,4 @@
-//! What more workers bring.
+//! Grade of scaling: how much faster more workers are.
 
 use super::runs::{Runs, busy};
 use super::{Found, Without};
@@ -6,14 +6,16 @@ use crate::record::{Verdict, Whose};
 use lab_measure::autograder::{averages, scaling_grade, strong_efficiency, weak_efficiency};
 use lab_measure::clock::Span;
 
-/// Workers that do together less than this times what one does, or of whom fewer were at work, are one.
+/// Speedup, or number of busy processors, below which several workers count as one.
 const MORE_THAN_ONE: f64 = 1.1;
 
-/// Processors that the solution needs to itself: on a machine with other work no line can be drawn
-/// between a program of one worker and one whose workers got no processor.
+/// Number of busy processors that the solution must exceed.
+///
+/// On a machine with other work, a program with one worker cannot be distinguished from a program
+/// whose workers got no processor.
 const CLEARLY_MORE: f64 = 1.3;
 
-/// Where the solution itself gets less, of 100, nobody's scaling is graded.
+/// Grade of the solution, out of 100, below which no scaling is graded.
 const FIT: f64 = 75.0;
 
 pub(crate) fn scaling(runs: &Runs<'_>) -> Result<Found, Without> {
@@ -27,7 +29,7 @@ pub(crate) fn scaling(runs: &Runs<'_>) -> Result<Found, Without> {
     let theirs = average_efficiencies(runs, Whose::Solution, &workers)?;
     let grade =
         |[strong, weak]: &[Span; 2]| Span::both(|way| scaling_grade(way(strong), way(weak)));
-    // What the solution does not reach here, nobody is asked for.
+    // Grades are relative to the solution's, because no student can reach more on this machine.
     let (own_grade, most) = (grade(&own), grade(&theirs));
     if let Some(most) = [most.min, most.median].into_iter().find(|most| *most < FIT) {
         let busy = runs.find(Whose::Solution, runs.timed.n, *greatest).map_or(0.0, busy);
@@ -49,7 +51,7 @@ pub(crate) fn scaling(runs: &Runs<'_>) -> Result<Found, Without> {
     Ok(Found { grade: Span::both(|way| (100.0 * way(&own_grade) / way(&most)).min(100.0)), words })
 }
 
-/// Strong and weak, averaged over the numbers of workers.
+/// Returns the strong and the weak efficiency, averaged over the numbers of workers.
 fn average_efficiencies(
     runs: &Runs<'_>,
     whose: Whose,

@@ -1,4 +1,4 @@
-//! Grades of made-up times.
+//! Tests of grades, with artificial times.
 
 use super::{is_noisy, judge};
 use crate::record::{Kind, Outcome, Record, Run, Verdict, Whose};
@@ -7,7 +7,7 @@ use crate::timing::plan::plan;
 use lab_kit::Facts;
 use lab_kit::facts::Timed;
 
-/// A record whose runs all took what `seconds` says, by whose program, n and workers.
+/// Returns a record whose runs took the times of `seconds`, a function of program, n and workers.
 fn record(rubric: &Facts, cores: usize, seconds: impl Fn(Whose, f64, f64) -> Vec<f64>) -> Record {
     let sample = include_str!("../../../tests/record.json");
     let mut record: Record = serde_json::from_str(sample).unwrap();
@@ -57,7 +57,7 @@ fn the_slope_decides() {
 
 #[test]
 fn to_dawdle_on_small_scenes_makes_no_line_flat() {
-    // All pairs, and a wait until the large scene would be done.
+    // The program computes all pairs and waits as long as the large scene takes.
     let (grade, words) = complexity(|n| (1e-9 * n * n).max(4.0));
     assert!(grade.unwrap() < 30.0 && words.contains("begins at the solution's"), "{words}");
     let (grade, _) = complexity(|n| 2e-6 * n + 1.0);
@@ -66,7 +66,8 @@ fn to_dawdle_on_small_scenes_makes_no_line_flat() {
 
 #[test]
 fn to_sleep_on_small_scenes_makes_no_line_flat() {
-    // A quadratic program that sleeps until it is five times as slow as the solution, as on the largest scene.
+    // The program is quadratic and sleeps until it is five times as slow as the solution, as it is
+    // on the largest scene.
     let rubric = Facts { complexity: timed(64_000), ..Facts::default() };
     let work = |n: f64| 1.5e-10 * n * n;
     let mut record = record(&rubric, 2, |whose, n, _| {
@@ -95,8 +96,8 @@ fn who_is_too_slow_for_the_large_scenes_is_not_flat_either() {
     assert!(words.contains("there was no result"), "{words}");
 }
 
-/// Scaling of a submission that takes these seconds for n particles and p workers, where a serial
-/// program takes 2e-6 n, and the solution p times less.
+/// Returns a record of a submission that takes `own` seconds for n particles and p workers. A
+/// serial program takes 2e-6 n seconds and the solution takes p times less.
 fn scaling(own: impl Fn(f64, f64) -> f64) -> Record {
     let rubric = Facts { scaling: timed(100_000), ..Facts::default() };
     record(&rubric, 2, |whose, n, p| match whose {
@@ -125,7 +126,7 @@ fn one_worker_at_work_does_not_scale() {
     let (verdict, grade, words) = grade_of_scaling(&scaling(|n, _| 2e-6 * n));
     assert_eq!((verdict, grade), (Verdict::Graded, Some(0.0)), "{words}");
     assert!(words.contains("no faster than one"), "{words}");
-    // A serial program that is faster than the grader's is still run by one worker.
+    // A serial program that is faster than the grader's still runs on one worker.
     let mut record = scaling(|n, _| 1e-6 * n);
     assert_eq!(grade_of_scaling(&record).1, Some(100.0));
     for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Own) {
@@ -145,7 +146,7 @@ fn where_the_solution_does_not_scale_nobody_loses() {
     for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Solution && run.steps > 0) {
         run.seconds.iter_mut().for_each(|seconds| *seconds *= 1.7);
     }
-    // What it does reach is what others are measured by.
+    // Submissions are measured by the scaling that the solution reaches.
     let (verdict, grade, words) = grade_of_scaling(&record);
     assert!(verdict == Verdict::Graded && (97.0..99.5).contains(&grade.unwrap()), "{words}");
     for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Solution && run.steps > 0) {
@@ -227,7 +228,7 @@ fn only_what_can_be_graded_is_timed_again() {
     let (quiet, noisy) = (1.0, 4.0);
     let done = |cores, record| is_done_on(cores, &record, &rubric);
     assert!(done(2, of(2, quiet)) && !done(2, of(2, noisy)));
-    // With one core there is no scaling. Where there are more, there is.
+    // With one core there is no scaling. With more cores there is.
     assert!(done(1, of(1, quiet)) && !done(2, of(1, quiet)));
     let mut half = of(2, quiet);
     half.runs.retain(|run| run.whose != Whose::Own);
