@@ -46,8 +46,9 @@ fn main() -> ExitCode {
     })
 }
 
-/// Makes a failed `println!`, for instance on a full disk, print one line and exit with code 2
-/// instead of panicking.
+/// Ends the program with exit code 2 if standard output cannot be written.
+///
+/// `println!` would panic, for instance on a full disk. Instead, one line reports the error.
 fn say_when_output_cannot_be_written() {
     let usual = panic::take_hook();
     panic::set_hook(Box::new(move |panic| {

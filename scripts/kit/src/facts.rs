@@ -165,8 +165,10 @@ pub struct Movie {
     pub layers: Vec<String>,
     /// Method that finds the pairs to test: all, bins, list.
     pub asks: String,
-    /// Division among the owners: even (equal numbers of rows), equal (equal numbers of particles),
-    /// number (no rows).
+    /// Division of the box among the owners.
+    ///
+    /// The values are even (equal numbers of rows), equal (equal numbers of particles) and number
+    /// (no rows).
     pub cut: String,
 }
 

@@ -24,11 +24,10 @@ pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// Returns the regular files below a folder, sorted, without files that editors and other tools
-/// leave there.
+/// Returns the regular files below a folder, sorted, without files that tools leave there.
 ///
-/// A link counts as the file that it leads to. Broken links, pipes and sockets are left out,
-/// because reading them fails or never ends.
+/// Such tools are editors and merges, for example. A link counts as the file that it leads to.
+/// Broken links, pipes and sockets are left out, because reading them fails or never ends.
 pub fn sources_below(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = files_below(folder)?;
     files.retain(|path| {
@@ -68,8 +67,9 @@ pub fn read_toml<T: DeserializeOwned>(path: &Path) -> Result<T> {
     basic_toml::from_str(&read_text(path)?).with_context(unread)
 }
 
-/// Reads the value at a JSON pointer, such as `/package/name`, in a TOML file; `None` if there is
-/// no such value.
+/// Reads the value at a JSON pointer in a TOML file; `None` if there is no such value.
+///
+/// A JSON pointer is, for example, `/package/name`.
 pub fn read_toml_at<T: DeserializeOwned>(path: &Path, pointer: &str) -> Result<Option<T>> {
     let unread = || format!("cannot read {pointer} of {}", path.display());
     let mut all: Value = read_toml(path)?;

@@ -73,7 +73,7 @@ impl Kit {
         self.root.join(format!("solutions/lab{lab}"))
     }
 
-    /// Reads the facts of a lab, from the solution's folder, or in a kit without solutions from the
+    /// Reads the facts of a lab, from the solution's folder if the kit has it, or else the
     /// starter's.
     pub fn facts(&self, lab: Lab) -> Result<Facts> {
         let mut read = self.facts.lock().unwrap_or_else(PoisonError::into_inner);

@@ -23,7 +23,9 @@ pub struct Program {
     pub lab: Lab,
     /// Whether it is the solution, not the student's work.
     pub solution: bool,
-    /// Name of one of the lab's other programs, which follows the lab's own name; `None` for the first program.
+    /// Name of one of the lab's other programs; `None` for the first program.
+    ///
+    /// It follows the lab's own name, as `hard` in `lab9-hard`.
     other: Option<String>,
     /// Discs that it simulates.
     pub discs: Discs,

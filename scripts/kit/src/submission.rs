@@ -39,8 +39,9 @@ pub const NOT_UTF8: &str = "its name is not UTF-8";
 /// Reason for leaving out a file that the system refuses to read.
 const UNREADABLE: &str = "it cannot be read";
 
-/// Extensions of files that a lab's code consists of: Rust, shaders, and texts and tables that code
-/// includes.
+/// Extensions of the files that a lab's code consists of.
+///
+/// They are those of Rust, of shaders, and of texts and tables that code includes.
 const ENDINGS: [&str; 9] = [".rs", ".wgsl", ".csv", ".dat", ".in", ".json", ".md", ".toml", ".txt"];
 
 /// Files of a lab: those that are submitted, and those that are left out.

@@ -88,8 +88,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Returns the current lab: the lab of the current folder, or else the last tested one, or else the
-/// first.
+/// Returns the lab of the current folder, or else the last tested one, or else the first.
 fn current(kit: &Kit) -> Result<Lab> {
     let labs = kit.starters();
     let here = env::current_dir()?;

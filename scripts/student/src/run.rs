@@ -83,8 +83,9 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     Ok(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)))
 }
 
-/// Folds a line of the list of variants, `sorted       a counting sort`, below the beginning of its
-/// text.
+/// Folds a line of the list of variants below the beginning of its text.
+///
+/// Such a line is `sorted       a counting sort`.
 fn below_its_text(line: &str) -> String {
     let name = line.find("  ").unwrap_or(0);
     let spaces = line[name..].len() - line[name..].trim_start().len();

@@ -95,8 +95,9 @@ fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
     Ok(titles)
 }
 
-/// Returns a task's first remaining `todo!`, 2.1 before 2.1b, and its location below the top folder
-/// with its title.
+/// Returns a task's first remaining `todo!`, with its location and title; 2.1 precedes 2.1b.
+///
+/// The location is a path below the top folder, and a line.
 pub(crate) fn line_of_todo(kit: &Kit, task: Task) -> Result<Option<(RegionId, String)>> {
     let own = todos(kit, task.lab)?.into_iter().filter(|todo| todo.id.task == task);
     let first = own.min_by_key(|todo| todo.id);

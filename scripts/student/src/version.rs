@@ -11,8 +11,7 @@ use lab_kit::machine::machine;
 /// Folders of Vulkan drivers on Linux.
 const DRIVERS: [&str; 2] = ["/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d"];
 
-/// Returns the versions of the kit, of the compiler, and of the software for labs with ranks or a
-/// device.
+/// Returns the versions of the kit, the compiler, and the software that some labs need.
 pub(crate) fn version(kit: &Kit) -> String {
     let mut git = Command::new("git");
     git.arg("-C").arg(kit.root()).args(["log", "-1", "--format= (%h, %cs)"]);

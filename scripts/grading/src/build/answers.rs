@@ -10,7 +10,9 @@ use crate::asking::{ANSWER, JUDGE};
 use crate::sandbox::{Limits, Sandbox};
 use lab_kit::Kit;
 
-/// Parts of symbols of the code that compares answers or computes right ones, and texts that only a
+/// Texts that reveal knowledge of right answers in a program.
+///
+/// They are parts of symbols of code that compares or computes answers, and texts that only a
 /// verdict contains.
 const KNOWING: [&str; 7] = [
     "6oracle5model",

@@ -59,8 +59,7 @@ impl<'a> Order<'a> {
     }
 }
 
-/// Folder of the programs that were built, or the compiler's errors, or the message about the time
-/// limit.
+/// Folder of the programs that were built, or the compiler's errors or the message about the limit.
 type Built = std::result::Result<TempDir, String>;
 
 impl Tree {
@@ -150,8 +149,9 @@ impl Tree {
         Ok(bytes)
     }
 
-    /// Builds the solution's programs and the judging program, and keeps their compiled
-    /// dependencies for the next grading.
+    /// Builds the solution's programs and the judging program.
+    ///
+    /// Their compiled dependencies are kept for the next grading.
     pub(crate) fn reference(&self, kit: &Kit, sandbox: &Sandbox) -> Result<TempDir> {
         let unbuilt = || format!("the solution of lab {} cannot be built", self.lab);
         let names = &[&NAMES[..], &[asking::JUDGE]].concat();
@@ -200,8 +200,9 @@ fn compile(
     })
 }
 
-/// Whether the sources are the reason of a failed build: it took too long, or an error has a
-/// location in a source.
+/// Whether a failed build is the fault of the sources.
+///
+/// It is if the build took too long, or if an error has a location in a source.
 fn is_of_a_source(why: &str) -> bool {
     is_late(why) || why.lines().any(names_a_place)
 }

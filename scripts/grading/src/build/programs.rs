@@ -48,8 +48,9 @@ impl Programs {
         Ok(Self { manifest: manifest(folder, lab, serial)?, sources })
     }
 
-    /// Puts empty programs into `package`, so that a submission that is being compiled cannot
-    /// include the real ones.
+    /// Puts empty programs into `package`.
+    ///
+    /// A submission that is being compiled then cannot include the real ones.
     pub(super) fn hide(&self, package: &Path) -> Result<()> {
         if package.exists() {
             fs::remove_dir_all(package)?;
@@ -77,8 +78,7 @@ fn questions(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     Ok(sources)
 }
 
-/// Writes the module that runs an order, with the lab's program of that name or with the serial
-/// program.
+/// Writes the module that runs an order, with the lab's program of that name or the serial one.
 fn scene(lab: Lab, rubric: &Facts) -> String {
     let (mut modules, mut run) = (String::new(), String::from("None"));
     for (discs, variants) in timing::programs(rubric) {
@@ -115,8 +115,9 @@ fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
     ))
 }
 
-/// Returns the paths of the programs' sources in the kit: questions, right tables, oracle and timed
-/// program.
+/// Returns the paths of the programs' sources in the kit.
+///
+/// They are the questions, the right tables, the oracle and the timed program.
 pub(super) fn files(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     let mut files = questions(kit, lab)?;
     files.extend(kit.snapshots(lab)?);

@@ -119,8 +119,7 @@ fn zip(packed: impl Read) -> Result<HandedIn> {
     Ok(handed_in)
 }
 
-/// Returns the number of entries in a zip, from its last record; `None` if that record cannot hold
-/// the number.
+/// Returns the number of entries in a zip; `None` if its last record cannot hold the number.
 fn entries(zip: &[u8]) -> Option<usize> {
     let end = zip.windows(4).rposition(|window| window == b"PK\x05\x06")?;
     let count = u16::from_le_bytes(zip.get(end + 10..end + 12)?.try_into().ok()?);

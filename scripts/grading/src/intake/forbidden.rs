@@ -1,6 +1,6 @@
-//! Code that no source may contain: attributes and macros that run code before `main` or replace
-//! other code.
+//! Code that no source may contain.
 //!
+//! These are attributes and macros that run code before `main` or replace other code.
 //! `forbid(unsafe_code)` accepts some of them. Every file is searched, whatever its extension,
 //! because `include!` reads any file.
 

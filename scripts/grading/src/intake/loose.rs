@@ -21,8 +21,9 @@ pub(super) fn may_be(path: &Path) -> bool {
     })
 }
 
-/// Finds the sources of a lab among loose files, and their original paths; empty if a name is
-/// ambiguous.
+/// Finds the sources of a lab among loose files. Both sets are empty if a name is ambiguous.
+///
+/// Returns the sources, and the paths at which they were found.
 pub(super) fn place(
     lab: Lab,
     tasks: &BTreeSet<String>,

@@ -93,8 +93,9 @@ impl HandedIn {
 /// Part of a submission that is graded.
 #[derive(Default)]
 pub(crate) struct Intake {
-    /// Sources by path below the lab's folder, with the kit's given files; empty if there is no
-    /// file with a task.
+    /// Sources by path below the lab's folder; empty if there is no file with a task.
+    ///
+    /// They include the kit's given files.
     pub(crate) files: Sources,
     /// Files that are left out.
     pub(crate) left_out: Vec<LeftOut>,

@@ -6,8 +6,9 @@ use super::{Words, letter, points};
 use crate::escape::line;
 use crate::record::Record;
 
-/// Describes the differences: points before and after, and the changed lines of the letter; `None`
-/// if nothing that matters changed.
+/// Describes the differences; `None` if nothing that matters changed.
+///
+/// They are the points before and after, and the changed lines of the letter.
 pub(crate) fn changes(before: &Record, after: &Record) -> Option<String> {
     let measures = |record: &Record| -> Vec<_> {
         let all = record.measures.iter();

@@ -15,8 +15,9 @@ pub(crate) fn said(record: &Record, words: &Words) -> String {
     around(record, words, &tasks(record, words))
 }
 
-/// Writes the body of the letter around the text about the `tasks`, which is left out if no task
-/// was judged.
+/// Writes the body of the letter around the text about the `tasks`.
+///
+/// That text is left out if no task was judged.
 pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     let mut out = standing(record, words);
     if record.open_points() > 0.0 {

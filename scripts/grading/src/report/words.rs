@@ -27,8 +27,9 @@ pub(crate) fn measured(measure: &Measure) -> String {
     first.chain(letters).chain(['.']).collect()
 }
 
-/// Returns a person's decisions about a task or a measure as sentences; with `None`, about the
-/// whole and its lateness.
+/// Returns a person's decisions about a task or a measure as sentences.
+///
+/// Without a task, these are decisions about the whole submission, and its lateness.
 pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
     let mut said = Vec::new();
     let late = record.late.as_ref().filter(|_| record.has_mark());

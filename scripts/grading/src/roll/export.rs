@@ -1,5 +1,6 @@
-//! Gradescope's `submission_metadata.yml`: the students and the hand-in time of each exported
-//! submission.
+//! Reads Gradescope's `submission_metadata.yml`.
+//!
+//! The file contains the students and the hand-in time of each exported submission.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -27,8 +27,7 @@ pub(crate) struct Attendance {
     pub(crate) present: BTreeMap<usize, usize>,
     /// Names of students without a submission.
     pub(crate) absent: Vec<String>,
-    /// Students with several submissions: their names, the submission that counts, and all their
-    /// submissions.
+    /// Students with several submissions: name, the submission that counts, and all submissions.
     pub(crate) twice: Vec<(String, Option<usize>, Vec<usize>)>,
     /// Rule for the submission that counts; `None` if no submission counts without a decision.
     pub(crate) attempts: Option<Attempts>,
@@ -39,8 +38,9 @@ pub(crate) struct Attendance {
 }
 
 impl Attendance {
-    /// Returns the matters that an instructor must attend to: a sentence, and the students or
-    /// submissions concerned.
+    /// Returns the matters that an instructor must attend to.
+    ///
+    /// Each is a sentence, with the students or submissions concerned.
     pub(crate) fn words(&self, records: &[Record]) -> Vec<(&'static str, Vec<String>)> {
         let name = |at: &usize| records[*at].name.clone();
         let twice = self.twice.iter().map(|(student, counts, own)| {

@@ -1,5 +1,6 @@
-//! Tests of rosters as platforms export them, of clocks and decisions, and of valid and invalid
-//! entries in `class.toml`.
+//! Tests of rosters, clocks, decisions, and entries in `class.toml`.
+//!
+//! The rosters have the formats of the platforms. The entries are valid and invalid.
 
 use std::fs;
 

@@ -1,5 +1,6 @@
-//! Tests faults of the machine: no submission loses a mark, and the next grading grades the missing
-//! ones.
+//! Tests faults of the machine.
+//!
+//! No submission loses a mark, and the next grading grades the submissions that were not graded.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
@@ -17,8 +18,10 @@ const FAULTS: [(&str, &str); 2] = [
     ("asking", "echo '/bin/sh: 1: exec: bwrap: not found' >&2; exit 127"),
 ];
 
-/// Writes a bubblewrap that fails while its folder has a file `building` or `asking`, whose
-/// commands it runs.
+/// Writes a bubblewrap that can fail.
+///
+/// It fails while its folder has a file `building` or `asking`, and runs the commands in that file
+/// instead.
 fn lay(class: &Class) -> std::path::PathBuf {
     let folder = class.temporary().join("bin");
     fs::create_dir_all(&folder).unwrap();

@@ -89,8 +89,9 @@ fn graded(hand_in: impl Fn(&Path)) -> Value {
     container.results(&output)
 }
 
-/// Runs the autograder with a bubblewrap that fails, as root of a namespace in which every user
-/// finds the compiler; `None` if this machine allows no such namespace.
+/// Runs the autograder with a bubblewrap that fails; `None` if this machine cannot do that.
+///
+/// The autograder runs as root of a namespace in which every user finds the compiler.
 fn graded_without_namespaces(hand_in: impl Fn(&Path)) -> Option<Value> {
     let is_root = fs::metadata("/proc/self").is_ok_and(|own| own.uid() == 0);
     let unshare = || Command::new("unshare").args(["--mount", "true"]).status();

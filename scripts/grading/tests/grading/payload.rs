@@ -70,8 +70,7 @@ fn sockets() {
     must_fail("a connection to itself", TcpListener::bind("127.0.0.1:0"));
 }
 
-/// Checks that the user who started this program, and the data of that user's processes, are not
-/// visible.
+/// Checks that the processes of the grader's user are not visible, nor their data.
 fn parents() {
     let processes = fs::read_dir("/proc").into_iter().flatten().flatten();
     for process in processes {
@@ -112,8 +111,9 @@ fn processors() {
     must_not_run("taskset", &["-a", "-p", "-c", "0-63", &own]);
 }
 
-/// Checks that there is no key of the grader's session, no uncounted memory, and no namespace in
-/// which the program is root.
+/// Checks that the kernel gives the program no keys, no uncounted memory, and no rights of root.
+///
+/// The keys are those of the grader's session. Root rights would come from a new namespace.
 fn kernels() {
     must_not_run("keyctl", &["show"]);
     must_not_run("unshare", &["--user", "true"]);

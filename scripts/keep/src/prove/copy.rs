@@ -88,8 +88,10 @@ impl Copy {
     }
 }
 
-/// Whether a path is not copied: starters, wrong solutions, exam questions (which call the tools),
-/// and the output of builds.
+/// Whether a path is not copied.
+///
+/// These are starters, wrong solutions, exam questions (which call the tools), and the output of
+/// builds.
 fn is_left_out(relative: &Path) -> bool {
     let mut parts = relative.iter().filter_map(|part| part.to_str());
     let (top, second) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());

@@ -1,5 +1,4 @@
-//! Checks that every known-wrong solution fails the tests that it names, and that unusual right
-//! ones pass.
+//! Checks that known-wrong solutions fail the tests that they name, and unusual right ones pass.
 
 use std::path::PathBuf;
 

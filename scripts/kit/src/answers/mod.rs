@@ -48,8 +48,10 @@ impl MarkedFile {
     }
 }
 
-/// Reads all Rust files and shaders (WGSL) of a lab's solution, and checks that the ids of regions
-/// are unique.
+/// Reads all Rust files and shaders (WGSL) of a lab's solution.
+///
+/// # Errors
+/// If a file cannot be read or parsed, or if two regions have the same id.
 pub fn read_solution(kit: &Kit, lab: Lab) -> Result<Vec<MarkedFile>> {
     let folder = kit.solution(lab);
     let mut seen: BTreeMap<RegionId, String> = BTreeMap::new();

@@ -102,8 +102,9 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Part>> {
     Ok(parts)
 }
 
-/// Returns the line, from 0, of the mark that closes the mark in line `open`; or the faulty line
-/// and its fault.
+/// Finds the line, from 0, of the mark that closes the mark in line `open`.
+///
+/// The error is the faulty line and its fault.
 fn checked(
     lines: &[&str],
     (open, mark): (usize, &Mark),

@@ -145,8 +145,9 @@ impl TestProgram {
         command
     }
 
-    /// Returns the names of its tests, in the order of the lab's table of questions, which the
-    /// program prints.
+    /// Returns the names of its tests, in the order of the lab's table of questions.
+    ///
+    /// The program itself prints this table.
     pub fn tests(&self) -> Result<Vec<String>> {
         let mut command = self.command();
         command.args(["--exact", "questions", "--ignored", "--nocapture"]);

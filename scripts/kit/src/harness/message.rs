@@ -81,11 +81,10 @@ fn panicked_at(line: &str) -> Option<&str> {
     location.strip_suffix(':')
 }
 
-/// Formats a location (file, line and column) in a lab's source or in the standard library; `None`
-/// otherwise.
+/// Formats a panic's location in a lab's source or in the standard library; `None` elsewhere.
 ///
-/// The standard library does not always report its caller. The location of a test's own assertion
-/// does not help a student.
+/// `location` consists of file, line and column. The standard library does not always report its
+/// caller. The location of a test's own assertion does not help a student.
 fn in_a_lab(location: &str) -> Option<String> {
     if location.starts_with("/rustc/") {
         return Some(format!("{PANIC}the standard library, in a function that the lab calls:"));
@@ -96,8 +95,9 @@ fn in_a_lab(location: &str) -> Option<String> {
     lab.bytes().all(|b| b.is_ascii_digit()).then(|| format!("{PANIC}{file}, line {line}:"))
 }
 
-/// Returns the message of the first panic in a process's stderr, after its location if it is in a
-/// lab's source.
+/// Returns the message of the first panic in a process's stderr.
+///
+/// The location of the panic precedes the message if it is in a lab's source.
 pub fn located_panic(stderr: &str) -> Option<String> {
     let location = stderr.lines().find_map(panicked_at).and_then(in_a_lab);
     let said = panic_in(stderr)?;

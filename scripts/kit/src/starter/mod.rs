@@ -1,5 +1,6 @@
-//! Starters: [`generate`] makes the starter of a lab, and [`Record`] tells which of its files are
-//! unchanged.
+//! Starters of labs: how they are made, and which of their files are unchanged.
+//!
+//! [`generate`] makes the starter of a lab, and [`Record`] compares its files.
 
 mod generate;
 mod record;

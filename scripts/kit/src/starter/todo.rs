@@ -2,8 +2,9 @@
 
 use crate::answers::RegionId;
 
-/// Returns the number and title in a line `todo!("task 3.2b: title")`, or in a shader's `todo: task
-/// 9.2: title`.
+/// Returns the region and title in a line with a todo; `None` if the line has none.
+///
+/// In Rust the line contains `todo!("task 3.2b: title")`, in a shader `todo: task 9.2: title`.
 pub fn todo(line: &str) -> Option<(RegionId, &str)> {
     let shader = line.trim_start().strip_prefix("// todo: task ");
     let rest = shader.or_else(|| Some(line.split_once("todo!(\"task ")?.1))?;

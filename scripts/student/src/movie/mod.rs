@@ -145,8 +145,9 @@ impl Options {
     }
 }
 
-/// Returns the number of steps between two frames, at least `usual`; `None` if the page has no
-/// space for two frames.
+/// Returns the number of steps between two frames, at least `usual`.
+///
+/// Returns `None` if the page has no space for two frames.
 fn spacing(n: usize, steps: u32, usual: u32) -> Option<u32> {
     let frames = page::room(n).checked_sub(1).filter(|more| *more > 0)?;
     Some((steps as usize).div_ceil(frames).max(usual as usize) as u32)

@@ -1,4 +1,6 @@
-//! The page: the data of a run, the book's scripts that play it, and a still picture for browsers
+//! The page of a movie.
+//!
+//! It contains the data of a run, the book's scripts that play it, and a still picture for browsers
 //! without scripts.
 
 use std::fmt::Write;
