@@ -34,8 +34,8 @@ pub(crate) fn markdown(text: &str) -> String {
     while let Some(c) = rest.next() {
         let next = rest.peek().copied().unwrap_or(' ');
         let marks = match c {
-            // At the end of a sentence they are harmless. Inside a word they may form an address,
-            // which would become a link.
+            // Dots and colons are harmless at the end of a sentence. Inside a word they may form an
+            // address, which would become a link.
             '.' | ':' => !next.is_whitespace() && !next.is_ascii_digit(),
             ',' | '-' | '+' | '%' | ';' | '?' | '/' | '"' | '\'' => false,
             c => c.is_ascii_punctuation(),

@@ -152,11 +152,11 @@ pub struct VariantFacts {
     pub scaling: String,
     /// Memory that it needs in addition to the particles.
     pub memory: String,
-    /// Situations in which to use it.
+    /// Situations that the variant is best for.
     pub when: String,
 }
 
-/// Initial settings of a movie of the lab. The values are those of book/src/live/movie.js.
+/// Initial settings of a movie of the lab. book/src/live/movie.js defines the values.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Movie {
@@ -168,7 +168,7 @@ pub struct Movie {
     /// Division of the box among the owners.
     ///
     /// The values are even (equal numbers of rows), equal (equal numbers of particles) and number
-    /// (no rows).
+    /// (particles by their numbers, without rows).
     pub cut: String,
 }
 

@@ -88,7 +88,8 @@ fn is_made_of(made: &Path, hash: &str, folder: &Path, root: &Path) -> bool {
     match noted.split_once(' ') {
         Some((of, identity)) if identity == self::identity(&metadata) => of == hash,
         // A different program, such as an editor, ran Cargo. In this kit's own build directory it
-        // used these sources, if none of them was written since. That time cannot be forged.
+        // used these sources, if no source was written since. The time of that write (ctime) cannot
+        // be set to an earlier one.
         _ => {
             let is_own = made.canonicalize().is_ok_and(|made| made.starts_with(root));
             is_own && !is_written_since(folder, &metadata)

@@ -66,7 +66,7 @@ pub fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {
     let stderr = ends(child.stderr.take());
     let status = wait(child, Instant::now() + limit);
     if matches!(status, Ok(None)) {
-        // A launcher of parallel programs ends them when it is asked to end.
+        // A launcher of parallel programs ends them when it receives SIGTERM.
         kill(started.group, Signal::TERM);
         let _ = wait(&mut started.child, Instant::now() + GRACE);
     }

@@ -41,7 +41,7 @@ const UNREADABLE: &str = "it cannot be read";
 
 /// Extensions of the files that a lab's code consists of.
 ///
-/// They are those of Rust, of shaders, and of texts and tables that code includes.
+/// These files are Rust, shaders, and texts and tables that code includes.
 const ENDINGS: [&str; 9] = [".rs", ".wgsl", ".csv", ".dat", ".in", ".json", ".md", ".toml", ".txt"];
 
 /// Files of a lab: those that are submitted, and those that are left out.

@@ -1,4 +1,4 @@
-//! Table of the MPI calls of a run, for each rank, in which calls that belong together share a row.
+//! Table of the MPI calls of a run, with a column for each rank. Related calls share a row.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -114,11 +114,10 @@ fn alike(calls: &[Call], at: usize) -> usize {
     calls[at..].iter().take_while(same).count().max(1)
 }
 
-/// Numbers the messages: returns the number for each call that sends or receives one, by rank and
-/// call.
+/// Returns the message number of each call that sends or receives a message, by rank and call.
 ///
-/// Messages between two ranks arrive in the order in which they were sent. A receiver's tag must
-/// equal the sender's; a negative tag accepts any.
+/// Messages between two ranks arrive in the order of sending. A receiver's tag must equal the
+/// sender's; a negative tag accepts any.
 fn messages(calls: &[Vec<Call>]) -> BTreeMap<(usize, usize), usize> {
     let all = |is: fn(&Call) -> bool| {
         let of =

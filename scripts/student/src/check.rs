@@ -127,7 +127,7 @@ fn format(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
 /// Runs clippy on the lab.
 ///
 /// Unused code counts, although the starters' manifests allow it. Printing counts too: a grader's
-/// questions have so many particles that printing would exceed the time limit.
+/// questions have many particles, so printing would exceed the time limit.
 fn lints(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     let mut cargo = kit.cargo();
     cargo.args(["clippy", "--no-deps", "--package", &format!("lab{lab}")]);

@@ -152,7 +152,7 @@ mod tests {
     const MANIFEST: &str = "[package]\nname = \"lab1\"\nedition = \"2024\"\n";
     const TESTS: &str = "#[test]\nfn task() {\n    assert_eq!(lab1::task::f(), 1);\n}\n";
 
-    /// Returns the message about a lab in which these files replace the given ones.
+    /// Returns the message about a lab after replacing its given files by these.
     fn trouble(own: &[(&str, &str)]) -> Option<String> {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path().canonicalize().unwrap();

@@ -12,7 +12,7 @@ use lab_kit::machine::date;
 use lab_kit::starter::{Files, Record, given, own_paths};
 use lab_kit::{Kit, Lab};
 
-/// Folder in which work is kept. It is not under `target/`, because `cargo clean` empties that.
+/// Folder for kept work. It is not under `target/`, because `cargo clean` empties that.
 const KEPT: &str = "kept";
 
 /// Start a lab anew; your work so far is kept aside

@@ -61,8 +61,9 @@ impl Run {
     }
 }
 
-/// Builds a student's lab, runs its tests or those of one task, and keeps the results. It calls
-/// `advance` at every step.
+/// Builds a student's lab, runs all its tests or the tests of one task, and keeps the results.
+///
+/// It calls `advance` at every step.
 pub(crate) fn run(
     kit: &Kit,
     lab: Lab,

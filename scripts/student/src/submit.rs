@@ -51,7 +51,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Describes the archive of a lab in which the student changed these given files.
+/// Describes the archive of a lab. The student changed the given files `changed_given`.
 fn account(
     kit: &Kit,
     lab: Lab,

@@ -19,7 +19,7 @@ pub(crate) enum State {
     Done,
     /// It was answered, and a test fails.
     Failing,
-    /// Its own `todo!`, or that of a task that it builds on, is still there.
+    /// Its own `todo!`, or the `todo!` of a task that it builds on, is still there.
     Todo,
     /// Some of its tests have not run, or lack a device; the others pass.
     Untested,

@@ -13,12 +13,12 @@ use lab_kit::{Kit, Lab};
 /// Verdict on the answers to a question.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Judged {
-    /// Number of answers that were asked for, and number of answers that are right.
+    /// Number of requested answers, and number of right answers.
     pub(crate) asked: usize,
     pub(crate) right: usize,
     /// Whether the answers end too early.
     pub(crate) broke_off: bool,
-    /// First wrong answer: its question and what is wrong with it. Empty if all answers are right.
+    /// First wrong answer: its question and the mistake. Empty if all answers are right.
     pub(crate) wrong: String,
 }
 

@@ -26,8 +26,9 @@ use table::Question;
 /// Message for a program that was killed, by the grader or by the system.
 const KILLED: &str = "it was ended: it needed more memory than it may have";
 
-/// Number of printed bytes above which a program without an answer is assumed to have spent its
-/// time printing, and the message for such a program.
+/// Number of printed bytes that explains why a program has no answer, and the message about it.
+///
+/// Such a program has spent its time printing.
 const MUCH: usize = 1 << 19;
 const PRINTS: &str = "it prints too much: take out what prints for each particle or pair";
 

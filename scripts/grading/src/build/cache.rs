@@ -46,7 +46,7 @@ pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
     copy(&tree.join("target"), &new.path().join("target")).with_context(unkept)?;
     fs::write(new.path().join("sources"), sources).with_context(unkept)?;
     let old = tempfile::tempdir_in(folder).with_context(unkept)?;
-    // Another grading may do the same at this moment. Its copy is as good.
+    // A different grading may do the same now. Its copy is as good.
     let _ = fs::rename(kept, old.path().join("old"));
     let _ = fs::rename(new.path(), kept);
     Ok(())

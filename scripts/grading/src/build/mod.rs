@@ -1,4 +1,4 @@
-//! The tree in which a submission is built: a handout of its lab, with the programs that call it.
+//! Builds submissions in a tree: a handout of the lab, with the programs that call the submission.
 
 #[cfg(test)]
 mod answers;
@@ -35,7 +35,7 @@ const LATE: &str = "no build within";
 const PROBE: &str = "probe";
 const PACKAGE: &str = "labs/lab-probe";
 
-/// A tree in which submissions are built one after another.
+/// A tree for building submissions, one after another.
 pub(crate) struct Tree {
     folder: TempDir,
     lab: Lab,

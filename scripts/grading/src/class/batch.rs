@@ -116,7 +116,7 @@ fn work(grader: &Grader<'_>, left: &Left<'_>, all: usize, into: &Path) -> Result
     finish::time(grader, &reference, &tree, &left.untimed, into, programs)
 }
 
-/// Returns the number of trees, including `first`, for which the disk has space.
+/// Returns the number of trees that fit on the disk, including `first`.
 ///
 /// # Errors
 /// If there is no space for a build.
@@ -152,7 +152,7 @@ fn taken(trees: &Mutex<Vec<Tree>>) -> Tree {
     trees.lock().expect("popping does not panic").pop().expect("a tree for each worker")
 }
 
-/// Makes a progress bar for `of` submissions, of which `done` are finished already.
+/// Makes a progress bar for `of` submissions. `done` of them are finished already.
 pub(crate) fn bar(what: &'static str, of: usize, done: usize) -> ProgressBar {
     let bar = progress(of as u64).with_position(done as u64).with_message(what);
     bar.tick();

@@ -61,8 +61,8 @@ pub(crate) fn time(
 
 /// Computes points and writes the pages.
 ///
-/// Returns failure if a submission could not be graded, or if one of the kit's known-wrong
-/// solutions has other marks than its manifest says.
+/// Returns failure if a submission could not be graded, or if the marks of one of the kit's
+/// known-wrong solutions differ from its manifest.
 pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<ExitCode> {
     let mut records = record::read_all(into)?;
     for (name, path) in submissions {

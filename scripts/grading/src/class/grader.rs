@@ -28,7 +28,7 @@ const SAID: usize = 4000;
 /// Maximal number of characters kept of the output of a task.
 const PRINTED: usize = 1 << 16;
 
-/// Settings and files with which all submissions are graded.
+/// Settings and files for grading all submissions of a lab.
 pub(crate) struct Grader<'a> {
     pub(crate) kit: &'a Kit,
     pub(crate) lab: Lab,
@@ -37,7 +37,7 @@ pub(crate) struct Grader<'a> {
     /// Seed of every submission; `None` if each submission gets a random seed.
     seed: Option<u64>,
     given: Given,
-    /// Folder in which the output of programs is kept for the staff.
+    /// Folder that keeps the output of programs for the staff.
     printed: PathBuf,
     /// SHA-256 of questions and solution.
     pub(crate) hash: String,

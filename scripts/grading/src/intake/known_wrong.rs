@@ -47,7 +47,7 @@ fn page_at(kit: &Kit, path: &Path) -> Result<Option<(Lab, Vec<Wrong>)>> {
     Ok(right.map(|right| (lab, right)))
 }
 
-/// Describes how the marks differ from those in the manifest; `None` if they do not.
+/// Describes how the marks differ from the manifest's; `None` if they are equal.
 pub(crate) fn complaint(wrong: &Wrong, record: &Record) -> Option<String> {
     if record.status != Status::Graded {
         return Some(format!("WRONG MARKS: it must be graded: {}", record.message));

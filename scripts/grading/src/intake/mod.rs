@@ -227,8 +227,8 @@ pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
     )
 }
 
-/// Whether the path is that of the kit's own solutions. A link to them does not count, because it
-/// may be in a class.
+/// Whether the path leads to the kit's own solutions. A link to them does not count, because it may
+/// be in a class.
 fn own_solutions(kit: &Kit, path: &Path) -> bool {
     let whole = |path: &Path| path.canonicalize().ok();
     !path.is_symlink()

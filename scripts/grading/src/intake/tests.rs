@@ -65,7 +65,7 @@ fn plain_tar(files: &Sources) -> Vec<u8> {
     bytes
 }
 
-/// Makes an archive in which 48 MiB of compiled files precede the sources.
+/// Makes an archive with 48 MiB of compiled files before the sources.
 fn built() -> Vec<u8> {
     let mut all = tar::Builder::new(GzEncoder::new(Vec::new(), Compression::fast()));
     let built = ("target/debug/lab1".to_owned(), vec![0; 48 << 20]);

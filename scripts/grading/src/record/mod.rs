@@ -250,7 +250,7 @@ impl Record {
         serde_json::from_str(include_str!("../../tests/record.json")).unwrap()
     }
 
-    /// Returns Ada's record with 25 possible points for speed, none of which she has.
+    /// Returns Ada's record with a speed measure worth 25 points. She has 0 of them.
     pub(crate) fn sample_of_speed(verdict: Verdict) -> Self {
         let mut record = Self::sample();
         record.measures.push(Measure {

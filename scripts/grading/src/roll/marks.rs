@@ -8,7 +8,7 @@ use csv::{StringRecord, Writer};
 use super::roster::{Form, Roster, column};
 use crate::record::points;
 
-/// Name of the row in which Canvas has the possible points.
+/// Name of Canvas's row with the possible points.
 const POSSIBLE: &str = "Points Possible";
 
 impl Roster {

@@ -25,8 +25,9 @@ const PAUSE: Duration = Duration::from_secs(2);
 /// Beginning of the message about a submission that is not graded.
 const FAULT: &str = "not graded because of a fault of this machine";
 
-/// Parts of error messages of the system, and of the programs that make the sandbox, about missing
-/// resources.
+/// Parts of error messages about missing resources.
+///
+/// They come from the system, and from the programs that make the sandbox.
 const SIGNS: [&str; 11] = [
     "bwrap: ",
     "setpriv: ",

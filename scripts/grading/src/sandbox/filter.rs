@@ -5,8 +5,8 @@
 //!   there for a later program.
 //! - No limit counts memory outside the address space of a process.
 //! - In its own user namespace a program would be root, with access to much more of the kernel.
-//! - Programs that need no connections get none, because no limit counts unread data in a
-//!   connection.
+//! - Connections are refused to programs that do not need them, because no limit counts unread data
+//!   in a connection.
 //! - No program may change or watch a running process: neither its own memory through the kernel,
 //!   nor another process.
 //!

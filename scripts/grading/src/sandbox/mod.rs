@@ -54,7 +54,9 @@ pub(crate) const GIVEN_FILE: u64 = 1 << 30;
 /// file that describes it.
 pub(crate) const BUILD_QUOTA: u64 = 24 * BUILT_FILE;
 
-/// Size limits in bytes: a program's temporary files, memory that its ranks share, a build's
+/// Size limits of temporary files and shared memory, in bytes.
+///
+/// They are for a program's temporary files, for memory that its ranks share, and for a build's
 /// temporary files.
 const TEMPORARY: &str = "67108864";
 const SHARED: &str = "134217728";

@@ -10,8 +10,7 @@ use rustix::process::getuid;
 
 use super::{ENVIRONMENT, NOBODY, PATH, PROGRAM, launcher};
 
-/// Shell script that gives a tree to nobody, so that nobody can build there, and runs the remaining
-/// arguments.
+/// Shell script that gives a tree to nobody and then runs the remaining arguments.
 const OWN: &str = "chown -R \"$1:$1\" \"$2\" && shift 2 && exec \"$@\"";
 
 /// Whether nobody can run the compiler in `sysroot` and read the sources in `cargo_home`.

@@ -15,7 +15,7 @@ pub(crate) struct Process {
     pub(crate) parent: u32,
     /// Resident memory in bytes.
     pub(crate) resident: u64,
-    /// Processor time in seconds, including children that have ended and were waited for.
+    /// Processor time in seconds, including the time of children that have ended.
     pub(crate) seconds: f64,
 }
 
@@ -64,8 +64,9 @@ fn process(number: u32) -> Option<Process> {
     })
 }
 
-/// Returns the processor time of a process's living threads, in seconds with nanosecond precision;
-/// 0 if the system does not report it.
+/// Returns the processor time of a process's living threads, in seconds.
+///
+/// The precision is a nanosecond. The result is 0 if the system does not report the time.
 fn precise(number: u32) -> f64 {
     let threads = fs::read_dir(format!("/proc/{number}/task")).into_iter().flatten().flatten();
     let seconds = threads.filter_map(|thread| {

@@ -7,8 +7,9 @@
 pub(crate) const STRAY: f64 = 0.001;
 const CLOSE: f64 = 1e-9;
 
-/// Describes the difference between two states; `None` if they agree up to rounding, except for the
-/// share `stray`.
+/// Describes the difference between two states; `None` if they agree.
+///
+/// They agree if at most the share `stray` of the particles differs by more than rounding.
 pub(crate) fn difference(right: &[f64], given: &[f64], stray: f64) -> Option<String> {
     if right.len() != given.len() {
         return Some(format!("{} particles came back, not {}", given.len() / 4, right.len() / 4));

@@ -79,8 +79,9 @@ pub(crate) fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool 
     record.timed && judge(record, rubric).iter().all(is_judged)
 }
 
-/// Returns the kinds of discs that a lab's programs simulate, each with the name of the lab's list
-/// of programs.
+/// Returns the kinds of discs that a lab's programs simulate.
+///
+/// Each kind comes with the name of the lab's list of programs.
 pub(crate) fn programs(lab: &Facts) -> Vec<(&'static str, &'static str)> {
     let own = if lab.discs == Discs::Hard { "hard" } else { "soft" };
     let hard = lab.programs.get("hard").map(|_| ("hard", "HARD_VARIANTS"));

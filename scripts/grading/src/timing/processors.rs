@@ -24,8 +24,7 @@ pub(crate) fn confined<T>(_count: usize, start: impl FnOnce() -> io::Result<T>) 
     start()
 }
 
-/// Returns the processor time of a process and all its descendants, in seconds; `None` if the
-/// system does not report it.
+/// Returns the processor time of a process and its descendants, in seconds; `None` if unknown.
 pub(crate) fn seconds(root: u32) -> Option<f64> {
     let all = all();
     (!all.is_empty()).then(|| family(&all, root).map(|(_, process)| process.seconds).sum())

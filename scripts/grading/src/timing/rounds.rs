@@ -72,8 +72,9 @@ pub(crate) fn one_round(
     Ok(())
 }
 
-/// Describes what is wrong with a result, compared with the trusted programs' results; `None` if it
-/// is right.
+/// Describes what is wrong with a result; `None` if it is right.
+///
+/// The result is compared with those of the trusted programs.
 fn wrong(right: &[Right], run: &Run, taken: &Taken) -> Option<String> {
     let first = right.first().filter(|_| run.steps > 0)?;
     let state = |is: &dyn Fn(&Run) -> bool| {

@@ -127,8 +127,9 @@ fn ended(error: RecvTimeoutError, limit: Duration, complaints: &Receiver<String>
     (Outcome::Wrong, line.chars().take(300).collect())
 }
 
-/// Returns a random mark for the program's messages to the grader, in which no part of the scene is
-/// encoded.
+/// Returns a random mark for the program's messages to the grader.
+///
+/// The mark reveals nothing about the scene.
 fn nonce() -> String {
     format!("{:016x}", RandomState::new().hash_one(()))
 }

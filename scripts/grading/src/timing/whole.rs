@@ -43,11 +43,11 @@ fn result(
     take(sandbox, folder, run, *seed, usize::MAX, sandbox.limits.run)
 }
 
-/// Plans the runs: each program on a small scene, and each timed program also on a scene as large
-/// as the timed one.
+/// Plans the runs of whole programs.
 ///
-/// The steps are enough for particles to meet and to cross borders, and too few for chaos, so every
-/// particle must be right.
+/// Each program runs on a small scene, and each timed program also on a scene as large as the timed
+/// one. The steps are enough for particles to meet and to cross borders, and too few for chaos, so
+/// every particle must be right.
 fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
     let mut runs = Vec::new();
     for variant in &rubric.variants {

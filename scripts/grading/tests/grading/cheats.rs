@@ -15,7 +15,7 @@ use crate::sources::{Files, kit, with, wrong};
 /// Lab of the quick tests, which compiles fastest. It is not timed.
 pub(crate) const QUICK: u8 = 1;
 
-/// A task of this lab that is asked alone.
+/// A task of this lab whose questions need no other task.
 pub(crate) const TASK: &str = "1.1";
 
 /// Lab of the mixed class, which is timed.

@@ -39,7 +39,7 @@ fn cheats_gain_nothing_and_a_killed_class_goes_on() {
     assert!(run(grade(&class, &into, TASKS)));
     let after = records(&class, &into);
     for (name, record) in &before {
-        // A submission that is graded again gets other inputs.
+        // A submission that is graded again gets different inputs.
         assert_eq!(after[name]["seed"], record["seed"], "{name} was graded again");
     }
     let complaints = complaints(&class, &into);

@@ -1,4 +1,5 @@
-//! Attacks of a submission while it is asked. The file is part of a submission, not of the tests.
+//! Attacks that a submission runs instead of answering. The file is part of a submission, not of
+//! the tests.
 
 use std::fs;
 use std::io::Write;
@@ -113,7 +114,7 @@ fn processors() {
 
 /// Checks that the kernel gives the program no keys, no uncounted memory, and no rights of root.
 ///
-/// The keys are those of the grader's session. Root rights would come from a new namespace.
+/// The keys would be the grader's. The rights of root would come from a new namespace.
 fn kernels() {
     must_not_run("keyctl", &["show"]);
     must_not_run("unshare", &["--user", "true"]);
@@ -147,7 +148,7 @@ fn uncounted() {
     }
 }
 
-/// Checks that no running program can be changed, not even by itself.
+/// Checks that a program can change no running program, not even itself.
 fn memories() {
     let memory = fs::OpenOptions::new().write(true).open("/proc/self/mem");
     must_fail("its own memory as a file", memory);
@@ -158,8 +159,8 @@ fn memories() {
     call("ptrace(0, 0, 0, 0)");
     call("process_vm_readv(1, None, 0, None, 0, 0)");
     call("process_vm_writev(1, None, 0, None, 0, 0)");
-    // 425 is io_uring_setup. 438 is pidfd_getfd on the first process, for which 434 makes a
-    // descriptor.
+    // 425 is io_uring_setup. 434 makes a descriptor of the first process, and 438 is pidfd_getfd on
+    // it.
     call("syscall(425, 1, ctypes.create_string_buffer(120))");
     call("syscall(438, libc.syscall(434, 1, 0), 0, 0)");
     // 323 is userfaultfd, 298 perf_event_open, 321 bpf, 312 kcmp.

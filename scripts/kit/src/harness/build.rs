@@ -18,7 +18,7 @@ use crate::process;
 #[derive(Debug)]
 pub struct TestProgram {
     program: PathBuf,
-    /// Folder of the package, in which the tests run.
+    /// Folder of the package. The tests run in it.
     folder: PathBuf,
     top: PathBuf,
 }

@@ -120,7 +120,7 @@ fn documented(text: &str) -> String {
     iter::once("#![doc = include_str!(\"../README.md\")]\n").chain(rest).collect()
 }
 
-/// Replaces the name of the solution's crate by that of the starter's.
+/// Replaces the name of the solution's crate by the name of the starter's crate.
 pub(crate) fn rename(text: &str, lab: Lab) -> String {
     let (old, new) = (format!("solution{lab}"), format!("lab{lab}"));
     let is_name = |c: char| c.is_alphanumeric() || c == '_';

@@ -55,7 +55,7 @@ pub(super) struct Run {
     pub(super) shown: facts::Movie,
 }
 
-/// Returns the number of frames of `n` discs for which a page has space.
+/// Returns the number of frames of `n` discs that fit into a page.
 pub(super) fn room(n: usize) -> usize {
     (MOST - REST).saturating_sub(LETTERS_OF_STILL * n) / (LETTERS_PER_DISC * n + LETTERS_PER_FRAME)
 }

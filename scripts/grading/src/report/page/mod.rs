@@ -48,7 +48,7 @@ pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> 
     page.into_string()
 }
 
-/// Writes the numbers of a class. Points are those of the submissions that count.
+/// Writes the numbers of a class. Only submissions that count contribute points.
 fn facts(records: &[Record], counting: &[Record]) -> Markup {
     let mut given: Vec<f64> = counting.iter().map(|record| record.points).collect();
     given.sort_by(f64::total_cmp);

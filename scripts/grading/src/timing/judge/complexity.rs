@@ -7,10 +7,11 @@ use crate::timing::plan::sizes;
 use lab_measure::autograder::{complexity_grade, slopes};
 use lab_measure::clock::Span;
 
-/// Multiple of the solution's time on the largest scene from which a program is suspected to wait.
+/// Ratio of times on the largest scene that makes the grader suspect a program of waiting.
 ///
-/// A program that waits on small scenes appears to scale well. From this multiple on, its line
-/// begins at the solution's time on the smallest scene.
+/// A program that waits on small scenes appears to scale well. If it takes this multiple of the
+/// solution's time on the largest scene, its line begins at the solution's time on the smallest
+/// scene.
 const DAWDLE: f64 = 10.0;
 
 pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {

@@ -13,8 +13,10 @@ const QUIET: f64 = 1.06;
 /// program is 25 times as fast as the slowest that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// Largest share of its time for which a waiting program works, and shortest wait in each take, in
-/// seconds. Shorter waits are errors of the clock.
+/// Bounds that define waiting: the share of the time spent working, and the seconds of waiting.
+///
+/// A program with a processor has waited if it worked for less than this share, and waited for more
+/// than these seconds in each take. Shorter waits are errors of the clock.
 const MOSTLY: f64 = 0.7;
 const LONG: f64 = 0.01;
 
@@ -89,15 +91,13 @@ impl<'r> Runs<'r> {
     }
 }
 
-/// Returns the average number of processors that a run kept busy; infinite if the system does not
-/// report it.
+/// Returns the average number of busy processors of a run; infinite if it is unknown.
 pub(crate) fn busy(run: &Run) -> f64 {
     let wall: f64 = run.seconds.iter().sum();
     run.processors.filter(|busy| *busy > 0.0).map_or(f64::INFINITY, |busy| busy / wall)
 }
 
-/// Returns the share of its time for which a run of one worker computed; `None` unless it clearly
-/// waited.
+/// Returns the share of its time that a run of one worker computed; `None` unless it waited.
 pub(crate) fn waited(run: &Run) -> Option<f64> {
     let (takes, wall) = (run.seconds.len() as f64, run.seconds.iter().sum::<f64>());
     let share = busy(run);
