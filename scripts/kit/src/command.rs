@@ -34,7 +34,7 @@ pub struct Family {
     /// Name of the Cargo package.
     #[serde(skip)]
     pub package: String,
-    /// Heading above its commands in the help.
+    /// Heading above the package's commands in the help.
     pub title: String,
     /// Whether students get the package too.
     pub handout: bool,

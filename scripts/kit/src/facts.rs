@@ -28,11 +28,11 @@ use serde::{Deserialize, Serialize};
 pub struct Facts {
     /// Title, such as `all pairs`.
     pub title: String,
-    /// Discs that its program simulates.
+    /// Kind of discs that the lab's program simulates.
     pub discs: Discs,
-    /// Workers that share the work of its program.
+    /// Workers that share the work of the lab's program.
     pub workers: Workers,
-    /// Kinds of its other programs, by the end of their names: `hard` for `lab9-hard`.
+    /// Kinds of the lab's other programs, by the end of their names: `hard` for `lab9-hard`.
     #[serde(default)]
     pub programs: BTreeMap<String, Work>,
     /// Variant that is the kit's best serial program for such discs, which gives t₁; `None` in
@@ -57,20 +57,19 @@ pub struct Facts {
     /// Hours for reading, predicting, measuring and explaining.
     #[serde(default)]
     pub reading: f64,
-    /// Facts of its tasks, by number, such as `9.2`.
+    /// Facts of the lab's tasks, by number, such as `9.2`.
     #[serde(default)]
     pub tasks: BTreeMap<String, TaskFacts>,
-    /// Points for the growth of its time with the number of particles; `None` if that is not
-    /// graded.
+    /// Points for the growth of the time with the number of particles; `None` if it is not graded.
     pub complexity: Option<Timed>,
-    /// Points for its speed-up by more workers; `None` if that is not graded.
+    /// Points for the speed-up by more workers; `None` if it is not graded.
     pub scaling: Option<Timed>,
-    /// Points for its time relative to the solution's; `None` if that is not graded.
+    /// Points for the time relative to the solution's; `None` if it is not graded.
     pub speed: Option<Timed>,
     /// Loops that `cargo lab speed` times.
     #[serde(default, rename = "race")]
     pub races: Vec<Race>,
-    /// Facts of its variants, for the comparison of all variants.
+    /// Facts of the lab's variants, for the comparison of all variants.
     #[serde(default, rename = "variant")]
     pub variants: Vec<VariantFacts>,
 }
@@ -93,7 +92,7 @@ pub struct TaskFacts {
     pub hours: f64,
     /// Difficulty: 1 (follow the text) to 3 (take your time).
     pub mark: usize,
-    /// Heading of its section in the lab's chapter.
+    /// Heading of the task's section in the lab's chapter.
     pub section: String,
     /// Three hints: a nudge, the idea, nearly the answer.
     #[serde(default)]
@@ -143,14 +142,14 @@ pub struct VariantFacts {
     /// If all tasks up to this one are right, grading runs the variant as a whole. If the whole is
     /// wrong nevertheless, this task loses its points.
     pub task: Option<String>,
-    /// Accuracy of its results, compared with the naive program's.
+    /// Accuracy of the variant's results, compared with the naive program's.
     pub error: String,
-    /// Whether it uses one thread, for any number of workers.
+    /// Whether the variant uses one thread, for any number of workers.
     #[serde(default)]
     pub serial: bool,
-    /// Distribution of its work among the workers.
+    /// Distribution of the variant's work among the workers.
     pub scaling: String,
-    /// Memory that it needs in addition to the particles.
+    /// Memory that the variant needs in addition to the particles.
     pub memory: String,
     /// Situations that the variant is best for.
     pub when: String,

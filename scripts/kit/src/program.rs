@@ -21,15 +21,15 @@ use crate::lab::Lab;
 pub struct Program {
     /// Number of the lab.
     pub lab: Lab,
-    /// Whether it is the solution, not the student's work.
+    /// Whether the program is the solution's, not the student's.
     pub solution: bool,
     /// Name of one of the lab's other programs; `None` for the first program.
     ///
     /// It follows the lab's own name, as `hard` in `lab9-hard`.
     other: Option<String>,
-    /// Discs that it simulates.
+    /// Kind of discs that the program simulates.
     pub discs: Discs,
-    /// Workers that share its work.
+    /// Workers that share the program's work.
     pub workers: Workers,
     /// Name of the variant; `None` for the lab's first.
     pub variant: Option<String>,
@@ -99,23 +99,23 @@ impl Program {
         set.map(|(_, value)| *value)
     }
 
-    /// Returns the name of its binary.
+    /// Returns the name of the program's binary.
     pub fn binary(&self) -> String {
         let other = self.other.as_ref().map(|other| format!("-{other}"));
         self.package() + &other.unwrap_or_default()
     }
 
-    /// Returns the name of its Cargo package.
+    /// Returns the name of the program's Cargo package.
     pub fn package(&self) -> String {
         format!("{}{}", if self.solution { "solution" } else { "lab" }, self.lab)
     }
 
-    /// Whether its workers are processes that exchange messages.
+    /// Whether the program's workers are processes that exchange messages.
     pub fn has_ranks(&self) -> bool {
         self.workers == Workers::Ranks
     }
 
-    /// Whether it simulates hard discs.
+    /// Whether the program simulates hard discs.
     pub fn is_hard(&self) -> bool {
         self.discs == Discs::Hard
     }

@@ -40,13 +40,13 @@ use crate::submission::{Sources, of_solution};
 /// A wrong answer to a task, or an unusual right one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wrong {
-    /// Heading of its section.
+    /// Heading of the answer's section.
     pub name: String,
-    /// Region that it replaces.
+    /// Region that the answer replaces.
     pub region: RegionId,
-    /// Tests that must fail on it; empty if it is right.
+    /// Tests that must fail with this answer; empty if it is right.
     pub fails: Vec<String>,
-    /// Tests that must pass on it, if it is right.
+    /// Tests that must pass with this answer, if it is right.
     pub passes: Vec<String>,
     /// Other tasks that cannot be asked without this one, and lose their marks with it.
     pub loses: Vec<Task>,

@@ -51,7 +51,7 @@ impl Graded {
         Ok(Self { lab, tree: Kit::at(&folder), target, package, changed })
     }
 
-    /// Returns the order for building its tests.
+    /// Returns the order for building the lab's tests.
     pub(crate) fn tests(&self) -> Build<'_> {
         own_build(self.cargo(), self.lab, &self.package)
     }

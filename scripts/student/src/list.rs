@@ -28,10 +28,10 @@ pub(crate) struct Options {
 pub(crate) struct Overview {
     lab: Lab,
     title: String,
-    /// Whether its source has changed since it was tested.
+    /// Whether the lab's source has changed since it was tested.
     pub(crate) stale: bool,
     tasks: Vec<Progress>,
-    /// Software that must be installed before it can run; `None` if nothing is missing.
+    /// Software that must be installed before the lab can run; `None` if nothing is missing.
     missing: Option<&'static str>,
 }
 

@@ -15,13 +15,13 @@ use lab_kit::{Kit, Lab, sources_below};
 /// State of a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum State {
-    /// All its tests pass.
+    /// All tests of the task pass.
     Done,
-    /// It was answered, and a test fails.
+    /// The task was answered, and a test fails.
     Failing,
-    /// Its own `todo!`, or the `todo!` of a task that it builds on, is still there.
+    /// The task's `todo!`, or the `todo!` of a task that it builds on, is still there.
     Todo,
-    /// Some of its tests have not run, or lack a device; the others pass.
+    /// Some tests of the task have not run, or lack a device; the others pass.
     Untested,
 }
 
@@ -46,7 +46,7 @@ pub(crate) struct Progress {
     pub(crate) title: String,
     /// State of the task.
     pub(crate) state: State,
-    /// Outcomes of its tests, as far as they have run.
+    /// Outcomes of the task's tests, as far as they have run.
     pub(crate) tests: Vec<Outcome>,
 }
 

@@ -76,7 +76,7 @@ pub(crate) struct Lateness {
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Attempt {
-    /// It does, if it has a mark.
+    /// The submission counts, if it has a mark.
     #[default]
     Counts,
     /// Another submission of the student counts.
@@ -101,13 +101,13 @@ impl Record {
         self.by_hand.iter().filter(move |decision| decision.task.as_deref() == task)
     }
 
-    /// Whether there was anything to mark, or a person gave points nevertheless.
+    /// Whether the submission has a mark: there was anything to mark, or a person gave points.
     pub(crate) fn has_mark(&self) -> bool {
         let nothing = matches!(self.status, Status::Unreadable | Status::Empty | Status::Failed);
         !nothing || self.decided(None).any(|decision| decision.points.is_some())
     }
 
-    /// Whether it has a mark, and this mark is the student's.
+    /// Whether the submission has a mark, and this mark is the student's.
     pub(crate) fn counts(&self) -> bool {
         self.has_mark() && self.attempt == Attempt::Counts
     }

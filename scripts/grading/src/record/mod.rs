@@ -70,7 +70,7 @@ pub(crate) struct Record {
     pub(crate) by_hand: Vec<Decision>,
     /// Whether this submission counts, if its student handed in several.
     pub(crate) attempt: Attempt,
-    /// Name of its student in the roster; `None` without a roster.
+    /// Name of the student in the roster; `None` without a roster.
     pub(crate) student: Option<String>,
     /// Pseudonym that graders see instead of names.
     pub(crate) pseudonym: Option<String>,

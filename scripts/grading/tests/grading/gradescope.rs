@@ -157,7 +157,7 @@ fn a_grader_that_does_not_run_leaves_no_points() {
     assert!(!top.join("results/results.json").exists(), "Gradescope would take it for a mark");
 }
 
-/// It compiles the lab's dependencies twice, so scripts/test.sh runs it in a separate stage.
+/// This test compiles the lab's dependencies twice, so scripts/test.sh runs it in a separate stage.
 #[test]
 #[ignore = "takes minutes"]
 fn without_namespaces_a_submission_reads_no_solution_and_writes_no_results() {

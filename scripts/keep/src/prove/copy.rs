@@ -19,7 +19,7 @@ use lab_kit::{Kit, Lab, files_below, sources_below};
 /// A copy of the kit.
 pub(crate) struct Copy {
     kit: Kit,
-    /// Folder of its programs, which have the same names as the kit's own.
+    /// Folder of the copy's programs, which have the same names as the kit's own.
     programs: PathBuf,
     /// Build directory of the kit.
     shared: PathBuf,

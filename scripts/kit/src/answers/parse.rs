@@ -40,7 +40,7 @@ pub struct Region {
     pub line: usize,
     /// Lines between the marks.
     pub body: String,
-    /// Whether it ends its block, so that its last expression is the block's value.
+    /// Whether the answer ends its block, so that its last expression is the block's value.
     pub tail: bool,
 }
 

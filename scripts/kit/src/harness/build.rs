@@ -49,7 +49,7 @@ pub struct Build<'a> {
     pub cargo: Command,
     /// Package that the tests belong to.
     pub package: &'a str,
-    /// Lab that they test.
+    /// Lab that the tests belong to.
     pub lab: Lab,
     /// Whether Cargo's progress bar and error messages are shown.
     pub shown: bool,
@@ -145,7 +145,7 @@ impl TestProgram {
         command
     }
 
-    /// Returns the names of its tests, in the order of the lab's table of questions.
+    /// Returns the names of all tests, in the order of the lab's table of questions.
     ///
     /// The program itself prints this table.
     pub fn tests(&self) -> Result<Vec<String>> {

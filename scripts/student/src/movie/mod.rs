@@ -137,7 +137,7 @@ impl Options {
         command.args(self.threads.iter().flat_map(|threads| ["-t".into(), threads.to_string()]));
     }
 
-    /// Returns the title of the page: lab, variant, ranks, and whether it is the solution.
+    /// Returns the title of the page: lab, variant, ranks, and `the solution` if it is shown.
     fn title(&self, kit: &Kit, variant: &str, ranks: Option<u16>) -> String {
         let (lab, whose) = (self.lab, if self.solution { ", the solution" } else { "" });
         let on_ranks = ranks.map(|ranks| format!(" on {ranks} ranks")).unwrap_or_default();
