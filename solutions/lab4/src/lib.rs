@@ -1,4 +1,4 @@
-//! Lab 4, locks and owners: the solution. What the lab is about stands in `labs/lab4/README.md`.
+//! Lab 4, locks and owners: the solution. The lab is described in `labs/lab4/README.md`.
 
 mod buffers;
 mod change;

@@ -1,4 +1,4 @@
-//! Lab 6, messages to neighbours: the solution. What the lab is about stands in `labs/lab6/README.md`.
+//! Lab 6, messages to neighbours: the solution. The lab is described in `labs/lab6/README.md`.
 
 mod cuts;
 mod exchange;

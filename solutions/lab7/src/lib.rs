@@ -1,4 +1,4 @@
-//! Lab 7, collisions: the solution. What the lab is about stands in `labs/lab7/README.md`.
+//! Lab 7, collisions: the solution. The lab is described in `labs/lab7/README.md`.
 
 mod append;
 mod blocks;

@@ -1,4 +1,4 @@
-//! Lab 8, collisions over MPI: the solution. What the lab is about stands in `labs/lab8/README.md`.
+//! Lab 8, collisions over MPI: the solution. The lab is described in `labs/lab8/README.md`.
 
 mod certain;
 mod collided;

@@ -1,4 +1,4 @@
-//! Lab 9, on a graphics processor: the solution. What the lab is about stands in `labs/lab9/README.md`.
+//! Lab 9, on a graphics processor: the solution. The lab is described in `labs/lab9/README.md`.
 
 mod candidates;
 mod launch;
