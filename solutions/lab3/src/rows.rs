@@ -1,4 +1,4 @@
-//! Task 3.3: which rows belong to which thread.
+//! Task 3.3: the rows of each thread.
 
 use std::ops::Range;
 

@@ -47,7 +47,7 @@ pub fn take_own<'a>(own: &mut SortedBins, all: impl Iterator<Item = &'a Particle
     // end 4.9b
 }
 
-/// The way in which an owner sums the forces on its particles.
+/// The method of summing the forces on an owner's particles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Forces {
     /// Each particle looks at all its neighbours, so every pair is tested from both sides.

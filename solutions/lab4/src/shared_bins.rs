@@ -20,7 +20,7 @@ use crate::{
     rebuild, receive, send, take,
 };
 
-/// The way in which bins are brought up to date.
+/// The method of bringing bins up to date.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     /// One thread empties all bins and fills them again.

@@ -2,7 +2,7 @@
 
 use hard_discs::{Span, Window};
 
-/// Returns the interval along one axis in which a disc can touch anything during `window`.
+/// Returns the interval that a disc can touch during `window` along one axis.
 ///
 /// The disc has its centre at `x`, velocity `v`, and flies straight. The interval reaches from the
 /// lesser to the greater of its positions at the two ends of the window, and `reach` further on

@@ -22,7 +22,7 @@ use crate::news::{hear, news_for};
 ///
 /// In every round, the earliest open candidate of all ranks is taken or dropped, so the rounds end.
 /// Usually there are two to five rounds. In a crowd there may be a hundred, because a decision
-/// waits for a decision across the cut, which waits for another one back across it.
+/// waits for a decision across the cut, which waits for a decision on this side.
 ///
 /// All ranks call this together, even ranks without partners or candidates.
 ///
