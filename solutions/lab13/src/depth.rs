@@ -28,8 +28,8 @@ pub fn deep_width(fastest: f64, steps: u32) -> f64 {
 
 /// Returns the number of steps that an epoch should have.
 ///
-/// A rank receives no message during an epoch. Of 1, 2, … `most` steps, choose the number that makes a step cheapest. Of equally cheap numbers,
-/// choose the least.
+/// A rank receives no message during an epoch. Of 1, 2, … `most` steps, choose the number that
+/// makes a step cheapest. Of equally cheap numbers, choose the least.
 ///
 /// All costs are for each particle of the rank. On both sides of a strip of height H there are
 /// ghosts of depth D, so there are 2 D / H ghosts for each particle. A ghost costs as much as a

@@ -119,8 +119,9 @@ mod tests {
 
     use super::Barrier;
 
-    /// Members arrive late in turn, and some sleep between barriers, so the order of their arrivals
-    /// and departures differs at each meeting.
+    /// Members arrive late in turn, and some sleep between barriers.
+    ///
+    /// So they arrive and leave in a different order at each meeting.
     #[test]
     fn no_member_passes_before_all_have_come() {
         for members in 1..=5 {

@@ -9,8 +9,9 @@ use common_threads::{Guard, Lock, Stopwatch};
 pub struct Meter {
     /// The time spent on forces.
     pub forces: Duration,
-    /// The time spent on moves, including the work at each change of bin: taking locks, waiting for
-    /// them, recording changes and handing them over.
+    /// The time spent on moves, including the work at each change of bin.
+    ///
+    /// This work is taking locks, waiting for them, recording changes and handing them over.
     pub moving: Duration,
     /// The time spent on bringing bins up to date after all particles had moved.
     pub rebinning: Duration,

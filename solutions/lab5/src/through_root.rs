@@ -106,8 +106,8 @@ impl<O: Observer> ThroughRoot<O> {
     /// At first, `self.changed` contains the particles that changed their bin, already taken out of
     /// their old bins, and `self.remote` is empty. At the end, both are empty. In this order:
     ///
-    /// 1. Separate local and remote particles ([`take_leavers_of_block`]). Put the local particles into their
-    ///    bins ([`VecBins::put`]).
+    /// 1. Separate local and remote particles ([`take_leavers_of_block`]). Put the local particles
+    ///    into their bins ([`VecBins::put`]).
     /// 2. Copy the border rows ([`border_copies`]), which now contain the local particles again.
     /// 3. Gather the remote particles, then gather the copies ([`Self::gather`], twice).
     /// 4. On the root, make a [`Parcel`] of the two lists of each rank, and sort the parcels

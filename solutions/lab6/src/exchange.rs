@@ -25,8 +25,8 @@ use mpi::{Count, Rank};
 /// A receive needs a buffer of the right length, so there are two exchanges:
 ///
 /// 1. Exchange the lengths of the lists, one `u64` in each direction, and wait.
-/// 2. Start the exchange of the items, call `work`, and wait. (Both sides now know which lists are empty.
-///    You may send these or leave them out.)
+/// 2. Start the exchange of the items, call `work`, and wait. (Both sides now know which lists are
+///    empty. You may send these or leave them out.)
 ///
 /// Until a request has been waited for, its buffer belongs to the message. A [`request::scope`]
 /// enforces this, so make the requests in one.

@@ -35,11 +35,12 @@ fn decide<T: Dealing>(engine: &mut MasterWorkers<T>, mut candidates: Vec<Candida
 ///
 /// 1. In the first step after a scene was loaded, `engine.deal` is `None`. Then deal the pairs to the
 ///    workers of the team ([`deal_out`]).
-/// 2. The master makes its lists ([`MasterWorkers::lists`]). The other ranks have no lists. All ranks call
-///    [`MasterWorkers::send`], which counts, calls [`hand_out`] and returns what arrived.
+/// 2. The master makes its lists ([`MasterWorkers::lists`]). The other ranks have no lists. All
+///    ranks call [`MasterWorkers::send`], which counts, calls [`hand_out`] and returns what
+///    arrived.
 /// 3. A worker that is not the master updates the discs of its blocks ([`update`],
-///    [`Deal::blocks`](hard_disc_ranks::Deal::blocks)). It must move them if this is not the first step
-///    and workers keep their blocks. The master's discs are up to date.
+///    [`Deal::blocks`](hard_disc_ranks::Deal::blocks)). It must move them if this is not the first
+///    step and workers keep their blocks. The master's discs are up to date.
 /// 4. Each worker finds candidates ([`MasterWorkers::find`]), and so does a master that works.
 /// 5. All ranks call [`MasterWorkers::receive`], which counts and calls [`collect`]. Then the master
 ///    decides ([`decide`]).

@@ -13,9 +13,9 @@ use crate::news::{hear, news_for};
 /// Repeat in rounds:
 ///
 /// 1. Take the candidates that are certain ([`take_certain`]).
-/// 2. Add up the news of all ranks ([`SpatialCuts::add_up`]): the candidates in `front`, which is empty
-///    only if none is open, and the taken candidates that have not been told yet. If the sum is zero,
-///    return. All ranks get the same sum, so all ranks return in the same round.
+/// 2. Add up the news of all ranks ([`SpatialCuts::add_up`]): the candidates in `front`, which is
+///    empty only if none is open, and the taken candidates that have not been told yet. If the sum
+///    is zero, return. All ranks get the same sum, so all ranks return in the same round.
 /// 3. Make the news for each partner ([`news_for`]). From now on, all taken candidates count as told.
 ///    Exchange the news ([`SpatialCuts::exchange`], with no work meanwhile). Take in the news of all
 ///    partners at once ([`hear`]).
@@ -47,10 +47,10 @@ fn decide<T: Deciding>(engine: &mut SpatialCuts<T>, partners: &[usize]) {
 ///
 /// 1. Agree on the `range` of this step ([`SpatialCuts::range`]). It determines the partners of this
 ///    rank: [`Strips::partners`] within `range.furthest`.
-/// 2. Send ghosts to the partners ([`ghosts_for`], [`SpatialCuts::exchange`]). While they travel, find the
-///    wall collisions of the rank's own discs ([`walls_of`] by the rules of [`Lab7`]). The owner of a
-///    ghost finds its wall collisions. Nothing in `engine` can be borrowed during an exchange, so
-///    [take](std::mem::take) `own` out, and put it back afterwards.
+/// 2. Send ghosts to the partners ([`ghosts_for`], [`SpatialCuts::exchange`]). While they travel,
+///    find the wall collisions of the rank's own discs ([`walls_of`] by the rules of [`Lab7`]). The
+///    owner of a ghost finds its wall collisions. Nothing in `engine` can be borrowed during an
+///    exchange, so [take](std::mem::take) `own` out, and put it back afterwards.
 /// 3. Combine own discs and ghosts ([`SpatialCuts::see`]), and find the pairs ([`SpatialCuts::find`]).
 ///    This also starts the decisions, and takes the certain candidates at once.
 /// 4. Decide the other candidates ([`decide`]).

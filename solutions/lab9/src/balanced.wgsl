@@ -32,6 +32,7 @@ fn rows() -> u32 {
 // Returns the pair a < b at a row and a column of the rectangle, as in the pictures above.
 //
 // Let even be 1 if n is even, and 0 otherwise.
+//
 // - On the left and below (column < row + even), the pair is (column, row + even).
 // - Otherwise, it is (n − 2 + even − column, n − 1 − row).
 fn pair_at(row: u32, column: u32) -> vec2<u32> {

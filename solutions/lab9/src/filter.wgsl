@@ -41,6 +41,7 @@ const WALL: u32 = 0xffffffffu;
 // Whether discs a and b may collide in this step.
 //
 // Let d be the vector from a to b, and D the velocity of b minus the velocity of a.
+//
 // - If square.everything is not 0, return true.
 // - If d · D > square.receding, return false, because the discs move apart.
 // - Otherwise, they are nearest at the time t = −(d · D) / (D · D). Clamp t to the step, 0 to 1. If

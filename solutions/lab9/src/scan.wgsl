@@ -15,6 +15,7 @@
 //
 // `local` is the number of the invocation in its workgroup. The invocations share THREADS numbers.
 // Three functions are given for them (shared.wgsl in labs/engines/device-discs/src/soft):
+//
 // - `put(k, number)` writes number k.
 // - `fetch(k)` reads number k.
 // - `meet()` is the barrier.

@@ -11,10 +11,10 @@ impl SoftKernels for Lab9 {
     /// Each of `scan.levels` has the kernels `scan_blocks` and `add_sums`, and the `launch` on
     /// which they run.
     ///
-    /// 1. On the way up, from level 0 to the last level, each level sums its blocks. So each level finds the
-    ///    sums of the level below.
-    /// 2. On the way down, the last level is already complete. Each level below it, from the last but one
-    ///    to level 0, adds the sums to its blocks.
+    /// 1. On the way up, from level 0 to the last level, each level sums its blocks. So each level
+    ///    finds the sums of the level below.
+    /// 2. On the way down, the last level is already complete. Each level below it, from the last
+    ///    but one to level 0, adds the sums to its blocks.
     ///
     /// Book: chapter 9, *A prefix sum of any length*.
     fn record_scan(scan: &Scan, work: &mut Work<'_>) {
