@@ -5,7 +5,7 @@ use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// Whether all ranks make new lists before the next forces, because any rank has to.
+/// Whether all ranks must make new lists before the next forces, because at least one must.
 ///
 /// - `list_has_expired`: whether the list of this rank's own particles has expired.
 /// - `moved`: the greatest distance that a particle of this rank may have moved since ghosts were

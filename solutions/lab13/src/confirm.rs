@@ -40,13 +40,13 @@ pub fn right_steps(moves: &[f64], width: f64) -> usize {
 /// All ranks have taken `steps` steps. [`right_steps`] computes the number of right steps.
 ///
 /// - `said`: first the greatest distance that a particle of this rank moved in each step, then
-///   other numbers, by which the next epoch is planned. Afterwards, each of them is the greatest of
-///   all ranks.
+///   other numbers, from which the next epoch is planned. Replace each number by the greatest that
+///   any rank said.
 /// - `width`: the depth with which ghosts were chosen, a length. It is the same on all ranks.
 ///
 /// A rank knows the moves of its own particles. But an error on a rank comes from the particles of
-/// another rank, which may have moved further. And either all ranks must roll back or none: a rank
-/// that rolls back to an earlier step would get the ghosts of a later step.
+/// another rank, which may have moved further. And all ranks must roll back together: a rank that
+/// alone rolls back to an earlier step would get the ghosts of a later step.
 ///
 /// Book: chapter 13, *And if it was wrong*.
 pub fn confirm(world: &SimpleCommunicator, said: &mut [f64], steps: usize, width: f64) -> usize {

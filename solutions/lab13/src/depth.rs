@@ -3,11 +3,11 @@
 use common::soft::CUTOFF;
 use strips::Outlook;
 
-/// Returns the depth of ghosts that lets a rank take `steps` steps without a message, a length.
+/// Returns the ghost depth, a length, that lets a rank take `steps` steps without a message.
 ///
-/// There is at least one step. No particle of any rank moves further than `fastest`, a length, in a
-/// step. The rank must know all particles of other ranks up to this distance from its strip. Its
-/// own particles are then right in all of these steps.
+/// `steps` is at least 1. In a step, no particle of any rank moves further than `fastest`, a
+/// length. If the rank knows all particles of other ranks up to the ghost depth from its strip, its
+/// own particles must be right in all of these steps.
 ///
 /// The rank receives whole particles once, before the first step. It accelerates and moves them
 /// like its own, and receives no message until the last step is over.
@@ -59,6 +59,6 @@ pub fn best_depth(outlook: Outlook) -> u32 {
 /// The cost of a particle in a step (its forces and its move), in nanoseconds on the book's
 /// machine.
 pub const STEP: f64 = 10.0;
-/// The assumed cost of a rank's messages in an epoch, in nanoseconds. It mostly waits for the
-/// slowest.
+/// The assumed cost of a rank's messages in an epoch, in nanoseconds. The rank mostly waits for the
+/// slowest rank.
 pub const WAIT: f64 = 20_000.0;

@@ -8,14 +8,13 @@ use neighbour_list::kernels::{Pair, Positions};
 ///
 /// A particle is needed if its distance from the partner's `strip` is at most `width`.
 ///
-/// - `y`: the positions of the rank's particles along y, in the engine's order. All of them are in
-///   this rank's strip, before or after the partner's.
+/// - `y`: the y coordinates of the rank's particles, in the engine's order. All of them are in this
+///   rank's strip, which is before or after the partner's strip.
 /// - `strip`: the partner's strip. An end of it may be infinite.
 /// - `width`: a length, like `y` and `strip`.
 ///
-/// This decides once which particles are ghosts, for all steps until the next list. The partner
-/// then knows each of them by its index in the message, so the messages contain nothing but
-/// positions.
+/// The choice is made once, for all steps until the next list. The partner then knows each of them
+/// by its index in the message, so the messages contain nothing but positions.
 ///
 /// Book: chapter 13, *What is sent when*.
 pub fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32> {

@@ -8,10 +8,10 @@ use strips::Strips;
 /// They are all other ranks whose strip is at most `width`, a length, from the strip of `rank`.
 /// Usually they are the previous rank and the next rank. But strips may be thinner than `width`,
 /// and ghosts then go further than to the next rank. An empty strip has no particles: its rank
-/// needs no ghosts and has none to send.
+/// neither needs nor sends ghosts.
 ///
-/// Every rank computes its partners alone, without a message. So the ranks must agree: a is a
-/// partner of b exactly if b is a partner of a.
+/// Every rank computes its partners alone, without a message. So the results of two ranks must
+/// agree: a finds b exactly if b finds a.
 ///
 /// Book: chapter 13, *Which ranks are partners*.
 pub fn partners(strips: &Strips, rank: usize, width: f64) -> Vec<Rank> {

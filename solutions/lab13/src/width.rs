@@ -3,10 +3,10 @@
 use common::soft::CUTOFF;
 use strips::Scenery;
 
-/// Returns the width of ghosts that lasts for `steps` steps, a length.
+/// Returns the ghost width, a length, that is enough for `steps` steps.
 ///
-/// There is at least one step. No particle of any rank moves further than `fastest`, a length, in a
-/// step. The rank must know all particles of other ranks up to this distance from its strip.
+/// `steps` is at least 1. In a step, no particle of any rank moves further than `fastest`, a
+/// length. A rank knows all particles of other ranks up to the ghost width from its strip.
 ///
 /// Ghosts are chosen by the positions of particles before the first step. A pair across the border
 /// must be known as soon as it is within the cutoff. Both particles of a pair move. Forces are

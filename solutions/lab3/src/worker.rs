@@ -19,7 +19,7 @@ pub struct Worker<O> {
     pub changed: Vec<Particle>,
     /// One observer for each of the worker's rows, with the pairs of its particles in this step.
     pub seen: Vec<O>,
-    /// The sum of the forces on one particle.
+    /// The memory for the sum of the forces on one particle.
     pub gather: Gather,
 }
 // ANCHOR_END: worker

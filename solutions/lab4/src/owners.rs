@@ -12,7 +12,7 @@ use solution3::{pool, rows_of_each};
 
 use crate::{Bin, Cut, add_across, pairs_across, pairs_within};
 
-/// Empties the `bins` of region `own`, and fills them with the particles that are in them now.
+/// Empties the `bins` of region `own`, then fills them with the particles in this region.
 ///
 /// Bins keep their memory. `particles[i]` has number i. All threads run this at the same time, each
 /// with its own region and with *all* particles. [`Cut::find`] returns the region of a bin.

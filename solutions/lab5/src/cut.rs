@@ -6,8 +6,8 @@ use std::ops::Range;
 ///
 /// The blocks are as equal as possible. Rank k has the rows from k · `rows` / `ranks` up to, not
 /// including, (k + 1) · `rows` / `ranks`, both rounded down. Every block begins where the previous
-/// block ends, so each row belongs to exactly one rank, for any two numbers. If there are more
-/// ranks than rows, some blocks are empty.
+/// block ends, so each row belongs to exactly one rank, for any numbers of rows and ranks. If there
+/// are more ranks than rows, some blocks are empty.
 ///
 /// (The obvious division, `rows / ranks` rows for each rank, is wrong in two ways. If the division
 /// leaves a remainder, the last rows belong to no rank. If there are more ranks than rows, no rank

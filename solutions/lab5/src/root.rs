@@ -16,11 +16,11 @@ use crate::ROOT;
 ///
 /// The root does not know how many items each rank has, so two collective operations are needed:
 ///
-/// - The root gathers a number from each rank, `count`. Call [`Root::gather_into`], and on the root
+/// - The root gathers `count` from each rank. Call [`Root::gather_into`], and on the root
 ///   [`Root::gather_into_root`].
 /// - The root gathers that many items from each rank. Call [`Root::gather_varcount_into`], and on
-///   the root [`Root::gather_varcount_into_root`]. It fills a [`PartitionMut`]: a buffer for the
-///   items of all ranks, the number of items from each rank, and the index at which each rank's
+///   the root [`Root::gather_varcount_into_root`]. The root fills a [`PartitionMut`]: a buffer for
+///   the items of all ranks, the number of items from each rank, and the index at which each rank's
 ///   items begin ([`displacements`]). [`total`] and [`split`] help.
 ///
 /// All ranks call this together, even ranks without items.
@@ -44,8 +44,7 @@ pub fn gather_at_root(world: &SimpleCommunicator, items: &[Wire]) -> Vec<Vec<Wir
     // end 5.4
 }
 
-/// Sends each rank its list from the root: returns `lists[k]` on rank k, and on the root its own
-/// list.
+/// Sends each rank its list from the root: rank k, and also the root, returns `lists[k]`.
 ///
 /// Only the root reads `lists`; on the other ranks it may be empty.
 ///
@@ -54,7 +53,7 @@ pub fn gather_at_root(world: &SimpleCommunicator, items: &[Wire]) -> Vec<Vec<Wir
 /// - The root scatters the length of its list to each rank. Call [`Root::scatter_into`], and on the
 ///   root [`Root::scatter_into_root`].
 /// - The root scatters the items. Call [`Root::scatter_varcount_into`], and on the root
-///   [`Root::scatter_varcount_into_root`]. It sends from a [`Partition`] of one buffer that
+///   [`Root::scatter_varcount_into_root`]. The root sends from a [`Partition`] of one buffer that
 ///   contains all lists in sequence (`concat`).
 ///
 /// All ranks call this together, even ranks with an empty list.

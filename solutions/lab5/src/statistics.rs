@@ -7,8 +7,7 @@ use mpi::traits::*;
 
 use crate::ROOT;
 
-/// Combines the statistics of all ranks: returns the statistics of the box on the root, else
-/// `None`.
+/// Returns the combined statistics of all ranks on the root, and `None` on the other ranks.
 ///
 /// `own` are the statistics of the rank's block. The result contains the least `dmin`, the sum of
 /// all `davg`, the sum of all `navg` and the sum of all `pair_tests`.

@@ -4,9 +4,10 @@ use common_mpi::Wire;
 use halo::{Cuts, Leavers};
 use solution2::Grid;
 
-/// Sorts `leavers` by their new owners. Each list keeps the order of `leavers`.
+/// Sorts `leavers` by their new owners.
 ///
-/// - `leavers` are particles that are no longer in the block of this rank.
+/// - `leavers` are particles that are no longer in the block of this rank. Each list of the result
+///   keeps their order.
 /// - `neighbours` are the ranks before and after this one, if they exist
 ///   ([`neighbours`](crate::neighbours)).
 ///

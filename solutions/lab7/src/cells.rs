@@ -4,8 +4,7 @@ use std::ops::Range;
 
 use hard_discs::Entry;
 
-/// Returns the indices of the entries after `k` whose boxes share a column with the box of entry
-/// `k`.
+/// Returns the indices of the entries after `k` whose boxes share a column with the box of `k`.
 ///
 /// `entries` are sorted by cell. So the entries of a row are adjacent, in the order of the columns
 /// where their boxes begin. The boxes that begin in the columns of entry `k`, from its own cell to

@@ -34,7 +34,7 @@ pub fn outer(
 
 /// Shares out the inner loop (the report's p2), with n forks and joins.
 ///
-/// Each worker does a part of every row, and writes into its list. The row of disc a is a loop over
+/// Worker w does a part of every row, and writes into list w. The row of disc a is a loop over
 /// `0..n - a - 1`. Its first iteration is disc a + 1.
 ///
 /// Book: chapter 7, *Which loop*.

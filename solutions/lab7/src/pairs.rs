@@ -6,15 +6,15 @@ use hard_discs::{Candidate, Hit};
 /// Returns the time λ at which discs a and b touch in this step, or `None` if they do not.
 ///
 /// Assume that nothing stops the discs before. Both have radius r = `radius`. Let d be the vector
-/// from a to b. Let D be the velocity of b minus the velocity of a, so the vector at time λ is d +
-/// λ D. Let s = d · D.
+/// from a to b. Let D be the velocity of b minus the velocity of a, so the vector at time λ is
+/// d + λ D. Let s = d · D.
 ///
 /// - If s ≥ 0, the discs do not approach each other. Return `None`, even if they overlap.
 /// - Otherwise, if they overlap or touch already (|d|² ≤ 4 r²), they collide at once, at λ = 0.
 ///   (Discs at the same position have s = 0.)
 /// - Otherwise, |d + λ D|² = 4 r² is a quadratic equation with Δ = 4 r² |D|² − (d × D)². If Δ ≤ 0,
-///   the discs pass each other, or only graze. If Δ > 0, they first touch at the smaller root, λ =
-///   (−s − √Δ) / |D|².
+///   the discs pass each other, or only graze. If Δ > 0, they first touch at the smaller root,
+///   λ = (−s − √Δ) / |D|².
 /// - They collide if λ < 1. At exactly 1 the step is over.
 ///
 /// In this form, the root subtracts two numbers that may agree in nearly all their digits. Multiply

@@ -9,8 +9,8 @@ use hard_discs::{Hit, Square};
 /// The disc has collided in this step. It goes back along its own path until it is inside the
 /// square:
 ///
-/// - Along each axis where the disc is beyond a wall `bound`, going back takes the time (x − bound)
-///   / vx.
+/// - Along each axis where the disc is beyond a wall `bound`, going back takes the time
+///   (x − bound) / vx.
 /// - The longest of these times, t, brings it inside along both axes: (x, y) −= t (vx, vy).
 /// - The velocity stays, so the disc hits the wall in the next step, at λ = 0.
 ///
@@ -69,8 +69,7 @@ pub fn bounce(disc: &mut Disc, time: f64, hit: Hit, square: Square) {
 ///    ([`stop_at_wall`]).
 /// 4. Count one pair collision for each disc.
 ///
-/// Divide by the actual |n|². Without rounding and overlaps it would be (2 r)², so do not divide by
-/// that.
+/// Divide by the actual |n|². It differs from (2 r)² because of rounding and overlaps.
 ///
 /// Book: chapter 7, *What a collision does*.
 pub fn collide(a: &mut Disc, b: &mut Disc, time: f64, square: Square) {

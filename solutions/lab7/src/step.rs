@@ -9,9 +9,9 @@ use hard_discs::{Collisions, Engine, Find, Window};
 /// 3. Add the wall collisions whose time is in the window to the first list.
 /// 4. Let `engine.choice` choose ([`Choice::take`], with `C`: `take::<C>`).
 ///
-/// `engine.walls` contains the wall collisions. If there are several windows, they are sorted by
-/// time. Those before index `next_wall` belong to earlier windows. Return the index of the first
-/// wall collision that belongs to a later window.
+/// `engine.walls` contains the wall collisions. If there are several windows, the wall collisions
+/// are sorted by time. Those before index `next_wall` belong to earlier windows. Return the index
+/// of the first wall collision that belongs to a later window.
 ///
 /// Book: chapter 7, *A step*.
 ///
@@ -42,7 +42,7 @@ pub fn collide_in<C: Collisions, F: Find>(
 /// 5. Move the discs that are still free by a whole step, and carry out the collisions that were taken
 ///    ([`Engine::move_discs`]).
 ///
-/// All candidates refer to the discs at the start of the step, so no disc may move before number 5.
+/// All candidates refer to the discs at the start of the step, so no disc may move before item 5.
 ///
 /// Book: chapter 7, *A step*.
 pub fn step<C: Collisions, F: Find>(engine: &mut Engine<C, F>) {

@@ -5,8 +5,8 @@ use hard_discs::{Candidate, Hit, Square};
 
 /// Returns the collision of disc number `a` with the walls in this step, or `None` without one.
 ///
-/// Assume that nothing stops the disc before. Its centre stays in `square.least() ..=
-/// square.most()` along each axis. Look at each axis separately:
+/// Assume that nothing stops the disc before. Its centre must stay in
+/// `square.least() ..= square.most()` along each axis. Look at each axis separately:
 ///
 /// - If the straight path ends below, x + vx < least, the time is λ = (least − x) / vx. If it ends
 ///   above, x + vx > most, the time is λ = (most − x) / vx. Otherwise the disc hits no wall along

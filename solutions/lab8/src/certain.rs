@@ -13,11 +13,12 @@ use solution7::order;
 /// earliest of them. There are three cases:
 ///
 /// - *Dropped*: one of the candidate's discs is not free, so it cannot happen. Wherever it is first
-///   in the queue of a free disc, [advance](hard_disc_ranks::Queues::advance) that queue. Also look
-///   at the candidate that is now first there, when it is the earliest.
-/// - *Taken*: none of its discs `waits`, and it comes before the rival of each disc that has a
-///   rival. No other candidate, of this rank or another rank, can then come before it. Append it to
-///   `taken`, and mark its discs as not free.
+///   in the queue of a free disc, [advance](hard_disc_ranks::Queues::advance) that queue. Look at
+///   the candidate that is now first there when its turn comes.
+/// - *Taken*: `waits` is false for all its discs, and it comes before the rival of each disc that
+///   has a rival. (The rival of a disc is its earliest open candidate on other ranks.) No other
+///   candidate, of this rank or another rank, can then come before it. Append it to `taken`, and
+///   mark its discs as not free.
 /// - *Left open*: it may or may not happen. Let its discs wait, because no later candidate of these
 ///   discs is certain until this one is decided. If one of the discs did not wait before, the
 ///   candidate is the earliest open candidate of that disc. Other ranks may need to know it, so

@@ -18,7 +18,7 @@ use solution7::Candidate;
 /// compute its position. After each step, the master therefore sends the discs that were in a
 /// collision of `taken`, and only these.
 ///
-/// Look at each disc of a pair separately: both, one or none of them may be in held blocks.
+/// Look at each disc of a pair separately: a held block may contain both of them, one, or neither.
 /// [`Cut::owner`] returns the block of a disc.
 ///
 /// Book: chapter 8, *What a worker cannot know*.

@@ -7,10 +7,11 @@ use solution7::{Candidate, resolve, take_in_order};
 use crate::collided::update;
 use crate::deal::deal_out;
 
-/// Decides in the master which of all workers' candidates happen, and moves the discs.
+/// Decides which of all workers' `candidates` happen, and moves the discs.
 ///
-/// Take the candidates that happen, with lab 7's [`take_in_order`]. Move the discs that are still
-/// free straight on. Carry out the collisions that were taken, with lab 7's [`resolve`].
+/// Only the master calls this. Take the candidates that happen, with lab 7's [`take_in_order`].
+/// Move the discs that are still free straight on. Carry out the collisions that were taken, with
+/// lab 7's [`resolve`].
 ///
 /// `engine.taken` contains the collisions of the previous step: replace them. `engine.tally.taken`
 /// counts the new ones.

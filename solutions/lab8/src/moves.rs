@@ -10,7 +10,8 @@ use solution7::{Square, resolve};
 ///
 /// - A disc in a candidate of `decisions.taken` was taken here. This rank moves both discs of a
 ///   pair, even ghosts. Lab 7's [`resolve`] carries out the candidates that were taken.
-/// - A disc that is free flies straight. The rank that owns it moves it: `owns[slot]`.
+/// - A disc that is free flies straight. The rank that owns it moves it; there, `owns[slot]` is
+///   true.
 /// - Any other disc was taken by another rank, which moves it. Leave it out, even if this rank owns
 ///   it: the other rank sends it to the right owner.
 ///

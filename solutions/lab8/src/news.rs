@@ -5,7 +5,8 @@ use solution7::{Candidate, order};
 
 /// Returns the news for `partner`: candidates with a disc that the partner also has.
 ///
-/// [`Decisions::concerns`] tests this. The order of the news:
+/// [`Decisions::concerns`] tests whether the partner has a disc of a candidate. The news is, in
+/// this order:
 ///
 /// 1. The candidates of `decisions.taken` that have not been told yet, from index `told` on, as
 ///    [`CandidateWire::taken`].

@@ -50,9 +50,9 @@ fn pair_at(row: u32, column: u32) -> vec2<u32> {
 // The rectangle may have fewer rows. `me` is the number of this invocation, and `all` is the number
 // of invocations.
 //
-// Go from pair to pair like counting with two digits. The next pair of this invocation is all /
-// width() rows and all % width() columns further. If the column becomes too large, carry over to
-// the row.
+// Go from pair to pair like counting with two digits. The next pair of this invocation is
+// all / width() rows and all % width() columns further. If the column becomes too large, carry over
+// to the row.
 fn find_of_pairs(me: u32, all: u32) {
     // task 9.4b: deal the pairs
     if square.n < 2u {

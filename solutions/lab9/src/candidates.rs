@@ -10,7 +10,7 @@ use solution7::{Candidate, Square, pair_hit, wall_hit};
 use crate::Lab9;
 
 impl HardKernels for Lab9 {
-    /// Adds all candidates in `rows` of work to `found`.
+    /// Adds all candidates of some rows of work to `found`.
     ///
     /// The kernels count the candidates. If there are more than `finder.capacity()`, the device's
     /// list contains only the first of them.
@@ -18,12 +18,12 @@ impl HardKernels for Lab9 {
     /// - `finder.run(rows)` runs the kernels on the rows, and returns the number of candidates.
     /// - If the list had room for all candidates, `finder.fetch(count, found)` adds them to
     ///   `found`.
-    /// - If it had not, `finder.grow(count)` makes room for that number, and the kernels must run
+    /// - Otherwise, `finder.grow(count)` makes room for that number, and the kernels must run
     ///   again.
     /// - `finder.grow` returns an error if the device has too little memory. Then collect the first
-    ///   half of the rows and the second half separately. A single row has at most as many
-    ///   candidates as there are discs, for which there is always room: if there is only one row,
-    ///   return the error.
+    ///   half of the rows and the second half separately. If there is only one row, return the
+    ///   error. (The list always has room for the candidates of one row, which are at most as many
+    ///   as the discs.)
     ///
     /// Book: chapter 9, *A list that grows*.
     fn collect(

@@ -4,8 +4,8 @@
 // spread over thousands of invocations, and it is not necessary. A candidate that comes first among
 // all candidates of *each* of its discs must happen, because no other candidate can take its discs.
 // Take all such candidates at once, drop the candidates whose discs are taken, and repeat. The
-// first of all candidates is always among them, so the rounds end. They take the same candidates as
-// the sort.
+// first of all candidates is always among them, so the rounds end. The rounds take the same
+// candidates as the sort.
 //
 // Times are f64, but this device may not have f64. Of two positive floating-point numbers, the
 // larger also has the larger bits. So a time is two u32, `high` and `low`. Comparing `high` first

@@ -10,8 +10,8 @@
 struct Box {
     // The number of particles.
     n: u32,
-    // The number of bins along x, and along y. The bin in column cx and row cy is cy * columns +
-    // cx.
+    // The number of bins along x, and along y. The bin in column cx and row cy is
+    // cy * columns + cx.
     columns: u32,
     // The side of the box.
     size: real,

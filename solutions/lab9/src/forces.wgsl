@@ -50,8 +50,8 @@ fn look(tally: ptr<function, Tally>, d: vec2<real>) {
 //
 // - Add up pair_acceleration(d) over all particles j of i's bin and of the eight bins around it, as
 //   far as they exist. j = i may be included, because it adds zero.
-// - d is separation(i, j, over). `over` is the bin column of j minus that of i, and the bin row of
-//   j minus that of i. Each is −1, 0 or 1.
+// - d is separation(i, j, over), where `over` =
+//   (bin column of j − bin column of i, bin row of j − bin row of i). Both numbers are −1, 0 or 1.
 // - Take the bins row by row, and the particles of a bin in the order of the sorted arrays, from
 //   starts[bin] up to, not including, starts[bin + 1].
 // - If STATISTICS is set, also call look(tally, d) for each j.

@@ -1,9 +1,9 @@
 // Task 9.7: the counting sort, in three kernels around the prefix sum.
 //
-// Lab 2 went through the particles in order to sort them into bins. Here all particles arrive at
-// the same time, in any order that the device chooses. The result must not depend on this order,
-// because sums of forces depend on the order of particles. A program with two different answers
-// cannot be debugged.
+// Lab 2 visited the particles one after the other, and put each of them into its bin. Here all
+// particles arrive at the same time, in any order that the device chooses. The result must not
+// depend on this order, because sums of forces depend on the order of particles. A program with two
+// different answers cannot be debugged.
 
 // The number of particles in each bin. After the prefix sum, the same memory is `starts`.
 @group(0) @binding(1) var<storage, read_write> counts: array<atomic<u32>>;
