@@ -1,6 +1,5 @@
-//! Questions about single free flights, with drawn inputs: where they lead, how near two
-//! particles come, and
-//! whether a deviation or a wall matters.
+//! Questions about single free flights, with drawn inputs: where they lead, how near two particles
+//! come, and whether a deviation or a wall matters.
 
 use common::soft::DT;
 use lab11::{closest_squared, fly, meets_wall, too_far_off};
