@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use common_threads::{Guard, Lock, Stopwatch};
 
-/// The time that one thread has spent, and its locks.
+/// The times and the lock counts of one thread.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Meter {
     /// The time spent on forces.
