@@ -28,11 +28,11 @@ fn without_compiler(top: &Path) -> String {
     format!("{shown}:{}", std::env::var("PATH").unwrap())
 }
 
-/// What must not depend on the inputs.
+/// What must not depend on the inputs. The share of a wrong task does: it has partial points.
 fn marks(record: &Value) -> Vec<[&Value; 2]> {
     let tasks = record["tasks"].as_array().into_iter().flatten();
     let tasks = tasks.map(|task| [&task["id"], &task["passed"]]);
-    [[&record["status"], &record["points"]]].into_iter().chain(tasks).collect()
+    [[&record["lab"], &record["status"]]].into_iter().chain(tasks).collect()
 }
 
 #[test]
