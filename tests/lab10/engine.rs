@@ -80,7 +80,7 @@ pub(crate) fn steps(_: &mut Random, ask: &mut impl Ask) {
     serial().forces(ask);
 }
 
-/// Crowds, a box with few neighbours, pairs over edges of cells, and a heap.
+/// Crowds, a box with few neighbours, pairs over edges of cells, and a pile of particles.
 pub(crate) fn drawn_boxes(random: &mut Random, ask: &mut impl Ask) {
     for runs in [serial(), serial().set("inner", 0.0)] {
         let n = 200 + random.below(200);

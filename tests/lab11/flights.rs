@@ -1,5 +1,5 @@
-//! Questions about single free flights, with drawn inputs: where they lead, how near two come, and
-//! whether a deviation or a wall matters.
+//! Questions about single free flights, with drawn inputs: where they lead, how near two particles
+//! come, and whether a deviation or a wall matters.
 
 use common::soft::DT;
 use lab11::{closest_squared, fly, meets_wall, too_far_off};
@@ -77,7 +77,7 @@ fn vector(random: &mut Random, size: f64) -> [f64; 2] {
     [0; 2].map(|_| if random.below(6) == 0 { 0.0 } else { size * random.signed(1e-2, 1.0) })
 }
 
-/// Two that are near or far, and slow or fast for the time that they have.
+/// Pairs of particles that are near or far, and slow or fast for the time that they have.
 pub(crate) fn approaches(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..4000 {
         let approach = Approach::drawn(random, case);

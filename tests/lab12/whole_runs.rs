@@ -95,8 +95,8 @@ pub(crate) fn order(_: &mut Random, ask: &mut impl Ask) {
     order_in_contact(ask, "rk4", 4.0);
 }
 
-/// Two particles come together from outside the cutoff, one of them past a wall: an event that is
-/// not located costs the order.
+/// Two particles come together from outside the cutoff, one of them past a wall: an event
+/// that is not located reduces the order of convergence.
 pub(crate) fn across_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
     starts_with_the_fall();
     let particles = vec![

@@ -68,7 +68,7 @@ impl Filled {
     }
 }
 
-/// The bins that come after one, at walls, in corners and anywhere.
+/// The bins that come after a given bin, at walls, in corners and anywhere.
 pub(crate) fn forwards(random: &mut Random, ask: &mut impl Ask) {
     for along in [1, 2, 3, 4, 256, 300, 70_000, 1 << 30] {
         let grid = Grid::with_bins_along(1.0, along);
@@ -88,7 +88,7 @@ pub(crate) fn forwards(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The first, the last or any.
+/// The first index, the last, or a random one.
 fn any_index(random: &mut Random, along: usize) -> usize {
     [0, along - 1, random.below(along)][random.below(3)]
 }

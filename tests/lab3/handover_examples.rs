@@ -94,7 +94,7 @@ pub(crate) fn mail(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let mut bins = SortedBins::new(Grid::with_bins_along(6.0, 6), 2..4);
         bins.refill([letter(4, 2), letter(5, 3)]);
-        // It has moved from row 3 to row 2.
+        // Particle 5 has moved from row 3 to row 2.
         bins.particles_mut()[1].y = 2.9;
         let mail = posted();
         let headings = ["in row 2", "in row 3", "mail from 0", "from 1", "from 2", "from 2 to 0"];

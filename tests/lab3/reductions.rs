@@ -94,7 +94,7 @@ fn by_blocks(parts: &[Tally]) -> Statistics {
     statistics(&sum)
 }
 
-/// Any order of the additions is right.
+/// Compares up to rounding, because the additions may happen in any order.
 fn up_to_rounding<A: Ask>(ask: &mut A, question: &str, found: Vec<f64>, parts: &[Tally]) {
     ask.near(
         question,

@@ -98,7 +98,7 @@ pub(crate) fn pairs_of_loops(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// One list holds what many lists hold.
+/// Searches that append to one shared list find the same pairs.
 pub(crate) fn pairs_in_one_list(_: &mut Random, ask: &mut impl Ask) {
     // On a fresh starter this task's todo comes first.
     let pair = Candidate { time: 0.5, hit: Hit::Pair(0, 1) };

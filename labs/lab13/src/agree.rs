@@ -5,20 +5,22 @@ use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// Whether all ranks make their lists anew before the next forces: if any of them has to.
+/// Whether all ranks must make new lists before the next forces, because at least one must.
 ///
-/// - `list_has_expired`: whether the list of this rank's own particles is.
-/// - `moved`: how far a particle of this rank may have gone since ghosts were chosen.
-/// - `width`: how wide they were chosen, on all ranks the same.
+/// - `list_has_expired`: whether the list of this rank's own particles has expired.
+/// - `moved`: the greatest distance that a particle of this rank may have moved since ghosts were
+///   chosen, a length.
+/// - `width`: the width with which ghosts were chosen, a length. It is the same on all ranks.
 ///
-/// Ghosts have expired when a pair across a border may be within the cutoff and is not listed. Both
-/// of such a pair may have moved, one here and one on another rank, and a rank knows only how far
-/// its own particles went. So let each rank look at its own alone, as if its partner's had gone as
-/// far: then the rank whose particles went furthest is the first to say so.
+/// Ghosts have expired when a pair across a border may be within the cutoff without being listed.
+/// Both particles of the pair may have moved, one on this rank and one on another rank, but a rank
+/// knows only the moves of its own particles. So each rank assumes that its partner's particles
+/// have moved as far as its own. The rank whose particles moved furthest is then the first to
+/// report that ghosts have expired.
 ///
-/// All ranks must decide alike, else one rank sends positions while another sends movers, and both wait
-/// for ever. So each puts in its word, 0 or 1, and all get the greatest
-/// ([`CommunicatorCollectives::all_reduce_into`]).
+/// All ranks must reach the same decision. Otherwise one rank sends positions while another rank
+/// sends movers, and both wait forever. So each rank contributes 0 or 1, and all ranks get the
+/// greatest of these numbers ([`CommunicatorCollectives::all_reduce_into`]).
 ///
 /// Book: chapter 13, *When all must agree*.
 pub fn must_renew(

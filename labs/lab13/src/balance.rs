@@ -2,28 +2,34 @@
 
 use neighbour_list::LISTED;
 
-/// The move of a particle, in nanoseconds on the machine of the book. Like lab 10's
-/// [`LISTED`], it decides nothing but speed.
+/// The cost of moving a particle, in nanoseconds on the book's machine.
+///
+/// Like lab 10's [`LISTED`], it affects nothing but speed.
 pub const MOVED: f64 = 2.0;
 
-/// The cost of a step for a rank with `particles` particles and `pairs` listed pairs, in whole
-/// nanoseconds, rounded up: [`MOVED`] for each particle and [`LISTED`] for each pair.
+/// Returns the cost of a step for a rank with `particles` particles and `pairs` listed pairs.
+///
+/// The cost is [`MOVED`] for each particle and [`LISTED`] for each pair, in nanoseconds, rounded
+/// up.
 ///
 /// Book: chapter 13, *Balance*.
 pub fn load(particles: usize, pairs: usize) -> u64 {
     todo!("task 13.5: what a step costs")
 }
 
-/// The cost of a step in each row of bins, as far as a rank can tell: its `load`, dealt out to its
-/// rows in proportion to the particles in them, each share rounded down.
+/// Estimates the cost of a step in each row of bins, in nanoseconds.
 ///
-/// - `counts`: own particles in every row of the box; 0 in the rows of other ranks.
+/// - `counts`: the number of the rank's particles in each row of the box, 0 in the rows of other
+///   ranks.
+/// - `load`: the cost of a step for the rank.
 ///
-/// A rank without particles has nothing to deal out. Strips are cut by the sum over all ranks
-/// ([`solution6::balanced`]). A clock would know the cost of a row better, but then
-/// two runs would cut differently and give different bits.
+/// The rank's load is divided among its rows in proportion to the particles in them. Each share is
+/// rounded down. If the rank has no particles, every share is 0.
 ///
-/// Loads and counts are large: `load` times a count may not fit a `u64`.
+/// Strips are cut by the sum over all ranks ([`solution6::balanced`]). A clock would measure the
+/// cost of a row better, but two runs would then make different cuts and yield different bits.
+///
+/// Loads and counts are large: the product of `load` and a count may exceed a `u64`.
 ///
 /// Book: chapter 13, *Balance*.
 pub fn weigh_rows(counts: &[u64], load: u64) -> Vec<u64> {

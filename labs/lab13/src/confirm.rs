@@ -1,37 +1,41 @@
-//! Task 13.8: whether the steps of an epoch stand.
+//! Task 13.8: the steps of an epoch that are right.
 
 use common::soft::CUTOFF;
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// How many steps of an epoch are right: all, or those before the first that may be wrong. At least
-/// 1.
+/// Returns the number of right steps in an epoch: those before the first that may be wrong, or all.
 ///
-/// - `moves`: how far the particle that went furthest went, of all ranks, in each of the steps that
-///   were taken, at least one.
-/// - `width`: how deep the ghosts were chosen. At least the cutoff.
+/// The first step is always right.
 ///
-/// [`deep_width`](crate::deep_width) trusted that no particle would become faster than was foreseen.
-/// Now it is known. In k steps forces are computed k times, and particles are moved k − 1 times before
-/// the last of them: the first k steps are right if k cutoffs and twice the first k − 1 `moves` are
-/// no more than `width`.
+/// - `moves`: the greatest distance that a particle of any rank moved, in each of the steps taken.
+///   There is at least one step.
+/// - `width`: the depth with which ghosts were chosen, at least the cutoff. All numbers are
+///   lengths.
+///
+/// [`deep_width`](crate::deep_width) assumed a greatest speed. Now the actual moves are known. In k
+/// steps, forces are computed k times, and particles are moved k − 1 times before the last of these
+/// computations. So the first k steps are right if k cutoffs plus twice the sum of the first k − 1
+/// `moves` are at most `width`.
 ///
 /// Book: chapter 13, *And if it was wrong*.
 pub fn right_steps(moves: &[f64], width: f64) -> usize {
     todo!("task 13.8: how many steps are right")
 }
 
-/// How many of the `steps` steps that all ranks have taken are right on all of them
-/// ([`right_steps`]): on every rank the same number.
+/// Returns the number of steps that are right on all ranks, which is the same on every rank.
 ///
-/// - `said`: first how far the furthest particle of this rank went in each of the steps, then other
-///   numbers, by which the next epoch is planned. Afterwards each is the greatest that any rank said.
-/// - `width`: how deep ghosts were chosen, on all ranks the same.
+/// All ranks have taken `steps` steps. [`right_steps`] computes the number of right steps.
 ///
-/// A rank knows how far its own particles went. But an error on one rank comes from particles
-/// of another, and these particles may have gone further. And all ranks must roll back, or none: a rank
-/// that rolls back to an earlier step would get ghosts of a later one.
+/// - `said`: first the greatest distance that a particle of this rank moved in each step, then
+///   other numbers, from which the next epoch is planned. Replace each number by the greatest that
+///   any rank said.
+/// - `width`: the depth with which ghosts were chosen, a length. It is the same on all ranks.
+///
+/// A rank knows the moves of its own particles. But an error on a rank comes from the particles of
+/// another rank, which may have moved further. And all ranks must roll back together: a rank that
+/// alone rolls back to an earlier step would get the ghosts of a later step.
 ///
 /// Book: chapter 13, *And if it was wrong*.
 pub fn confirm(world: &SimpleCommunicator, said: &mut [f64], steps: usize, width: f64) -> usize {

@@ -1,19 +1,21 @@
-//! Task 13.4: positions under way while inner particles move.
+//! Task 13.4: positions travel while inner particles move.
 
 use mpi::Rank;
 use mpi::request;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// Sends `sent[k]` to rank `partners[k]`, fills `received[k]` with what that rank sends, and calls
-/// `meanwhile` once, while the messages are under way. Returns when everything has arrived.
+/// Exchanges positions with all partners, and calls `meanwhile` once while the messages travel.
 ///
-/// Lab 6 had to send lengths first. Here both sides have known since the list was made how many
-/// ghosts there are: `received[k]` has the right length, and every partner gets one message.
+/// Send `sent[k]` to rank `partners[k]`, and fill `received[k]` with the positions from that rank.
+/// Return when all of them have arrived.
 ///
-/// Start all receives, then all sends, then work; wait last
-/// ([`Source::immediate_receive_into`], [`Destination::immediate_send`], [`request::scope`]). A
-/// list may be empty: it is sent all the same, for the partner waits for it.
+/// Lab 6 had to send lengths first. Here both sides have known the number of ghosts since the list
+/// was made. So `received[k]` has the right length, and every partner gets only one message.
+///
+/// Start all receives, start all sends, call `meanwhile`, and finally wait
+/// ([`Source::immediate_receive_into`], [`Destination::immediate_send`], [`request::scope`]). Send
+/// empty lists too, because the partner waits for them.
 ///
 /// Book: chapter 13, *Meanwhile*.
 pub fn exchange_positions(

@@ -1,38 +1,43 @@
-//! Task 13.1: how wide ghosts must be.
+//! Task 13.1: the width of ghosts.
 
 use common::soft::CUTOFF;
 use strips::Scenery;
 
-/// How far from its strip a rank must know the particles of other ranks, so that its ghosts last
-/// for `steps` steps, at least 1. A length, like `fastest`.
+/// Returns the ghost width, a length, that is enough for `steps` steps.
 ///
-/// Ghosts are chosen where particles stand, before the first of these steps; no particle of any
-/// rank goes further than `fastest` in a step. A pair across the border must be known as soon as it
-/// is within the cutoff. Both of a pair move. Forces are computed before a step moves particles, so
-/// in the first step ghosts and particles stand where they were chosen.
+/// `steps` is at least 1. In a step, no particle of any rank moves further than `fastest`, a
+/// length. A rank knows all particles of other ranks up to the ghost width from its strip.
+///
+/// Ghosts are chosen by the positions of particles before the first step. A pair across the border
+/// must be known as soon as it is within the cutoff. Both particles of a pair move. Forces are
+/// computed before a step moves particles, so in the first step all particles are where they were
+/// when ghosts were chosen.
 ///
 /// Book: chapter 13, *How wide*.
 pub fn ghost_width(fastest: f64, steps: u32) -> f64 {
     todo!("task 13.1: how wide ghosts must be")
 }
 
-/// For how many steps ghosts should be chosen: of 1, 2, … `most` steps the number that makes a step
-/// cheapest; of equal ones the fewest.
+/// Returns the number of steps that ghosts should last.
 ///
-/// All costs are counted for each particle of a strip of height H, with ghosts of width W on both of
-/// its sides and `density` ρ. There are 2 W / H ghosts for each particle, and
-/// 2 · ⅔ ρ W³ / H pairs across its borders that are at most W apart. Each ghost costs [`GHOST`] in
-/// a step and each pair [`ACROSS`]. To rebuild lists costs [`RENEWAL`], once in these steps.
+/// Of 1, 2, … `most` steps, choose the number that makes a step cheapest. Of equally cheap numbers,
+/// choose the least.
+///
+/// All costs are for each particle of a strip of height H, with ghosts of width W on both sides and
+/// a `density` of ρ. For each particle there are 2 W / H ghosts. There are also 2 · ⅔ ρ W³ / H
+/// pairs across the borders whose distance is at most W. In a step, each ghost costs [`GHOST`] and
+/// each pair costs [`ACROSS`]. Rebuilding the lists costs [`RENEWAL`], once in all of these steps.
 ///
 /// Book: chapter 13, *How wide*.
 pub fn best_steps(scenery: Scenery) -> u32 {
     todo!("task 13.1b: for how many steps ghosts should last")
 }
 
-/// New lists, for each particle, in nanoseconds on the machine of the book.
-/// Costs decide nothing but speed, and they are constants, so that a run repeats.
+/// The cost of new lists for each particle, in nanoseconds on the book's machine.
+///
+/// Costs affect nothing but speed. They are constants, so that every run computes the same.
 pub const RENEWAL: f64 = 40.0;
-/// A ghost that is sent, or received.
+/// The cost of sending or receiving a ghost, in nanoseconds.
 pub const GHOST: f64 = 5.0;
-/// A look at a pair across the border in a step.
+/// The cost of testing a pair across the border in a step, in nanoseconds.
 pub const ACROSS: f64 = 1.0;

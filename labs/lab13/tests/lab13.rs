@@ -157,8 +157,8 @@ oracle::questions! {
         kicked after "13.2, 13.5, 13.7" = |_, ask| deep(&[2, 3, 5]).resynchronised(ask, &[a_kick()], 12)
             => "A particle that is kicked across a border in the middle of an epoch, on 2, 3 and 5 ranks: each of 12 steps.",
         taken_again after "13.2, 13.5, 13.7" = |_, ask| taken_again(ask)
-            => "A particle that is kicked across a border in the middle of an epoch: how many epochs of 12 steps were taken \
-                again, at least one.",
+            => "A particle that is kicked across a border in the middle of an epoch: how many epochs in a \
+                run of 12 steps were rolled back, at least one.",
         repeated after "13.2, 13.5, 13.7"
             = |_, ask| deep(&[3]).same_bits(ask, &[scenes::dense(), a_kick()], 61, &[])
             => "Two scenes on three ranks, run three times, once without a look before the end: the same bits.",

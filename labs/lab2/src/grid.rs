@@ -33,7 +33,7 @@ impl Grid {
         Self::with_bins_along(size, bins_along(size, least, n))
     }
 
-    /// Makes the grid with exactly `along` bins along each wall, at least 1.
+    /// Makes the grid with exactly `along` bins along each wall. `along` must be at least 1.
     pub fn with_bins_along(size: f64, along: usize) -> Self {
         Self { size, along, bins_per_length: along as f64 / size }
     }

@@ -1,4 +1,4 @@
-//! Given: where threads wait for each other.
+//! Given: a barrier, at which threads wait for each other.
 
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::thread;
@@ -6,9 +6,9 @@ use std::time::Duration;
 
 /// A barrier that breaks when a member panics.
 ///
-/// At [`std::sync::Barrier`] the other members would wait for ever for a thread that has panicked. Here
-/// they panic as well, so that a mistake ends the run and its own message is the first one. And nobody waits
-/// for a member that has ended.
+/// At [`std::sync::Barrier`], the other members would wait forever for a thread that has panicked.
+/// Here they panic too, so a mistake ends the run, and its own message comes first. Members do not
+/// wait for a member that has finished.
 #[derive(Debug)]
 pub struct Barrier {
     state: Mutex<State>,
@@ -17,26 +17,26 @@ pub struct Barrier {
 
 #[derive(Debug, Default)]
 struct State {
-    /// That have not ended.
+    /// The number of members that have not finished yet.
     members: usize,
     waiting: usize,
-    /// How often all members have met. A member leaves when it changes, not when `waiting` does:
-    /// by then the first member may be waiting at the next barrier.
+    /// The number of times that all members have met. A member leaves when this number changes, not
+    /// when `waiting` does: by then the first member may be waiting at the next barrier.
     meetings: u64,
     broken: bool,
 }
 
 impl Barrier {
-    /// A barrier for `members` members.
+    /// Makes a barrier for `members` members.
     pub fn new(members: usize) -> Self {
         let state = State { members, ..State::default() };
         Self { state: Mutex::new(state), change: Condvar::new() }
     }
 
-    /// Returns when all members have called it.
+    /// Returns when all members that have not finished have called it.
     ///
     /// # Panics
-    /// A member has panicked.
+    /// If a member has panicked.
     pub fn wait(&self) {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         let meeting = state.meetings;
@@ -50,7 +50,7 @@ impl Barrier {
         assert!(!broken, "another member of the team has panicked");
     }
 
-    /// Sets all free if all that have not ended wait.
+    /// Releases all members if every member that has not finished is waiting.
     fn meet(&self, state: &mut State) {
         if state.waiting == state.members {
             state.waiting = 0;
@@ -59,13 +59,14 @@ impl Barrier {
         }
     }
 
-    /// How often all members have met so far.
+    /// The number of times that all members have met so far.
     pub fn meetings(&self) -> u64 {
         self.state.lock().unwrap_or_else(PoisonError::into_inner).meetings
     }
 
-    /// Returns when all *other* members wait here, or the barrier is broken: it holds a member back
-    /// as long as the rest can go on without it.
+    /// Returns when all *other* members wait here, or the barrier is broken.
+    ///
+    /// This holds a member back for as long as the others can continue without it.
     pub fn be_last(&self) {
         while !self.others_wait() {
             thread::sleep(Duration::from_micros(20));
@@ -78,14 +79,16 @@ impl Barrier {
         state.waiting + 1 >= state.members || state.broken
     }
 
-    /// A guard for a member: when it ends nobody waits for it any more, and if its thread panics, the barrier
-    /// breaks.
+    /// Returns a guard, which a member holds until it finishes.
+    ///
+    /// When the guard is dropped, the others no longer wait for the member. If the member's thread
+    /// panics, the barrier breaks.
     pub fn membership(&self) -> Membership<'_> {
         Membership(self)
     }
 }
 
-/// Dropped when a member ends.
+/// The guard of a member, dropped when the member finishes.
 #[derive(Debug)]
 pub struct Membership<'a>(&'a Barrier);
 
@@ -114,8 +117,9 @@ mod tests {
 
     use super::Barrier;
 
-    /// Members come late by turns, and some are put to sleep in between, so that the order in
-    /// which they arrive and leave is another one at each meeting.
+    /// Members arrive late in turn, and some sleep between barriers.
+    ///
+    /// So they arrive and leave in a different order at each meeting.
     #[test]
     fn no_member_passes_before_all_have_come() {
         for members in 1..=5 {
@@ -139,7 +143,7 @@ mod tests {
         }
     }
 
-    /// Goes on at once, gives the core away, or spins or sleeps for some microseconds.
+    /// Continues at once, yields the core, or spins or sleeps for some microseconds.
     fn delay(random: &mut Random) {
         match random.below(64) {
             0 => thread::sleep(Duration::from_micros(random.bits() % 50)),

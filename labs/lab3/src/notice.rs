@@ -5,38 +5,40 @@ use std::sync::atomic::Ordering;
 use common::soft::Statistics;
 use common_threads::Atomic;
 
-/// The [`Statistics`] of a step, which one thread posts, once, and which others may look for.
+/// The [`Statistics`] of a step, posted once by one thread, which other threads may read.
 ///
 /// `dmin` and `davg` are the bits of an `f64` ([`f64::to_bits`]).
 #[derive(Debug, Default)]
 pub struct Notice {
-    /// Bits of the least distance.
+    /// The bits of the least distance.
     pub dmin: Atomic,
-    /// Bits of the sum of distances.
+    /// The bits of the sum of distances.
     pub davg: Atomic,
-    /// Ordered pairs within the cutoff.
+    /// The number of ordered pairs within the cutoff.
     pub navg: Atomic,
-    /// Ordered pairs looked at.
+    /// The number of ordered pairs tested.
     pub pair_tests: Atomic,
-    /// The flag: 1 if the numbers are there, and 0 before.
+    /// The flag: 1 if the numbers have been posted, 0 before.
     pub posted: Atomic,
 }
 
 impl Notice {
-    /// Writes the numbers, and raises the flag.
+    /// Writes the numbers, then raises the flag.
     ///
-    /// Each [`Atomic::store`] has an [`Ordering`]. Take the weakest with which a thread that sees the flag
-    /// raised also sees all numbers. If you prefer a fence, take [`common_threads::fence`], which the test sees.
+    /// Each [`Atomic::store`] takes an [`Ordering`]. Choose the weakest orderings that guarantee
+    /// this: a thread that sees the flag raised also sees all numbers. If you prefer a fence, call
+    /// [`common_threads::fence`], which the test can observe.
     ///
     /// Book: chapter 3, *A flag instead of a lock*.
     pub fn post(&self, statistics: &Statistics) {
         todo!("task 3.12: a notice is posted")
     }
 
-    /// What was posted; `None` if that is not there yet. It looks at the flag once, and does not wait.
+    /// Returns the posted numbers, or `None` if they have not been posted yet.
     ///
-    /// Each [`Atomic::load`] has an [`Ordering`], too: again the weakest that will do. What is returned is whole: the
-    /// numbers that were posted, and none from before.
+    /// Read the flag once, and do not wait for it. Each [`Atomic::load`] takes an [`Ordering`]:
+    /// again, choose the weakest that suffices. All numbers in the result must be the posted ones,
+    /// never older ones.
     ///
     /// Book: chapter 3, *A flag instead of a lock*.
     pub fn read(&self) -> Option<Statistics> {

@@ -2,11 +2,12 @@
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// A pool of exactly `threads` threads. They start now and sleep until
-/// [`install`](ThreadPool::install) brings them work.
+/// Makes a pool of exactly `threads` threads.
+///
+/// They start now, and sleep until [`install`](ThreadPool::install) gives them work.
 ///
 /// # Panics
-/// The system refuses that number of threads.
+/// If the system cannot start so large a number of threads.
 pub fn pool(threads: usize) -> ThreadPool {
     ThreadPoolBuilder::new()
         .num_threads(threads)

@@ -1,46 +1,47 @@
-//! Task 3.2: one sum by several threads, three ways.
+//! Task 3.2: one sum by several threads, in three ways.
 
 use common::soft::{Observer, Statistics};
 use common_threads::Word;
 use parking_lot::Mutex;
 use rayon::prelude::*;
 
-/// Adds up `parts` in one total behind one lock: rayon's threads share the parts, and a thread that
-/// adds one to the total holds the lock while it does.
+/// Adds up `parts` in one total behind one lock.
+///
+/// Rayon's threads share the parts. A thread holds the lock while it adds a part to the total.
 ///
 /// Book: chapter 3, *A reduction, three ways*.
 pub fn under_a_lock<O: Observer>(parts: &[O]) -> O {
     todo!("task 3.2: a reduction under one lock")
 }
 
-/// [`Statistics`] that several threads add to at once.
+/// [`Statistics`] to which several threads add at the same time.
 ///
-/// `dmin` and `davg` are the bits of an `f64` ([`f64::to_bits`]). Numbers that are not negative
-/// have the order of their bits.
+/// `dmin` and `davg` are the bits of an `f64` ([`f64::to_bits`]). For numbers that are not
+/// negative, the order of the bits is the order of the numbers.
 #[derive(Debug)]
 pub struct AtomicStatistics {
-    /// Bits of the least distance.
+    /// The bits of the least distance.
     pub dmin: Word,
-    /// Bits of the sum of distances.
+    /// The bits of the sum of distances.
     pub davg: Word,
-    /// Ordered pairs within the cutoff.
+    /// The number of ordered pairs within the cutoff.
     pub navg: Word,
-    /// Ordered pairs looked at.
+    /// The number of ordered pairs tested.
     pub pair_tests: Word,
 }
 
 impl AtomicStatistics {
-    /// Adds `part`: its counts, its sum of distances, and the lesser of the two least distances.
+    /// Adds the counts and the sum of distances of `part`, and keeps the smaller least distance.
     ///
-    /// There is no addition of `f64` among atomic operations. [`Word::compare_exchange`] tells
-    /// whether another thread has changed the sum since it was read.
+    /// No atomic operation adds to an `f64`. [`Word::compare_exchange`] fails if another thread has
+    /// changed the sum since you read it.
     ///
     /// Book: chapter 3, *A reduction, three ways*.
     pub fn add(&self, part: &Statistics) {
         todo!("task 3.2b: a reduction with atomics")
     }
 
-    /// What has been added so far.
+    /// Returns the sum of all parts added so far.
     pub fn sum(&self) -> Statistics {
         Statistics {
             dmin: f64::from_bits(self.dmin.load()),
@@ -63,21 +64,21 @@ impl Default for AtomicStatistics {
     }
 }
 
-/// Adds up `parts` with [`AtomicStatistics`], the parts shared among rayon's threads.
+/// Adds up `parts` with [`AtomicStatistics`]. Rayon's threads share the parts.
 pub fn with_atomics(parts: &[Statistics]) -> Statistics {
     let total = AtomicStatistics::default();
     parts.par_iter().for_each(|part| total.add(part));
     total.sum()
 }
 
-/// How many parts one thread adds up by itself.
+/// The number of parts in a block, which one thread adds up alone.
 pub const BLOCK: usize = 64;
 
-/// Adds up `parts` without a lock, and with the same bits on any number of threads.
+/// Adds up `parts` without a lock, with the same bits on any number of threads.
 ///
-/// The parts are cut into blocks of [`BLOCK`]; the last block may be shorter. Rayon's threads share
-/// the blocks. Each block is summed from zero in the order of its parts, and at last one thread adds
-/// up the sums of the blocks in their order.
+/// The parts are cut into blocks of [`BLOCK`] parts; the last block may be shorter. Rayon's threads
+/// share the blocks. Each block is summed from zero, in the order of its parts. Finally, one thread
+/// adds up the sums of the blocks, in the order of the blocks.
 ///
 /// Book: chapter 3, *A reduction, three ways*.
 pub fn in_order<O: Observer>(parts: &[O]) -> O {

@@ -1,22 +1,24 @@
-//! Tasks 4.5 and 4.6: without locks, when all have moved.
+//! Tasks 4.5 and 4.6: bins are brought up to date without locks, after all particles have moved.
 
 use common::soft::Particle;
 use solution2::Grid;
 
 use crate::{Bin, Change, Cut, Regions, remove};
 
-/// Empties all bins, which keep their memory, and puts every particle into the one that it lies in. Only one
-/// thread runs this.
+/// Empties all bins and puts every particle into the bin that contains its position.
 ///
-/// `particles[i]` has number i. [`Regions::parts_mut`] are the bins of each region,
-/// [`Regions::bin_mut`] is one bin.
+/// Bins keep their memory. Only one thread runs this. `particles[i]` has number i.
+/// [`Regions::parts_mut`] returns the bins of each region, and [`Regions::bin_mut`] returns one
+/// bin.
 ///
 /// Book: chapter 4, *One thread*.
 pub fn rebuild(regions: &mut Regions, grid: &Grid, particles: &[Particle]) {
     todo!("task 4.5: one thread empties the bins and fills them again")
 }
 
-/// Makes the changes of all change `buffers`, in any order: no particle has two. Only one thread runs
+/// Makes the changes in all change `buffers`.
+///
+/// The order does not matter, because each particle has at most one change. Only one thread runs
 /// this.
 ///
 /// Book: chapter 4, *Change buffers*.
@@ -24,10 +26,11 @@ pub fn apply_all<'a>(regions: &mut Regions, buffers: impl Iterator<Item = &'a [C
     todo!("task 4.6: one thread empties the change buffers")
 }
 
-/// Makes that part of the changes in `changes` which concerns the bins of region `own`.
+/// Makes the part of `changes` that concerns the bins of region `own`.
 ///
-/// `bins` are those of the region; all threads run this at the same time, each with a region of its
-/// own and the changes of *all* threads. A particle may leave an own bin, arrive in one, or both.
+/// `bins` are the bins of region `own`. All threads run this at the same time, each with its own
+/// region and with the changes of *all* threads. A particle may leave a bin of the region, arrive
+/// in one, or both.
 ///
 /// Book: chapter 4, *Change buffers*.
 pub fn apply_own(cut: Cut, own: usize, bins: &mut [Bin], changes: impl Iterator<Item = Change>) {

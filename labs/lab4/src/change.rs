@@ -7,21 +7,21 @@ use solution2::Grid;
 
 use crate::{Bin, Meter, Regions};
 
-/// A particle has left bin `from` and lies in bin `to` now.
+/// The change of a particle that has left bin `from` and is now in bin `to`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Change {
-    /// Its number.
+    /// The number of the particle.
     pub particle: u32,
-    /// The number of the bin whose list it is in.
+    /// The number of the old bin, whose list still contains the particle.
     pub from: usize,
-    /// The number of the bin that it lies in.
+    /// The number of the bin that contains the particle's new position.
     pub to: usize,
 }
 
-/// Takes a particle out of a bin, wherever in the list it is.
+/// Takes a particle out of a bin, wherever it is in the list.
 ///
 /// # Panics
-/// It is not there.
+/// If the particle is not in the list.
 pub fn remove(bin: &mut Bin, particle: u32) {
     let index = bin.iter().position(|inside| *inside == particle);
     bin.swap_remove(index.unwrap_or_else(|| {
@@ -29,25 +29,29 @@ pub fn remove(bin: &mut Bin, particle: u32) {
     }));
 }
 
-/// Takes a particle out of the list of its old bin and puts it into that of the new one, under the
-/// locks of both regions, while other threads do the same with other particles.
+/// Moves a particle from its old bin to its new bin, under the locks of both regions.
 ///
-/// [`Regions::locks`] has the lock of each region and [`Regions::cut`] finds it; take it by
-/// [`Meter::lock`]. Hold both locks until the change is done: a thread that looks at both bins
-/// under their locks then finds the particle in one of them, never in two or in none. Both bins may
-/// lie in one region: then there is one lock, and a thread that asks for it twice waits for itself.
+/// Other threads do the same with other particles at the same time.
 ///
-/// Two threads may want the same two locks at once. In which order does each take them?
+/// - [`Regions::cut`] finds the region of a bin, and [`Regions::locks`] contains the lock of each
+///   region. Take a lock with [`Meter::lock`].
+/// - Hold both locks until the change is complete. A thread that looks at both bins under their
+///   locks then finds the particle in exactly one of them.
+/// - Both bins may be in the same region. Then there is only one lock. A thread that takes it twice
+///   waits for itself.
+///
+/// Two threads may want the same two locks at once. In which order should each thread take them?
 ///
 /// Book: chapter 4, *Two locks*.
 pub fn change_bin(regions: &Regions, meter: &mut Meter, change: Change) {
     todo!("task 4.3: from one bin into another, under two locks")
 }
 
-/// Moves a thread's `particles`, and calls `changed` for each that lies in another bin of `grid`
-/// than before, at the moment in which it does.
+/// Moves a thread's `particles`, and reports each change of bin at once.
 ///
-/// `accelerations[i]` belongs to `particles[i]`; [`advance`] moves one particle.
+/// - `accelerations[i]` belongs to `particles[i]`. [`advance`] moves one particle.
+/// - If a particle is in a different bin of `grid` after its move, call `changed` before you move
+///   the next particle.
 ///
 /// Book: chapter 4, *At that moment*.
 pub fn move_own(

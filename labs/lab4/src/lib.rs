@@ -24,7 +24,7 @@ use owner_lists::OwnerLists;
 use solution1::Tally;
 use solution2::{BIN_SIZE, bin_size};
 
-/// How many regions of bins have a lock of their own.
+/// The number of locks for each thread, which is the number of regions with their own lock.
 const LOCKS: Parameter = Parameter {
     name: "locks",
     about: "locks for each thread (the CS267 report used 20)",
@@ -47,7 +47,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         &[bin_size(1.0)],
         |config| Ok(owners(config, Forces::OneWay)),
     ),
-    // Particles are cut among the threads, bins are shared.
+    // The particles are divided among the threads, and the bins are shared.
     bitwise(
         "serial-rebuild",
         "one thread empties the bins and fills them again",

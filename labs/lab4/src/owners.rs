@@ -1,4 +1,4 @@
-//! Task 4.9, and the engine around tasks 4.9 to 4.11: every thread takes what is its own.
+//! Task 4.9, and the engine around tasks 4.9 to 4.11: every thread takes its own particles.
 
 use std::mem;
 
@@ -12,65 +12,69 @@ use solution3::{pool, rows_of_each};
 
 use crate::{Bin, Cut, add_across, pairs_across, pairs_within};
 
-/// Empties the `bins` of region `own`, which keep their memory, and fills them with the particles that lie there.
+/// Empties the `bins` of region `own`, then fills them with the particles in this region.
 ///
-/// `particles[i]` has number i. All threads run this at the same time, each with a region of its own
-/// and *all* particles. [`Cut::find`] tells the region of a bin.
+/// Bins keep their memory. `particles[i]` has number i. All threads run this at the same time, each
+/// with its own region and with *all* particles. [`Cut::find`] returns the region of a bin.
 ///
 /// Book: chapter 4, *Owners*.
 pub fn claim(cut: Cut, own: usize, bins: &mut [Bin], grid: &Grid, particles: &[Particle]) {
     todo!("task 4.9: an owner claims what lies in its region")
 }
 
-/// Fills a thread's sorted bins with the particles that lie in its rows.
+/// Fills a thread's sorted bins with the particles in its rows.
 ///
-/// `all` are the particles of all threads, in any order, and most lie in other threads' rows: with p
-/// threads every particle is read p times. That is the price for doing without locks, without
-/// buffers, without any agreement. [`SortedBins::rows`] are the own rows, [`SortedBins::refill`]
-/// takes the particles and keeps its memory.
+/// `all` are the particles of all threads, in any order. Most of them are in the rows of other
+/// threads: with p threads, every particle is read p times. This is the price of needing no locks,
+/// no buffers and no agreement.
+///
+/// [`SortedBins::rows`] returns the thread's rows. [`SortedBins::refill`] takes the particles, and
+/// keeps its memory.
 ///
 /// Book: chapter 4, *Owners*.
 pub fn take_own<'a>(own: &mut SortedBins, all: impl Iterator<Item = &'a Particle>) {
     todo!("task 4.9b: an owner takes what lies in its rows")
 }
 
-/// How an owner sums the forces on its particles.
+/// The method of summing the forces on an owner's particles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Forces {
-    /// For each particle all neighbours are asked: every pair is looked at from both sides.
+    /// Each particle looks at all its neighbours, so every pair is tested from both sides.
     OneWay,
-    /// Every pair is looked at once and serves both.
+    /// Every pair is tested once, and the result serves both particles.
     TwoWay,
 }
 
-/// A thread's own memory.
+/// The private memory of a thread.
 #[derive(Debug, Default)]
 struct Worker<O> {
-    /// Of its particles, in the order of its bins.
+    /// The accelerations of the thread's particles, in the order of its bins.
     accelerations: Vec<Vec2>,
-    /// What its particles do to the particles in the next owner's first row.
+    /// The accelerations that its particles give to the particles of the next owner's first row.
     across: Vec<Vec2>,
     gather: Gather,
-    /// What its pairs were like in this step, row by row.
+    /// The observers of this step. One-way forces use one for each row, two-way forces use one in
+    /// all.
     seen: Vec<O>,
 }
 
-/// Owner computes: every thread has rows of its own, and no other thread writes there.
+/// The owner-computes engine: every thread owns rows, and no other thread writes there.
 pub struct Owners<O> {
     pool: ThreadPool,
     bin_size: f64,
     forces: Forces,
     grid: Grid,
     bins: Vec<SortedBins>,
-    /// Filled from `bins` while all threads read them; then the two are swapped.
+    /// The bins of the next step. They are filled from `bins` while all threads read `bins`. Then
+    /// the two are swapped.
     next: Vec<SortedBins>,
     workers: Vec<Worker<O>>,
-    /// The thread that owns a row.
+    /// The thread that owns each row.
     owners: Vec<usize>,
 }
 
 impl<O: Observer> Owners<O> {
-    /// An engine for `threads` threads and bins of `bin_size` cutoffs or more.
+    /// Makes an engine for `threads` threads, with bins of `bin_size` cutoffs or more.
     pub fn new(threads: usize, bin_size: f64, forces: Forces) -> Self {
         Self {
             pool: pool(threads),
@@ -85,7 +89,9 @@ impl<O: Observer> Owners<O> {
     }
 }
 
-/// Each neighbour is asked, whichever thread owns it; the sum is in the order of ids.
+/// Sums the forces on a thread's own particles from all neighbours, in the order of ids.
+///
+/// The neighbours include the particles of other threads.
 fn sum_one_way<O: Observer>(
     worker: &mut Worker<O>,
     own: &SortedBins,
@@ -107,8 +113,10 @@ fn sum_one_way<O: Observer>(
     }
 }
 
-/// Each pair is looked at once, by the owner of its lower row. What it does to the next owner's
-/// particles is kept apart: that owner adds it when all threads have finished.
+/// Sums the forces of each pair once, in the thread that owns the lower row.
+///
+/// The accelerations of the next owner's particles are kept apart. The next owner adds them when
+/// all threads have finished.
 fn sum_two_way<O: Observer>(
     worker: &mut Worker<O>,
     own: &SortedBins,
@@ -183,7 +191,9 @@ impl<O: Observer> Simulation for Owners<O> {
     }
 }
 
-/// Hands what was kept apart to the owners of the rows beyond the cuts. It is little: a row each.
+/// Adds the accelerations that were kept apart to those of the owners above the cuts.
+///
+/// There are few of them: at most one row for each owner.
 fn add_across_cuts<O>(workers: &mut [Worker<O>], bins: &[SortedBins], owners: &[usize]) {
     for (number, own) in bins.iter().enumerate().filter(|(_, own)| !own.rows().is_empty()) {
         if let Some(&next) = owners.get(own.rows().end) {

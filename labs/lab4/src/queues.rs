@@ -1,42 +1,44 @@
-//! Tasks 4.7 and 4.8: changes are handed to the owners of the bins.
+//! Tasks 4.7 and 4.8: changes are passed to the owners of the bins.
 
 use crossbeam::channel::{Receiver, Sender};
 use crossbeam::queue::SegQueue;
 
 use crate::{Bin, Change, Cut, apply_own};
 
-/// Posts a change to the owners of the two bins, once if they have the same owner.
+/// Posts a change to the owners of its two bins, or once if both have the same owner.
 ///
 /// Thread r owns the bins of region r, and `queues[r]` is its queue. All threads post at the same
-/// time, and none waits: [`SegQueue::push`] needs no lock.
+/// time, and no thread waits: [`SegQueue::push`] needs no lock.
 ///
 /// Book: chapter 4, *Queues*.
 pub fn post(cut: Cut, queues: &[SegQueue<Change>], change: Change) {
     todo!("task 4.7: post a change to the owners of its bins")
 }
 
-/// Makes the changes in the queue of region `own` in its `bins`, until the queue is empty. No thread
-/// posts any more when this runs. [`apply_own`] makes changes.
+/// Makes the changes in the queue of region `own`, until the queue is empty.
+///
+/// `bins` are the bins of region `own`. No thread posts while this runs. [`apply_own`] makes the
+/// changes.
 ///
 /// Book: chapter 4, *Queues*.
 pub fn take(cut: Cut, own: usize, bins: &mut [Bin], queue: &SegQueue<Change>) {
     todo!("task 4.7b: empty the own queue")
 }
 
-/// Sends a change to the owners of the two bins, once if they have the same owner.
+/// Sends a change to the owners of its two bins, or once if both have the same owner.
 ///
-/// Thread r owns the bins of region r, and what goes into `senders[r]` comes out of its receiver.
-/// None of the channels is closed or full.
+/// Thread r owns the bins of region r, and receives what is sent through `senders[r]`. No channel
+/// is ever closed or full.
 ///
 /// Book: chapter 4, *Channels*.
 pub fn send(cut: Cut, senders: &[Sender<Change>], change: Change) {
     todo!("task 4.8: send a change to the owners of its bins")
 }
 
-/// Makes the changes that have been sent to the owner of region `own` in its `bins`, and returns.
+/// Makes the changes that have been sent to the owner of region `own`, and returns.
 ///
-/// The senders live on, for the next step: to wait until they are gone
-/// ([`iter`](Receiver::iter)) would take for ever.
+/// `bins` are the bins of region `own`. The senders still exist, because the next step needs them,
+/// so a loop until all senders are gone ([`iter`](Receiver::iter)) would wait forever.
 ///
 /// Book: chapter 4, *Channels*.
 pub fn receive(cut: Cut, own: usize, bins: &mut [Bin], receiver: &Receiver<Change>) {

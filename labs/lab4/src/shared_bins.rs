@@ -20,38 +20,38 @@ use crate::{
     rebuild, receive, send, take,
 };
 
-/// How bins are brought up to date.
+/// The method of bringing bins up to date.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     /// One thread empties all bins and fills them again.
     Rebuild {
-        /// Bins do not keep their memory: each asks for it anew.
+        /// Whether bins allocate new memory in each step, instead of keeping theirs.
         fresh: bool,
     },
     /// Change buffers, emptied by one thread.
     BuffersByOne,
     /// Change buffers, emptied by all threads.
     BuffersByAll,
-    /// At the moment of the change, under this number of locks.
+    /// Each particle changes its bin as soon as it has moved, under this number of locks.
     Locks(usize),
-    /// Through the owners' queues.
+    /// Changes are passed through the owners' queues.
     Queues,
-    /// Through the owners' channels.
+    /// Changes are passed through the owners' channels.
     Channels,
-    /// Every thread empties its own bins and looks for its particles among all.
+    /// Every thread empties its own bins, and looks for their particles among all particles.
     Owners,
 }
 
-/// Particles are cut among the threads by their numbers; the bins are shared.
+/// An engine that divides the particles among the threads by number, and shares the bins.
 ///
-/// A thread sums the forces on its particles and moves them wherever they are. Only the way in which
-/// bins are brought up to date differs.
+/// A thread sums the forces on its particles and moves them, wherever in the box they are. The ways
+/// differ only in how the bins are brought up to date.
 pub struct SharedBins<O> {
     pool: ThreadPool,
     bin_size: f64,
     way: Way,
     grid: Grid,
-    /// In the order of their numbers.
+    /// All particles, in the order of their numbers.
     particles: Vec<Particle>,
     regions: Regions,
     workers: Vec<CachePadded<Worker<O>>>,
@@ -64,19 +64,21 @@ pub struct SharedBins<O> {
     stepping: Duration,
 }
 
-/// A thread's own memory.
+/// The private memory of a thread.
 #[derive(Debug, Default)]
 struct Worker<O> {
-    /// Of its particles, in their order.
+    /// The accelerations of the thread's particles, in the order of the particles.
     accelerations: Vec<Vec2>,
-    /// What the pairs of each block of its particles were like.
+    /// One observer for each block of the thread's particles, with the pairs of this step.
     seen: Vec<O>,
     gather: Gather,
     meter: Meter,
 }
 
-/// Particles with an observer in common: few, so that many threads have some in a small scene, and
-/// fixed, so that sums do not depend on the threads.
+/// The number of particles that share an observer.
+///
+/// It is small, so that many threads have particles even in a small scene. It is fixed, so that
+/// sums do not depend on the number of threads.
 const BLOCK: usize = 8;
 
 impl<O: Observer> Worker<O> {
@@ -99,7 +101,7 @@ impl<O: Observer> Worker<O> {
 }
 
 impl<O: Observer> SharedBins<O> {
-    /// An engine for `threads` threads and bins of `bin_size` cutoffs or more.
+    /// Makes an engine for `threads` threads, with bins of `bin_size` cutoffs or more.
     pub fn new(threads: usize, bin_size: f64, way: Way) -> Self {
         let queues = (0..threads).map(|_| SegQueue::new()).collect();
         let (senders, receivers) = (0..threads).map(|_| unbounded()).unzip();
@@ -120,13 +122,14 @@ impl<O: Observer> SharedBins<O> {
         }
     }
 
-    /// How many particles a thread has.
+    /// The number of particles that each thread has. The last thread may have fewer.
     fn share(&self) -> usize {
         let threads = self.pool.current_num_threads();
         self.particles.len().div_ceil(threads).next_multiple_of(BLOCK)
     }
 
-    /// All threads move their particles, and say at that moment which changed their bins.
+    /// Moves all particles, in all threads. Each thread reports a change of bin as soon as it
+    /// happens.
     fn move_all(&mut self) {
         let Self { way, grid, particles, regions, workers, buffers, queues, senders, .. } = self;
         let threads = workers.par_iter_mut().zip(buffers);
@@ -160,7 +163,7 @@ impl<O: Observer> SharedBins<O> {
         });
     }
 
-    /// What is left to do when all have moved.
+    /// Does the rest of the rebinning, when all particles have moved.
     fn rebin(&mut self) {
         let start = Instant::now();
         let Self { way, grid, particles, regions, workers, buffers, queues, receivers, .. } = self;

@@ -5,16 +5,17 @@ use std::ops::Range;
 use common::soft::Particle;
 use solution2::Grid;
 
-/// Sorts the particles that changed their bin in this step into local and remote ones.
+/// Separates the particles that changed their bin in this step into local and remote ones.
 ///
-/// `changed` comes in with all of them. A particle that now lies in one of the rows `block` is
-/// local and stays in `changed`: it has only gone to another bin of this rank. A particle in any
-/// other row is remote: it is taken out of `changed` and added to `remote`. The order does not
-/// matter. [`Grid::row`] tells in which row a y lies.
+/// - At first, `changed` contains all of them.
+/// - A particle that is now in one of the rows `block` is local: it has only changed its bin within
+///   this rank. Leave it in `changed`.
+/// - A particle in any other row is remote. Take it out of `changed`, and add it to `remote`.
+/// - The order does not matter. [`Grid::row`] returns the row that contains a y.
 ///
-/// Mind both ends: row `block.start` belongs to the block, row `block.end` does not. A slip here
-/// (the course report has one) does not always show in the results. It may instead send nearly
-/// every particle through the root.
+/// Check both ends: row `block.start` belongs to the block, row `block.end` does not. A mistake
+/// here (the course report contains one) may leave the results unchanged, but send nearly every
+/// particle through the root.
 ///
 /// Book: chapter 5, *Local and remote*.
 pub fn take_leavers_of_block(

@@ -7,15 +7,16 @@ use mpi::traits::*;
 
 use crate::ROOT;
 
-/// Combines the statistics of each rank's own block: returns those of the whole box on the root, and
-/// `None` on the other ranks.
+/// Returns the combined statistics of all ranks on the root, and `None` on the other ranks.
 ///
-/// They are the least `dmin` of all ranks, the sum of all `davg`, the sum of all `navg` and that of
-/// all `pair_tests`. That takes three reductions ([`Root::reduce_into`], on the root
-/// [`Root::reduce_into_root`]), since the last two numbers can go together as one slice.
-/// [`SystemOperation`] has `min()` and `sum()`.
+/// `own` are the statistics of the rank's block. The result contains the least `dmin`, the sum of
+/// all `davg`, the sum of all `navg` and the sum of all `pair_tests`.
 ///
-/// All ranks call it together.
+/// Three reductions are enough, because the last two numbers can travel together as one slice. Call
+/// [`Root::reduce_into`], and on the root [`Root::reduce_into_root`]. The operations are
+/// [`SystemOperation::min`] and [`SystemOperation::sum`].
+///
+/// All ranks call this together.
 ///
 /// Book: chapter 5, *Reduce*.
 pub fn reduce(world: &SimpleCommunicator, own: &Statistics) -> Option<Statistics> {

@@ -16,17 +16,17 @@ use crate::{
     replace_ghosts, scatter_from_root, sort_by_receiver, take_leavers_of_block,
 };
 
-/// One rank of the job.
+/// The engine on one rank of the job.
 ///
-/// Its bins cover the whole box, as those of a serial program do; only the rows of its block and
-/// the row of ghosts on either side hold anything.
+/// Its bins cover the whole box, like those of a serial program. Only the rows of its block, and a
+/// row of ghosts on either side, contain particles.
 pub struct ThroughRoot<O> {
     world: SimpleCommunicator,
     bin_size: f64,
     cut: Cut,
     block: Range<usize>,
     bins: VecBins,
-    /// In the order of the own particles in the bins.
+    /// The accelerations of the rank's particles, in the order of the bins.
     accelerations: Vec<Vec2>,
     changed: Vec<Particle>,
     remote: Vec<Particle>,
@@ -37,7 +37,7 @@ pub struct ThroughRoot<O> {
 }
 
 impl<O: Observer> ThroughRoot<O> {
-    /// An engine whose bins have sides of at least the number of cutoffs that the user asked for.
+    /// Makes an engine on the ranks of `world`. `config` contains the least side of a bin, in cutoffs.
     pub fn new(world: SimpleCommunicator, config: &Config) -> Self {
         let cut = Cut { rows: 1, ranks: world.size() as usize };
         Self {
@@ -56,7 +56,7 @@ impl<O: Observer> ThroughRoot<O> {
         }
     }
 
-    /// Starts over from the root's scene.
+    /// Starts over with the root's scene.
     fn start(&mut self, scene: Option<&Scene>) {
         let (size, particles) = broadcast(&self.world, scene);
         let grid = Grid::new(size, self.bin_size * common::soft::CUTOFF, particles.len());
@@ -75,7 +75,7 @@ impl<O: Observer> ThroughRoot<O> {
         self.clock.start(&self.world);
     }
 
-    /// Sums the forces on the own particles. Ghosts are neighbours and nothing else.
+    /// Sums the forces on the rank's particles. Ghosts serve only as neighbours.
     fn sum_forces(&mut self) {
         self.accelerations.clear();
         for particle in own(&self.bins, &self.block) {
@@ -85,7 +85,7 @@ impl<O: Observer> ThroughRoot<O> {
         }
     }
 
-    /// Moves the own particles and takes those that changed their bin out of it.
+    /// Moves the rank's particles, and takes those that left their bin out of it.
     fn move_particles(&mut self) {
         let grid = *self.bins.grid();
         let bins = self.block.start * grid.columns()..self.block.end * grid.columns();
@@ -98,20 +98,22 @@ impl<O: Observer> ThroughRoot<O> {
         }
     }
 
-    /// Brings every particle that changed its bin to its new one, on whichever rank that is, and
-    /// fresh ghosts to all ranks.
+    /// Moves every particle that changed its bin to its new bin, on any rank, and renews all
+    /// ghosts.
     ///
-    /// `self.changed` comes in with the particles that changed their bin, taken out of their old
-    /// ones; `self.remote` comes in empty. Both are empty at the end. In this order:
+    /// At first, `self.changed` contains the particles that changed their bin, already taken out of
+    /// their old bins, and `self.remote` is empty. At the end, both are empty. In this order:
     ///
-    /// 1. Tell local from remote ([`take_leavers_of_block`]) and put the local particles into their
-    ///    bins ([`VecBins::put`]).
-    /// 2. Copy the border rows ([`border_copies`]), now that the local particles are back in them.
-    /// 3. Gather the remote particles and gather the copies ([`Self::gather`], twice).
-    /// 4. On the root make a [`Parcel`] of the two lists of each rank, and [`sort_by_receiver`].
-    /// 5. [`Self::scatter`] and [`replace_ghosts`].
+    /// 1. Separate local and remote particles ([`take_leavers_of_block`]). Put the local particles
+    ///    into their bins ([`VecBins::put`]).
+    /// 2. Copy the border rows ([`border_copies`]), which now contain the local particles again.
+    /// 3. Gather the remote particles, then gather the copies ([`Self::gather`], twice).
+    /// 4. On the root, make a [`Parcel`] of the two lists of each rank, and sort the parcels
+    ///    ([`sort_by_receiver`]).
+    /// 5. Scatter the lists ([`Self::scatter`]), and put the particles that arrive into the bins
+    ///    ([`replace_ghosts`]).
     ///
-    /// All ranks call it together, also those whose block is empty.
+    /// All ranks call this together, even ranks with an empty block.
     ///
     /// Book: chapter 5, *A step*.
     fn exchange(&mut self) {
@@ -119,7 +121,9 @@ impl<O: Observer> ThroughRoot<O> {
         todo!("task 5.8b: a whole step")
     }
 
-    /// [`gather_at_root`], timed and counted: a number and a list, which the root does not send to itself.
+    /// Calls [`gather_at_root`], timed and counted.
+    ///
+    /// Each rank except the root sends a number and a list.
     fn gather(&mut self, items: &[Wire]) -> Vec<Vec<Wire>> {
         if self.world.rank() != ROOT {
             self.traffic.sent(&[0_i32]);
@@ -128,7 +132,9 @@ impl<O: Observer> ThroughRoot<O> {
         self.clock.call(Partners::Through(ROOT), || gather_at_root(&self.world, items))
     }
 
-    /// [`scatter_from_root`], timed and counted: from the root a number and a list to each other rank.
+    /// Calls [`scatter_from_root`], timed and counted.
+    ///
+    /// The root sends a number and a list to each other rank.
     fn scatter(&mut self, lists: &[Vec<Wire>]) -> Vec<Wire> {
         if self.world.rank() == ROOT {
             for list in &lists[1..] {

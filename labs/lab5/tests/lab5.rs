@@ -58,7 +58,7 @@ oracle::questions! {
     task_5_8 {
         one_exchange after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
             => "One exchange of a dozen particles on three ranks: every buffer (ids) before and after each call.",
-        broadcasts => "A scene that the root has: the same scene on 1 and 3 ranks, by three calls of Bcast alone.",
+        broadcasts => "The root has a scene: each of 1 or 3 ranks has it afterwards, by exactly three calls to Bcast.",
         quiet_steps after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
             => "A step in which no particle comes near a border: the calls of MPI, and the bytes sent.",
         dense_box after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"

@@ -1,13 +1,14 @@
-//! Tasks 6.1 and 6.2: blocks of rows, and which ranks are neighbours.
+//! Tasks 6.1 and 6.2: blocks of rows, and neighbouring ranks.
 
 use halo::Cuts;
 
-/// The ranks that have the row before and the row after the block of `rank`, in this order.
+/// Returns the ranks that have the row before and the row after the block of `rank`, in this order.
 ///
-/// With a block of rows a..b those rows are a − 1 and b, and [`owner`](Cuts::owner) tells which
-/// rank has them. Beyond a wall there is no row, so `None` stands there. A rank whose block is
-/// empty has no neighbours and is no rank's neighbour: `owner` passes over it, and the adjacent
-/// row belongs to a rank further on.
+/// - For a block of rows a..b, these are rows a − 1 and b. [`owner`](Cuts::owner) returns the rank
+///   that has a row.
+/// - Beyond a wall there is no row: return `None` on that side.
+/// - A rank with an empty block has no neighbours, and is not a neighbour of any rank. `owner`
+///   skips it, because the adjacent row belongs to a rank further on.
 ///
 /// Book: chapter 6, *Neighbours*.
 pub fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
@@ -16,16 +17,17 @@ pub fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
     todo!("task 6.2: the neighbours of a rank")
 }
 
-/// Cuts rows that hold `counts[row]` particles each into `ranks` blocks of nearly equal numbers of
-/// particles. Both numbers are at least 1.
+/// Cuts the rows of bins into `ranks` blocks with nearly equal numbers of particles.
 ///
-/// Of all N particles, k · N / `ranks` (an integer division, rounded down) should lie in the rows
-/// before block k. But a cut can only be made between rows. So block k starts at the first row
-/// before which at least that many lie, and no block has more than N / `ranks` + 1 particles and
-/// those of one row. Block 0 starts at row 0 and the last block ends with the last row, so every
-/// row belongs to a rank, also where there are no particles at all.
+/// - `counts[row]` is the number of particles in each row. There is at least one row and one rank.
+/// - Of all N particles, k · N / `ranks` (rounded down) should be before block k. But a cut must be
+///   between two rows. So block k starts at the first row that has at least that many particles
+///   before it. No block then has more than N / `ranks` + 1 particles, plus the particles of one
+///   row.
+/// - Block 0 starts at row 0, and the last block ends with the last row, so every row belongs to a
+///   rank, even in an empty box.
 ///
-/// Return `ranks` + 1 starts, ascending.
+/// Return the `ranks` + 1 starts, in ascending order.
 ///
 /// Book: chapter 6, *Balance*.
 pub fn balanced(counts: &[u64], ranks: usize) -> Cuts {

@@ -44,7 +44,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     ),
 ];
 
-/// What the library asks for, answered by the functions of the tasks.
+/// The functions of the tasks, under the names that the library calls.
 pub struct Lab6;
 
 impl Blocks for Lab6 {

@@ -4,15 +4,16 @@ use std::ops::Range;
 
 use hard_discs::Entry;
 
-/// The entries behind entry `k` whose boxes share a column with its box: their indices.
+/// Returns the indices of the entries after `k` whose boxes share a column with the box of `k`.
 ///
-/// `entries` are sorted by cell, so a row is a stretch of them, and within a row boxes stand in
-/// the order of the columns where they begin. The boxes that begin in the columns of entry `k`, from
-/// its own cell up to `further` columns on, follow it directly. The last column of a
-/// row and the first of the next have neighbouring numbers, but no box goes on beyond the last column.
+/// `entries` are sorted by cell. So the entries of a row are adjacent, in the order of the columns
+/// where their boxes begin. The boxes that begin in the columns of entry `k`, from its own cell to
+/// `further` columns on, directly follow entry `k`. The last column of a row and the first column
+/// of the next row have consecutive numbers, but no box extends beyond the last column.
 ///
-/// Over all k that is every two entries of the same row whose boxes share a column, once. A pair of discs may
-/// share several rows and then comes up in each; the caller sorts that out.
+/// Over all k, this yields every two entries of a row whose boxes share a column, exactly once. Two
+/// discs may share several rows. The pair is then found in each of them, and the caller removes the
+/// duplicates.
 ///
 /// Book: chapter 7, *Sorted occupied cells*.
 #[inline(always)]

@@ -1,17 +1,17 @@
-//! Task 7.4: which candidates happen.
+//! Task 7.4: the candidates that happen.
 
 use hard_discs::Candidate;
 
 use crate::candidate::order;
 
-/// Sorts the candidates and takes those that happen.
+/// Sorts the candidates, and appends to `taken` those that happen.
 ///
-/// In the order of [`order`], take each candidate whose discs are all still `free` in this step,
-/// append it to `taken`, and mark its discs as not free any more. A candidate with a disc that is
-/// not free does not happen, and its other disc stays as it was.
-///
-/// `free[i]` tells of disc i; discs may come in that are not free because an earlier part of the
-/// step has taken them. The candidates are left in any order.
+/// - Go through the candidates in the order of [`order`].
+/// - A candidate happens if all its discs are still `free` in this step. Append it to `taken`, and
+///   mark its discs as not free.
+/// - A candidate with a disc that is not free does not happen. Its other disc stays as it was.
+/// - `free[i]` is about disc i. An earlier part of the step may already have taken some discs.
+/// - The candidates may be left in any order.
 ///
 /// Book: chapter 7, *The earliest first*.
 pub fn take_in_order(candidates: &mut [Candidate], free: &mut [bool], taken: &mut Vec<Candidate>) {

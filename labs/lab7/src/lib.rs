@@ -97,8 +97,9 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     ),
 ];
 
-/// Looks at the pairs of disc `a` with every disc in `partners`, all of higher numbers than `a`, and appends to `list` the
-/// candidates of those that collide in this step.
+/// Appends to `list` the candidates of disc `a` with the discs in `partners`.
+///
+/// These are the pairs that collide in this step. All `partners` have higher numbers than `a`.
 pub fn look_along(
     discs: &[Disc],
     a: usize,
@@ -109,12 +110,12 @@ pub fn look_along(
     hard_discs::look_along::<Lab7>(discs, a, partners, radius, list);
 }
 
-/// Carries out the collisions that were taken, on discs as they were at the start of the step.
+/// Carries out the collisions `taken`. `discs` are as they were at the start of the step.
 pub fn resolve(taken: &[Candidate], discs: &mut [Disc], square: Square) {
     hard_discs::resolve::<Lab7>(taken, discs, square);
 }
 
-/// What the library asks for, answered by the functions of the tasks.
+/// The functions of the tasks, under the names that the library calls.
 pub struct Lab7;
 
 impl Collisions for Lab7 {

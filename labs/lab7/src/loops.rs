@@ -1,8 +1,9 @@
-//! Task 7.9: which of the two loops over all pairs is shared out.
+//! Task 7.9: three ways to share out the two loops over all pairs.
 //!
-//! Each of the three looks at all pairs a < b of `n` discs: a from 0 up in the outer loop, b from a + 1 up in the inner
-//! one. `look(list, a, partners)` looks at disc a and every disc in `partners`, and puts what it finds into list number
-//! `list`. No two threads may use the same list at the same time: one would wait for the other.
+//! Each of the three functions looks at all pairs a < b of `n` discs. In the outer loop, a counts
+//! up from 0. In the inner loop, b counts up from a + 1. `look(list, a, partners)` looks at disc a
+//! and every disc in `partners`, and appends the candidates to list number `list`. Two threads may
+//! not use the same list at the same time: one would wait for the other.
 
 use std::ops::Range;
 
@@ -10,10 +11,10 @@ use hard_discs::{Schedule, Team};
 
 use crate::schedule::parallel_for;
 
-/// The outer loop is shared out (the report's p1): one fork and join. Worker w does whole rows and writes into
-/// list w.
+/// Shares out the outer loop (the report's p1), with one fork and join.
 ///
-/// [`parallel_for`] calls what you give it with a worker's number and a part of the loop.
+/// Worker w does whole rows, and writes into list w. [`parallel_for`] calls its `body` with the
+/// number of a worker and a part of the loop.
 ///
 /// Book: chapter 7, *Which loop*.
 pub fn outer(
@@ -25,9 +26,10 @@ pub fn outer(
     todo!("task 7.9: the outer loop shared out")
 }
 
-/// The inner loop is shared out (the report's p2): n forks and joins. Each worker has a part of every row.
+/// Shares out the inner loop (the report's p2), with n forks and joins.
 ///
-/// The row of disc a is a loop over `0..n - a - 1`, whose first iteration is disc a + 1.
+/// Worker w does a part of every row, and writes into list w. The row of disc a is a loop over
+/// `0..n - a - 1`. Its first iteration is disc a + 1.
 ///
 /// Book: chapter 7, *Which loop*.
 pub fn inner(
@@ -39,11 +41,13 @@ pub fn inner(
     todo!("task 7.9b: the inner loop shared out")
 }
 
-/// Both loops are shared out (the report's p3). `team` shares the outer loop by `schedule`; each of its workers shares
-/// each of its rows in fixed parts with a team of its own, started for this row: `Team::Fresh(team.count())`.
+/// Shares out both loops (the report's p3).
 ///
-/// Several rows are looked at at the same time, so a list for each member of one team is not enough: member m of
-/// worker w's teams has list w × (size of a team) + m.
+/// - `team` shares the outer loop by `schedule`.
+/// - Each worker of `team` shares each of its rows in fixed parts with its own team, which is
+///   started for this row: `Team::Fresh(team.count())`.
+/// - Several rows are searched at the same time, so there are more lists than members of a team.
+///   Member m of worker w's teams has list w × (size of a team) + m.
 ///
 /// Book: chapter 7, *Which loop*.
 pub fn nested(

@@ -3,24 +3,26 @@
 use common::hard::Disc;
 use hard_discs::{Candidate, Hit};
 
-/// When discs a and b of radius `radius` touch in this step, if nothing stops them before.
+/// Returns the time λ at which discs a and b touch in this step, or `None` if they do not.
 ///
-/// Let d be the vector from a to b, D the velocity of b less that of a (so that after time λ the
-/// vector is d + λ D), and s = d · D.
+/// Assume that nothing stops the discs before. Both have radius r = `radius`. Let d be the vector
+/// from a to b. Let D be the velocity of b minus the velocity of a, so the vector at time λ is
+/// d + λ D. Let s = d · D.
 ///
-/// - s ≥ 0: they do not approach each other. None, even if they overlap.
-/// - Else, if they overlap or touch already, |d|² ≤ 4 r², they collide at once, λ = 0. Discs at the same
-///   position have s = 0.
-/// - Else |d + λ D|² = 4 r² is a quadratic equation with Δ = 4 r² |D|² − (d × D)². If Δ ≤ 0 they
-///   pass, or only graze. If Δ > 0 they touch first at the smaller root,
+/// - If s ≥ 0, the discs do not approach each other. Return `None`, even if they overlap.
+/// - Otherwise, if they overlap or touch already (|d|² ≤ 4 r²), they collide at once, at λ = 0.
+///   (Discs at the same position have s = 0.)
+/// - Otherwise, |d + λ D|² = 4 r² is a quadratic equation with Δ = 4 r² |D|² − (d × D)². If Δ ≤ 0,
+///   the discs pass each other, or only graze. If Δ > 0, they first touch at the smaller root,
 ///   λ = (−s − √Δ) / |D|².
 /// - They collide if λ < 1. At exactly 1 the step is over.
 ///
-/// The root as printed subtracts two numbers that may agree in nearly all their digits. Multiply
-/// above and below by −s + √Δ, and it becomes λ = (|d|² − 4 r²) / (−s + √Δ), which does not.
+/// In this form, the root subtracts two numbers that may agree in nearly all their digits. Multiply
+/// the numerator and the denominator by −s + √Δ. The root becomes λ = (|d|² − 4 r²) / (−s + √Δ),
+/// which has no such subtraction.
 ///
-/// **This one function serves every program of labs 7 to 9,** called with a < b, so that all of
-/// them see the same bits.
+/// **Every program of labs 7 to 9 calls this one function,** with a < b, so that all programs
+/// compute the same bits.
 ///
 /// Book: chapter 7, *Two discs*.
 #[inline]
@@ -28,7 +30,7 @@ pub fn pair_time(a: &Disc, b: &Disc, radius: f64) -> Option<f64> {
     todo!("task 7.2: two discs")
 }
 
-/// The candidate of discs number `a` < `b`, if there is one.
+/// Returns the candidate of discs number `a` < `b`, or `None` if they do not collide in this step.
 #[inline]
 pub fn pair_hit(discs: &[Disc], a: u32, b: u32, radius: f64) -> Option<Candidate> {
     let time = pair_time(&discs[a as usize], &discs[b as usize], radius)?;

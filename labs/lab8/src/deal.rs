@@ -1,25 +1,29 @@
-//! Tasks 8.1 and 8.2: which worker looks at which pairs.
+//! Tasks 8.1 and 8.2: the pairs of each worker.
 
 use hard_disc_ranks::{Deal, Job, Part};
 
-/// A deal to a number of workers, by [`offsets`].
+/// Deals the pairs of blocks to a number of workers, by [`offsets`].
 pub fn deal_out(workers: usize) -> Deal {
     Deal { workers, offsets: offsets(workers) }
 }
 
-/// The jobs of `worker`, one for each distance d = 0 … W / 2, in this order.
+/// Returns the jobs of `worker`, one for each distance d = 0 … W / 2, in this order.
 ///
-/// The pairs of blocks at a distance d lie on a diagonal of the matrix of blocks (from where it
-/// leaves the matrix it goes on from the other side). The diagonal has W of them, and each
-/// worker does one: among the offsets there are two, p and q, with q ≡ p + d modulo W. Take the
-/// first such p. The worker's blocks k + p and k + q, modulo W, are its job of this distance;
-/// the lesser is the row. Since all workers are the same pattern turned, no two have the same
+/// W is the number of workers. The pairs of blocks at distance d are on a diagonal of the matrix of
+/// blocks. (Where the diagonal leaves the matrix, it continues on the other side.) The diagonal has
+/// W pairs, and each worker does one of them:
+///
+/// 1. Among the offsets there are two, p and q, with q ≡ p + d modulo W. Take the first such p.
+/// 2. The job of worker k is the pair of its blocks k + p and k + q, modulo W. The lesser block is
+///    the row.
+///
+/// All workers use the same pattern, turned by their numbers k, so no two workers have the same
 /// job.
 ///
-/// One diagonal is shorter. If W is even, the blocks at distance W / 2 lie opposite each other on
-/// the ring: there are W / 2 such pairs only, and the rule above gives each of them to two
-/// workers. Let the one with k + p < k + q (modulo W) do the first half of the row's discs, the
-/// other the second half. Then all workers have the same number of pairs to look at.
+/// One diagonal is shorter. If W is even, the blocks at distance W / 2 are opposite each other on
+/// the ring. There are only W / 2 such pairs, and the rule above gives each of them to two workers.
+/// The worker with k + p < k + q (modulo W) does the first half of the row's discs. The other
+/// worker does the second half. All workers then have the same number of pairs to test.
 ///
 /// Book: chapter 8, *Dealing out the pairs*.
 pub fn jobs(deal: &Deal, worker: usize) -> Vec<Job> {
@@ -27,24 +31,25 @@ pub fn jobs(deal: &Deal, worker: usize) -> Vec<Job> {
     todo!("task 8.2: a job on each diagonal")
 }
 
-/// The distance of two blocks on the ring, the shorter way round.
+/// Returns the distance of two blocks on the ring, the shorter way round.
 pub fn distance(i: usize, j: usize, workers: usize) -> usize {
     let d = i.abs_diff(j) % workers;
     d.min(workers - d)
 }
 
-/// Which blocks a worker should have, so that for every distance 0 … W / 2 two of them are so far
-/// apart; as few as a simple rule finds.
+/// Returns the offsets of a worker's blocks: two of them are d apart, for every d = 0 … W / 2.
 ///
-/// W / 2 + 1 neighbours, 0, 1, … W / 2, would do: 0 is at every distance from one of them. But q
-/// blocks have q (q − 1) / 2 pairs, so some √W blocks may do. For W = 7 they are 0, 1, 3:
-/// 0 and 1 are 1 apart, 1 and 3 are 2, 0 and 3 are 3. Fewer blocks are fewer bytes.
+/// W is the number of workers. W / 2 + 1 adjacent blocks, 0, 1, … W / 2, would be enough: block 0
+/// is at every distance from one of them. But q blocks have q (q − 1) / 2 pairs, so about √W blocks
+/// may be enough. For W = 7 they are 0, 1 and 3: the distance of 0 and 1 is 1, of 1 and 3 it is 2,
+/// of 0 and 3 it is 3. Fewer blocks mean fewer bytes.
 ///
-/// The rule: begin with 0. Until no distance is missing, add the offset, among 1 … W − 1, that
-/// makes the most missing distances with the offsets that are there; of several that make as many,
-/// the least. [`distance`] measures.
+/// The rule: begin with 0. While a distance is missing, add one of the offsets 1 … W − 1. Choose
+/// the offset that yields the most missing distances to the offsets that are already there. Of
+/// several such offsets, choose the least. [`distance`] returns a distance.
 ///
-/// (To find the fewest is a hard problem, that of difference bases; a few more do no harm here.)
+/// (Finding the fewest blocks is a hard problem, called difference bases. A few more blocks do no
+/// harm here.)
 ///
 /// Book: chapter 8, *Few blocks*.
 pub fn offsets(workers: usize) -> Vec<usize> {

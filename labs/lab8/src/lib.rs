@@ -56,7 +56,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     ),
 ];
 
-/// What the library asks for, answered by the functions of the tasks.
+/// The functions of the tasks, under the names that the library calls.
 pub struct Lab8;
 
 impl Messages for Lab8 {

@@ -7,11 +7,14 @@ use solution7::{Candidate, resolve, take_in_order};
 use crate::collided::update;
 use crate::deal::deal_out;
 
-/// What the master does with the candidates of all workers: takes those that happen, moves the
-/// discs that are in none of these straight on, and carries out the collisions taken.
+/// Decides which of all workers' `candidates` happen, and moves the discs.
 ///
-/// Lab 7 has the functions: [`take_in_order`] and [`resolve`]. `engine.taken` is what happened in
-/// the step before, and is replaced; `engine.tally.taken` counts it.
+/// Only the master calls this. Take the candidates that happen, with lab 7's [`take_in_order`].
+/// Move the discs that are still free straight on. Carry out the collisions that were taken, with
+/// lab 7's [`resolve`].
+///
+/// `engine.taken` contains the collisions of the previous step: replace them. `engine.tally.taken`
+/// counts the new ones.
 ///
 /// Book: chapter 8, *A step of master and workers*.
 fn decide<T: Dealing>(engine: &mut MasterWorkers<T>, mut candidates: Vec<Candidate>) {
@@ -20,22 +23,23 @@ fn decide<T: Dealing>(engine: &mut MasterWorkers<T>, mut candidates: Vec<Candida
     todo!("task 8.7b: the master decides")
 }
 
-/// One step.
+/// Computes one step.
 ///
-/// 1. If it is the first since the scene was loaded (`engine.deal` is `None`), deal the pairs to
-///    the workers of the team ([`deal_out`]).
-/// 2. The master makes its lists ([`MasterWorkers::lists`]; elsewhere there are none), and all call
-///    [`MasterWorkers::send`], which counts, calls [`hand_out`] and returns what arrived.
-/// 3. A worker that is not the master [`update`]s its discs, those of its blocks ([`Deal::blocks`](hard_disc_ranks::Deal::blocks)). They
-///    have to be moved if this is not the first step and workers keep their blocks. The master's
-///    discs are up to date.
-/// 4. A worker, the master too if it is one, looks for candidates ([`MasterWorkers::find`]).
-/// 5. All call [`MasterWorkers::receive`], which counts and calls [`collect`], and the master decides
-///    ([`decide`]).
+/// 1. In the first step after a scene was loaded, `engine.deal` is `None`. Then deal the pairs to the
+///    workers of the team ([`deal_out`]).
+/// 2. The master makes its lists ([`MasterWorkers::lists`]). The other ranks have no lists. All
+///    ranks call [`MasterWorkers::send`], which counts, calls [`hand_out`] and returns what
+///    arrived.
+/// 3. A worker that is not the master updates the discs of its blocks ([`update`],
+///    [`Deal::blocks`](hard_disc_ranks::Deal::blocks)). It must move them if this is not the first
+///    step and workers keep their blocks. The master's discs are up to date.
+/// 4. Each worker finds candidates ([`MasterWorkers::find`]), and so does a master that works.
+/// 5. All ranks call [`MasterWorkers::receive`], which counts and calls [`collect`]. Then the master
+///    decides ([`decide`]).
 ///
-/// [`Team::worker`] says which worker a rank is. The functions of `engine` that change it cannot borrow the
-/// deal from it at the same time: [take](Option::take) it out, and put it back at the end. All ranks call
-/// this together.
+/// [`Team::worker`] returns the worker number of a rank. The methods that change `engine` cannot
+/// borrow the deal from it at the same time: [take](Option::take) the deal out, and put it back at
+/// the end. All ranks call this together.
 ///
 /// Book: chapter 8, *A step of master and workers*.
 ///

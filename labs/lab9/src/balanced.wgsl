@@ -1,11 +1,11 @@
 // Task 9.4: the balanced version.
 //
-// In the basic version disc 0 has n − 1 partners and the last disc none: while one invocation
-// works, its neighbours, which the hardware runs in step with it, are long done. Here walls and
-// pairs are apart, the n (n − 1) / 2 pairs are numbered, and the numbers are dealt like cards:
-// invocation t of T takes the pairs t, t + T, t + 2T, …
+// In the basic version, disc 0 has n − 1 partners and the last disc has no partners. The hardware
+// runs neighbouring invocations in step. So most of them wait while the longest one still works.
+// Here walls and pairs have separate kernels, the n (n − 1) / 2 pairs are numbered, and the numbers
+// are dealt like cards: invocation t of T takes the pairs t, t + T, t + 2T, …
 //
-// The report keeps two arrays to look a pair up by its number. Nothing needs to be stored: the
+// The report stores two arrays to find a pair by its number. No array is necessary, because the
 // triangle of all pairs a < b folds into a rectangle.
 //
 //         n = 6: 5 rows of 3                n = 5: 5 rows of 2
@@ -16,10 +16,11 @@
 //         04  14  24                        03  13
 //         05  15  25                        04  14
 //
-// A pair's number is row * width + column. With 100,000 discs numbers need 33 bits, and WGSL has
-// 32. But the number itself is not needed: a row and a column are a number with two digits.
+// The number of a pair is row * width + column. With 100,000 discs, a number has 33 bits, but an
+// integer in WGSL has 32. The number itself is not needed: row and column are a number with two
+// digits.
 
-// The rectangle's width and its number of rows.
+// The width of the rectangle, and its number of rows.
 fn width() -> u32 {
     return square.n / 2u;
 }
@@ -28,19 +29,24 @@ fn rows() -> u32 {
     return square.n - 1u + square.n % 2u;
 }
 
-// The pair a < b at a row and a column of the rectangle, as in the pictures above. With even = 1
-// if n is even, else 0:
-// - left and below, column < row + even: the pair (column, row + even);
-// - else: the pair (n − 2 + even − column, n − 1 − row).
+// Returns the pair a < b at a row and a column of the rectangle, as in the pictures above.
+//
+// Let even be 1 if n is even, and 0 otherwise.
+//
+// - On the left and below (column < row + even), the pair is (column, row + even).
+// - Otherwise, it is (n − 2 + even − column, n − 1 − row).
 fn pair_at(row: u32, column: u32) -> vec2<u32> {
     // todo: task 9.4: a pair from its number
 }
 
-// Appends the pairs that may meet in the rows square.first <= row < square.last, as far as the
-// rectangle has such rows. `me` is the number of this invocation, `all` how many there are.
+// Appends the pairs that may meet in the rows square.first <= row < square.last.
 //
-// Go from pair to pair as one counts with two digits: `all` further is all / width() rows and
-// all % width() columns, and if the column is too large, it carries.
+// The rectangle may have fewer rows. `me` is the number of this invocation, and `all` is the number
+// of invocations.
+//
+// Go from pair to pair like counting with two digits. The next pair of this invocation is
+// all / width() rows and all % width() columns further. If the column becomes too large, carry over
+// to the row.
 fn find_of_pairs(me: u32, all: u32) {
     // todo: task 9.4b: deal the pairs
 }

@@ -1,23 +1,24 @@
 // Task 9.5: the greedy choice, on the device.
 //
-// On the host the candidates are sorted, and each is taken whose discs are still free. A sort is
-// hard to spread over thousands of invocations, and it is not needed. A candidate that comes first
-// among all candidates of *each* of its discs must happen: nothing can take its discs away. Take
-// all of those at once, drop the candidates whose discs are gone, and begin again. The first of
-// all is always among them, so it ends; and it takes the same candidates as the sort.
+// The host sorts the candidates, and takes each whose discs are still free. A sort is hard to
+// spread over thousands of invocations, and it is not necessary. A candidate that comes first among
+// all candidates of *each* of its discs must happen, because no other candidate can take its discs.
+// Take all such candidates at once, drop the candidates whose discs are taken, and repeat. The
+// first of all candidates is always among them, so the rounds end. The rounds take the same
+// candidates as the sort.
 //
-// Times are f64, and this device may have none. But of two positive floating-point numbers the
-// larger also has the larger bits. So a time is two u32, `high` and `low`, compared one after the
-// other, exactly and on any device.
+// Times are f64, but this device may not have f64. Of two positive floating-point numbers, the
+// larger also has the larger bits. So a time is two u32, `high` and `low`. Comparing `high` first
+// and then `low` is exact on any device.
 //
-// At the same time walls come before pairs, and pairs in the order of their first disc, then
-// their second. For the candidates of one disc that is the order of the *other* disc's number:
-// its `rank` is 0 for a wall and else the other disc's number + 1.
+// At the same time, walls come before pairs, and pairs are in the order of their first disc, then
+// of their second disc. For the candidates of one disc, this is the order of the *other* disc's
+// number. So the `rank` of a candidate is 0 for a wall, and the other disc's number + 1 for a pair.
 
 struct Candidate {
     high: u32,
     low: u32,
-    // The discs, or the disc and WALL.
+    // The two discs, or the disc and WALL.
     a: u32,
     b: u32,
 }
@@ -33,13 +34,14 @@ struct Numbers {
 
 @group(0) @binding(1) var<storage, read> candidates: array<Candidate>;
 
-// 1 for the candidates that happen.
+// 1 for each candidate that happens.
 @group(0) @binding(2) var<storage, read_write> taken: array<u32>;
 
-// 1 for the discs that have collided in this step. Atomic, because some invocations read it while others write.
+// 1 for each disc that has collided in this step. It is atomic, because some invocations read it
+// while others write it.
 @group(0) @binding(3) var<storage, read_write> busy: array<atomic<u32>>;
 
-// What comes first among a disc's candidates: NONE in all three at the start of a round.
+// The first of a disc's candidates. All three numbers are NONE at the start of a round.
 struct First {
     high: atomic<u32>,
     low: atomic<u32>,
@@ -47,10 +49,10 @@ struct First {
 }
 @group(0) @binding(4) var<storage, read_write> firsts: array<First>;
 
-// Candidates that have been neither taken nor dropped when the round ends.
+// The number of candidates that have been neither taken nor dropped at the end of the round.
 @group(0) @binding(5) var<storage, read_write> left: atomic<u32>;
 
-// Whether candidate number i exists and both its discs are free.
+// Whether candidate number i exists and all its discs are free.
 fn is_open(i: u32) -> bool {
     if i >= numbers.candidates {
         return false;
@@ -59,7 +61,7 @@ fn is_open(i: u32) -> bool {
     return atomicLoad(&busy[c.a]) == 0u && (c.b == WALL || atomicLoad(&busy[c.b]) == 0u);
 }
 
-// A round is five launches: each must see all that the one before it wrote.
+// A round is five launches, because each launch must see everything that the previous launch wrote.
 
 @compute @workgroup_size(THREADS)
 fn forget(
@@ -77,31 +79,31 @@ fn forget(
     }
 }
 
-// First launch: firsts[disc].high becomes the least `high` of the disc's open candidates. Here
-// `c` is one of them.
+// First launch: lowers firsts[disc].high to the least `high` of the disc's open candidates. `c` is
+// one of them.
 fn lower_high(c: Candidate, disc: u32) {
     atomicMin(&firsts[disc].high, c.high);
 }
 
-// Second launch: firsts[disc].low becomes the least `low` of those of its open candidates whose
-// `high` is the least.
+// Second launch: lowers firsts[disc].low to the least `low` of the disc's open candidates with the
+// least `high`. `c` is one of the disc's open candidates.
 fn lower_low(c: Candidate, disc: u32) {
     // todo: task 9.5: the lower half of a time
 }
 
-// Whether no open candidate of `disc` is earlier than `c`.
+// Whether `c` is at least as early as every open candidate of `disc`.
 fn is_earliest(c: Candidate, disc: u32) -> bool {
     return atomicLoad(&firsts[disc].high) == c.high && atomicLoad(&firsts[disc].low) == c.low;
 }
 
-// The rank of a candidate for one of its discs, if `other` is its other disc or WALL. WALL is the
-// greatest number, and adding 1 to it gives 0.
+// Returns the rank of a candidate for one of its discs. `other` is its other disc or WALL. WALL is
+// the greatest number, so WALL + 1 is 0.
 fn rank(other: u32) -> u32 {
     return other + 1u;
 }
 
-// Third launch: firsts[disc].rank becomes the least rank of those of its open candidates that are
-// the earliest.
+// Third launch: lowers firsts[disc].rank to the least rank of the disc's earliest open candidates.
+// `c` is one of the disc's open candidates, and `other` is its other disc or WALL.
 fn lower_rank(c: Candidate, disc: u32, other: u32) {
     // todo: task 9.5b: of equal times the lower rank
 }
@@ -111,9 +113,10 @@ fn is_first(c: Candidate, disc: u32, other: u32) -> bool {
     return is_earliest(c, disc) && atomicLoad(&firsts[disc].rank) == rank(other);
 }
 
-// Fourth launch, for each open candidate, number i: if it comes first for each of its discs (a
-// wall is no disc), it happens: taken[i] becomes 1, and so does `busy` of its discs. If not, it is
-// counted in `left`.
+// Fourth launch: takes open candidate number i, or counts it in `left`.
+//
+// The candidate happens if it comes first for each of its discs (a wall is not a disc). Then set
+// taken[i] to 1, and `busy` of its discs to 1.
 fn take_or_leave(i: u32) {
     let c = candidates[i];
     // todo: task 9.5c: take what comes first

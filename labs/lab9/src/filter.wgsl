@@ -1,31 +1,32 @@
-// Task 9.2: which discs may collide.
+// Task 9.2: discs that may collide.
 //
-// The device does the n² part and nothing else: it looks at all pairs and passes on the few that
-// may collide. The host's one candidate function says whether and when they do. So every
-// program gives the same bytes, though devices round, contract a * b + c, and flush small numbers
-// as they like. The device may pass on a pair that does not collide. It must never lose one.
+// The device does only the n² part: it tests all pairs, and passes on the few that may collide. The
+// host's single candidate function decides whether and when they collide. So every program computes
+// the same bytes, although devices may round in their own ways, contract a * b + c, and flush small
+// numbers to zero. The device may pass on a pair that does not collide. It must never lose a pair
+// that does.
 //
 // Lengths are in units of the square's side, so that nothing is too large or too small for f32.
 
 struct Square {
-    // Number of discs.
+    // The number of discs.
     n: u32,
     // The rows of work for this launch: first <= row < last.
     first: u32,
     last: u32,
-    // Not 0: velocities are so large that nothing can be ruled out.
+    // Not 0 if velocities are so large that no pair can be ruled out.
     everything: u32,
-    // The square of the distance below which two discs may touch: that of two radii and a margin
-    // for all rounding errors of this file.
+    // The square of the distance below which two discs may touch: two radii, and a margin for all
+    // rounding errors of this file.
     reach_squared: real,
-    // No rounding error makes a pair with d · D > receding out of one that approaches.
+    // The greatest d · D that rounding errors can yield for a pair that approaches.
     receding: real,
-    // A centre that ends between these two, margin included, hits no wall.
+    // A disc whose centre ends between these two hits no wall. A margin is included.
     least: real,
     most: real,
 }
 
-// The second number of a candidate that is a disc and a wall.
+// The second number of a candidate that consists of a disc and a wall.
 const WALL: u32 = 0xffffffffu;
 
 @group(0) @binding(0) var<uniform> square: Square;
@@ -33,21 +34,22 @@ const WALL: u32 = 0xffffffffu;
 // (x, y, vx, vy) of each disc.
 @group(0) @binding(1) var<storage, read> discs: array<vec4<real>>;
 
-// How many candidates there are, and as many of them as there is room for.
+// The number of candidates, and the candidates, as far as there is room.
 @group(0) @binding(2) var<storage, read_write> count: atomic<u32>;
 @group(0) @binding(3) var<storage, read_write> candidates: array<vec2<u32>>;
 
 // Whether discs a and b may collide in this step.
 //
-// With d the vector from a to b and D the velocity of b less that of a:
-// - square.everything is not 0: yes.
-// - d · D > square.receding: no, they move apart.
-// - Else they are nearest at the time t = −(d · D) / (D · D), or at 0 or 1 if t lies outside the
-//   step; take 0 if D · D is 0. They may collide if |d + t D|² is at most square.reach_squared.
+// Let d be the vector from a to b, and D the velocity of b minus the velocity of a.
 //
-// No root and no λ: fewer operations, and an error in t only makes the distance larger by its
-// square, since at the nearest point the distance stands still. That is what lets the margin be
-// small.
+// - If square.everything is not 0, return true.
+// - If d · D > square.receding, return false, because the discs move apart.
+// - Otherwise, they are nearest at the time t = −(d · D) / (D · D). Clamp t to the step, 0 to 1. If
+//   D · D is 0, take t = 0. They may collide if |d + t D|² is at most square.reach_squared.
+//
+// This needs neither a root nor λ, so there are fewer operations. An error in t increases the
+// distance only by the square of the error, because the distance has its minimum there. So the
+// margin can be small.
 fn may_meet(a: u32, b: u32) -> bool {
     // todo: task 9.2: discs that may meet
 }
@@ -59,11 +61,11 @@ fn may_hit_wall(a: u32) -> bool {
     return beyond || square.everything != 0u;
 }
 
-// Passes a candidate on: the discs a < b, or the disc a and WALL.
+// Appends a candidate to the list: the discs a < b, or the disc a and WALL.
 //
-// Thousands of invocations append to one list. atomicAdd gives each of them an index of its own;
-// none waits. The list has room for arrayLength(&candidates). Beyond that nothing is written, but
-// all are counted, so that the host knows how much room is needed.
+// Thousands of invocations append to one list at the same time. atomicAdd gives each of them its
+// own index, and no invocation waits. The list has room for arrayLength(&candidates). Write nothing
+// beyond that, but count all candidates, so that the host knows how much room is needed.
 fn append(a: u32, b: u32) {
     // todo: task 9.2b: an index of one's own
 }

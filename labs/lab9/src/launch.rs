@@ -1,4 +1,4 @@
-//! Task 9.1: how many invocations a kernel is started with, and what a refusal looks like.
+//! Task 9.1: the number of invocations of a kernel, and the errors of refused launches.
 
 use device::{Gpu, GpuError, Launch, LaunchError, Launcher};
 use wgpu::{ErrorFilter, Limits};
@@ -6,43 +6,50 @@ use wgpu::{ErrorFilter, Limits};
 use crate::Lab9;
 
 impl Launcher for Lab9 {
-    /// `blocks` workgroups of `threads` invocations, or an error if `limits` does not allow it.
+    /// Returns a launch of `blocks` workgroups with `threads` invocations each, within `limits`.
     ///
-    /// - A workgroup may have at most `max_compute_invocations_per_workgroup` invocations, and
-    ///   at most `max_compute_workgroup_size_x` along x, which is the only direction used here.
-    /// - Along x and along y a launch has at most `max_compute_workgroups_per_dimension`
-    ///   workgroups, mostly 65535. If `blocks` is more, use as few rows as suffice, all of the
-    ///   same length; a few workgroups too many do no harm, since every kernel checks its number.
+    /// - A workgroup may have at most `max_compute_invocations_per_workgroup` invocations, and at
+    ///   most `max_compute_workgroup_size_x` along x. This kit uses only the x direction in a
+    ///   workgroup.
+    /// - Along x and along y, a launch has at most `max_compute_workgroups_per_dimension`
+    ///   workgroups, usually 65535. If `blocks` is greater, use as few rows as possible, all of the
+    ///   same length. A few extra workgroups do no harm, because every kernel checks its number.
     ///
     /// Book: chapter 9, *A launch*.
     ///
     /// # Errors
-    /// See [`LaunchError`].
+    /// [`LaunchError`] if `limits` does not allow the launch, or if `blocks` or `threads` is 0.
     fn launch(blocks: u32, threads: u32, limits: &Limits) -> Result<Launch, LaunchError> {
         todo!("task 9.1: a launch that fits the device")
     }
 
-    /// At least one invocation for each of `n` items, in workgroups of `threads`. The last
-    /// workgroup may be partly idle; for n = 0 there is one that is wholly idle.
+    /// Returns a launch with at least one invocation for each of `n` items, in workgroups of
+    /// `threads`.
+    ///
+    /// The last workgroup may be partly idle. For n = 0 there is one workgroup, which is wholly
+    /// idle.
     ///
     /// # Errors
-    /// See [`LaunchError`].
+    /// [`LaunchError`], as for [`launch`](Self::launch).
     fn launch_over(n: u32, threads: u32, limits: &Limits) -> Result<Launch, LaunchError> {
         todo!("task 9.1b: one invocation for each item")
     }
 
-    /// Does `work`, and says so if the device or wgpu refused any of it.
+    /// Does `work`, and returns an error if the device or wgpu refused any of it.
     ///
-    /// wgpu does not return errors from the calls that make kernels and launches: like CUDA it goes on
-    /// with nothing in hand, and a launch that was refused leaves all buffers as they were. An *error
-    /// scope* catches what went wrong inside it. Open one for [`ErrorFilter::Validation`] with
-    /// `gpu.device.push_error_scope`, do the work, and close it with `pop`, which gives a future
-    /// (`pollster::block_on` waits for it) of an `Option` of an error.
+    /// The wgpu calls that make kernels and launches return no errors. Like CUDA, wgpu continues
+    /// with an invalid object, and a refused launch leaves all buffers as they were. An *error
+    /// scope* catches the errors inside it:
+    ///
+    /// 1. Open a scope for [`ErrorFilter::Validation`] with `gpu.device.push_error_scope`.
+    /// 2. Do the work.
+    /// 3. Close the scope with `pop`. It returns a future of an `Option` of an error.
+    ///    `pollster::block_on` waits for the future.
     ///
     /// Book: chapter 9, *A launch that never ran*.
     ///
     /// # Errors
-    /// [`GpuError::Refused`] with the reason, and `what` was refused.
+    /// [`GpuError::Refused`] with the reason, and with `what` was refused.
     fn checked<T>(gpu: &Gpu, what: &str, work: impl FnOnce() -> T) -> Result<T, GpuError> {
         todo!("task 9.1c: a refusal is an error")
     }

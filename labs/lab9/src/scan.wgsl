@@ -1,30 +1,37 @@
 // Task 9.6: the prefix sum of one block.
 //
-// The prefix sum of [3, 1, 0, 2] is [0, 3, 4, 4]: each number becomes the sum of those before it.
-// It turns the numbers of particles in the bins into the starts of the bins.
+// The prefix sum of [3, 1, 0, 2] is [0, 3, 4, 4]: each number becomes the sum of the numbers before
+// it. It turns the numbers of particles in the bins into the starts of the bins.
 //
-// A workgroup sums a block of THREADS numbers in its own fast memory. It cannot see what other workgroups do, so it
-// leaves the sum of its block in `sums`; the host has those summed in turn, and added back (task 9.6b).
+// A workgroup sums a block of THREADS numbers in its own fast memory. It cannot see the work of
+// other workgroups, so it writes the sum of its block to `sums`. The host then has these sums
+// summed in the same way, and added to the blocks (task 9.6b).
 
 @group(0) @binding(0) var<storage, read_write> values: array<u32>;
 @group(0) @binding(1) var<storage, read_write> sums: array<u32>;
 
-// Replaces each block of `values` by its prefix sum and writes the sum of the whole block to
-// `sums[block]`. `local` is the number of the invocation within its workgroup.
+// Replaces each block of `values` by its prefix sum, and writes the sum of the block to
+// `sums[block]`.
 //
-// The invocations share THREADS numbers, and three functions are given for them (shared.wgsl in
-// labs/engines/device-discs/src/soft): `put(k, number)` writes number k, `fetch(k)` reads it, and `meet()` is the
-// barrier.
+// `local` is the number of the invocation in its workgroup. The invocations share THREADS numbers.
+// Three functions are given for them (shared.wgsl in labs/engines/device-discs/src/soft):
 //
-// The algorithm is that of Hillis and Steele: for reach = 1, 2, 4, … each invocation adds to its
-// number the one `reach` before it. After the last round fetch(local) is the sum of the
-// numbers 0 to local of the block, its own included; the prefix sum leaves its own out.
+// - `put(k, number)` writes number k.
+// - `fetch(k)` reads number k.
+// - `meet()` is the barrier.
 //
-// The invocations of a workgroup do not run in step. meet() holds each of them until all have come so
-// far and all their writes can be seen. Each round needs two: one before any invocation reads what its
-// neighbours wrote in the round before, and one before any overwrites what its neighbours still have to
-// read. Every invocation must come to every meet(), so no meet() may depend on `local`, and the last block, which may
-// be partly empty, sums zeros instead of leaving early.
+// The algorithm is that of Hillis and Steele. For reach = 1, 2, 4, …, each invocation adds the
+// number `reach` places before its own number to its own number. After the last round, fetch(local)
+// is the sum of the numbers 0 to local of the block, including its own. The prefix sum leaves its
+// own out.
+//
+// The invocations of a workgroup do not run in step. meet() holds each of them until all have
+// called it and all their writes are visible. Each round needs two barriers: one before any
+// invocation reads the numbers that its neighbours wrote in the previous round, and one before any
+// invocation overwrites a number that its neighbours have not read yet.
+//
+// Every invocation must call every meet(). So no meet() may depend on `local`. And the last block,
+// which may be partly empty, sums zeros instead of returning early.
 @compute @workgroup_size(THREADS)
 fn scan_blocks(
     @builtin(global_invocation_id) id: vec3<u32>,
@@ -37,7 +44,7 @@ fn scan_blocks(
     // todo: task 9.6: the prefix sum of a block
 }
 
-// Adds to each number the sum of all blocks before its own, which `sums` holds by now.
+// Adds the sum of all previous blocks to each number. `sums` already contains these sums.
 @compute @workgroup_size(THREADS)
 fn add_sums(
     @builtin(global_invocation_id) id: vec3<u32>,

@@ -3,19 +3,20 @@
 use common::soft::CUTOFF;
 use strips::Outlook;
 
-/// How far from its strip a rank must know the particles of other ranks, so that it can move them
-/// itself for `steps` steps, at least 1, and its own particles are right in all of them. A length,
-/// like `fastest`.
+/// Returns the ghost depth, a length, that lets a rank take `steps` steps without a message.
 ///
-/// The rank gets whole particles, once, before the first of these steps. It accelerates and moves them
-/// like its own, and gets no message until the last step is over. No particle of any rank goes
-/// further than `fastest` in a step.
+/// `steps` is at least 1. In a step, no particle of any rank moves further than `fastest`, a
+/// length. If the rank knows all particles of other ranks up to the ghost depth from its strip, its
+/// own particles must be right in all of these steps.
 ///
-/// The outermost of these ghosts lack neighbours that the rank does not know, so the first step
-/// already moves them wrongly. In the next step they exert wrong forces on their own neighbours. The
-/// error comes nearer by a cutoff with each computation of forces; and, as in
-/// [`ghost_width`](crate::ghost_width), both of a pair move between two of them. The last forces must
-/// still be right on a particle at the very edge of the strip.
+/// The rank receives whole particles once, before the first step. It accelerates and moves them
+/// like its own, and receives no message until the last step is over.
+///
+/// The outermost ghosts lack neighbours that the rank does not know, so the first step already
+/// moves them wrongly. In the next step, they exert wrong forces on their neighbours. With each
+/// computation of forces, the error advances by a cutoff. As in
+/// [`ghost_width`](crate::ghost_width), both particles of a pair move between two computations. The
+/// last forces must still be right on a particle at the very edge of the strip.
 ///
 /// Book: chapter 13, *Without a word*.
 pub fn deep_width(fastest: f64, steps: u32) -> f64 {
@@ -25,13 +26,16 @@ pub fn deep_width(fastest: f64, steps: u32) -> f64 {
     // end 13.7
 }
 
-/// How many steps an epoch should have, that is, how many a rank takes without a message: of 1, 2, …
-/// `most` the number that makes a step cheapest; of equal ones the fewest.
+/// Returns the number of steps that an epoch should have.
 ///
-/// All costs are counted for each own particle. With ghosts of depth D on both sides of a strip of
-/// height H there are 2 D / H ghosts for each own particle, and each of them costs what an own
-/// particle costs: [`STEP`] in each step and [`RENEWAL`](crate::RENEWAL) in each epoch, whose list is rebuilt. The
-/// messages of an epoch cost a rank [`WAIT`], however many particles it has.
+/// A rank receives no message during an epoch. Of 1, 2, … `most` steps, choose the number that
+/// makes a step cheapest. Of equally cheap numbers, choose the least.
+///
+/// All costs are for each particle of the rank. On both sides of a strip of height H there are
+/// ghosts of depth D, so there are 2 D / H ghosts for each particle. A ghost costs as much as a
+/// particle: [`STEP`] in each step, and [`RENEWAL`](crate::RENEWAL) in each epoch, in which the
+/// list is rebuilt. The messages of an epoch cost a rank [`WAIT`], whatever its number of
+/// particles.
 ///
 /// Book: chapter 13, *Without a word*.
 pub fn best_depth(outlook: Outlook) -> u32 {
@@ -52,7 +56,9 @@ pub fn best_depth(outlook: Outlook) -> u32 {
     // end 13.7b
 }
 
-/// The forces on a particle and its move, in a step, in nanoseconds on the machine of the book.
+/// The cost of a particle in a step (its forces and its move), in nanoseconds on the book's
+/// machine.
 pub const STEP: f64 = 10.0;
-/// The messages of an epoch, for a rank, in nanoseconds, as assumed: mostly it waits for the slowest.
+/// The assumed cost of a rank's messages in an epoch, in nanoseconds. The rank mostly waits for the
+/// slowest rank.
 pub const WAIT: f64 = 20_000.0;

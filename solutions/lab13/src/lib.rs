@@ -1,4 +1,4 @@
-//! Lab 13, all of it: the solution. What the lab is about stands in `labs/lab13/README.md`.
+//! Lab 13, all of it: the solution. The lab is described in `labs/lab13/README.md`.
 
 mod agree;
 mod balance;
@@ -50,7 +50,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     ),
 ];
 
-/// What the library asks for, answered by the functions of the tasks.
+/// The functions of the tasks, under the names that the library calls.
 pub struct Lab13;
 
 impl Partition for Lab13 {

@@ -1,17 +1,17 @@
-//! Task 13.2: which ranks need ghosts of each other.
+//! Task 13.2: ranks that need ghosts of each other.
 
 use mpi::Rank;
 use strips::Strips;
 
-/// The ranks that need ghosts of `rank` and send it theirs: all other ranks whose strip is no
-/// further than `width` from that of `rank` (at `width` is not further), in ascending order.
+/// Returns the ranks that exchange ghosts with `rank`, in ascending order.
 ///
-/// Mostly they are the rank before and the rank after. But strips may be thinner than `width`,
-/// and then ghosts go further than to the next one. An empty strip has no particles: its rank
-/// needs no ghosts and has none to send.
+/// They are all other ranks whose strip is at most `width`, a length, from the strip of `rank`.
+/// Usually they are the previous rank and the next rank. But strips may be thinner than `width`,
+/// and ghosts then go further than to the next rank. An empty strip has no particles: its rank
+/// neither needs nor sends ghosts.
 ///
-/// Every rank finds its own partners by itself, without a message. So a must find b exactly if
-/// b finds a.
+/// Every rank computes its partners alone, without a message. So the results of two ranks must
+/// agree: a finds b exactly if b finds a.
 ///
 /// Book: chapter 13, *Which ranks are partners*.
 pub fn partners(strips: &Strips, rank: usize, width: f64) -> Vec<Rank> {

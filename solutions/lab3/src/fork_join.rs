@@ -10,20 +10,22 @@ use solution2::{Grid, VecBins};
 
 use crate::{Worker, pool, rows_of_each};
 
-/// How the change buffers are emptied.
+/// The threads that empty the change buffers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rebinning {
-    /// By one thread, while the others wait.
+    /// One thread empties all buffers, while the others wait.
     ByOne,
-    /// By all threads, each for the bins of its own rows.
+    /// All threads empty the buffers, each for the bins of its own rows.
     ByAll,
 }
 
-/// Two parallel loops over `workers`, on rayon's threads: in the first each worker sums the forces on
-/// its particles, in the second each moves them.
+/// Sums the forces, then moves the particles, in two parallel loops over `workers`.
 ///
-/// `W` is a [`Worker`] in memory of its own, and is used like one. All workers read `bins` in the
-/// first loop; in the second each has the bins of its own rows, which [`own_bins`] cuts out.
+/// Both loops run on rayon's threads. In the first loop, each worker sums the forces on its
+/// particles, and all workers read `bins`. In the second loop, each worker moves its particles. It
+/// then has the bins of its own rows, which [`own_bins`] cuts out.
+///
+/// `W` wraps a [`Worker`], so you can call the methods of `Worker` on it.
 ///
 /// Book: chapter 3, *Parallel loops*.
 pub fn sum_and_move<O, W>(workers: &mut [W], bins: &mut VecBins)
@@ -39,7 +41,7 @@ where
     // end 3.6
 }
 
-/// Cuts the bins into the disjoint parts that belong to the workers, in their order.
+/// Cuts the bins into disjoint parts, one for each worker, in the order of the workers.
 // ANCHOR: own_bins
 pub fn own_bins<'a, O: 'a, W>(bins: &'a mut VecBins, workers: &[W]) -> Vec<&'a mut [Vec<Particle>]>
 where
@@ -59,8 +61,9 @@ where
 
 /// Puts all particles of the change buffers into their bins.
 ///
-/// `buffers` are those of all workers, in their order. Afterwards every particle is in the bin in
-/// which it lies. (The buffers are cleared before the next move; here they are only read.)
+/// `buffers` are the change buffers of all workers, in the order of the workers. Afterwards, every
+/// particle is in the bin that contains its position. (This function only reads the buffers.
+/// Workers clear them before the next move.)
 ///
 /// Book: chapter 3, *Rebinning by one*.
 pub fn rebin_by_one<'a>(bins: &mut VecBins, buffers: impl Iterator<Item = &'a [Particle]>) {
@@ -71,10 +74,11 @@ pub fn rebin_by_one<'a>(bins: &mut VecBins, buffers: impl Iterator<Item = &'a [P
     // end 3.7
 }
 
-/// Puts the particles of the change buffers that lie in the own rows into their bins.
+/// Puts those particles of the change buffers that are in the worker's rows into their bins.
 ///
-/// `own` are the bins of the own rows; the first has number `first_bin` in `grid`. `buffers` are
-/// those of *all* workers, the own one among them; all workers read all of them at the same time.
+/// `own` are the bins of the worker's rows. The first of them has number `first_bin` in `grid`.
+/// `buffers` are the change buffers of *all* workers, including this one. All workers read all
+/// buffers at the same time.
 ///
 /// Book: chapter 3, *Rebinning by all*.
 pub fn take_arrivals<'a>(
@@ -93,10 +97,10 @@ pub fn take_arrivals<'a>(
     // end 3.8
 }
 
-/// Fork and join: parallel loops over workers, at the end of which all threads wait.
+/// The fork-join engine: parallel loops over workers, at the end of which all threads wait.
 ///
-/// `W` is a worker in memory of its own: `CachePadded<Worker<O>>` on cache lines of its own,
-/// `Box<Worker<O>>` wherever the allocator puts it.
+/// `W` keeps the memory of each worker apart. `CachePadded<Worker<O>>` has its own cache lines;
+/// `Box<Worker<O>>` is wherever the allocator puts it.
 pub struct ForkJoin<O, W> {
     pool: ThreadPool,
     bin_size: f64,
@@ -111,7 +115,7 @@ where
     O: Observer,
     W: DerefMut<Target = Worker<O>> + From<Worker<O>> + Send + Sync,
 {
-    /// An engine for `threads` threads and bins of `bin_size` cutoffs or more.
+    /// Makes an engine for `threads` threads, with bins of `bin_size` cutoffs or more.
     pub fn new(threads: usize, bin_size: f64, rebinning: Rebinning) -> Self {
         Self {
             pool: pool(threads),

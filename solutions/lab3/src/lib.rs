@@ -1,4 +1,4 @@
-//! Lab 3, change buffers: the solution. What the lab is about stands in `labs/lab3/README.md`.
+//! Lab 3, change buffers: the solution. The lab is described in `labs/lab3/README.md`.
 
 mod barrier;
 mod fork_join;
@@ -27,14 +27,15 @@ use crossbeam_utils::CachePadded;
 use solution1::Tally;
 use solution2::{BIN_SIZE, bin_size};
 
-/// Whether the threads' own data lie on cache lines of their own.
+/// Whether each thread's data has its own cache lines.
 const PADDING: Parameter = Parameter::switch(
     "padding",
     "1: each thread's data on cache lines of its own; 0: packed side by side",
     true,
 );
 
-/// A thread that comes last in every part of a step: a thread that does not wait for it is found out.
+/// The thread that comes last in every part of a step, which exposes threads that do not wait for
+/// it.
 const LATE: Parameter = Parameter {
     name: "late",
     about: "this thread (1, 2, ...) does each part when all others have done theirs; 0: none",

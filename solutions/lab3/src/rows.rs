@@ -1,12 +1,15 @@
-//! Task 3.3: which rows belong to which thread.
+//! Task 3.3: the rows of each thread.
 
 use std::ops::Range;
 
-/// The rows of bins that belong to worker `worker` of `workers`, out of `rows` rows.
+/// Returns the rows of bins that belong to worker `worker` of `workers`, out of `rows` rows.
 ///
-/// Every row has one owner, each worker's rows follow those of the worker before, and no worker has
-/// more than one row more than another. So some have none where workers outnumber rows. Any cut that
-/// is so will do.
+/// - Every row has exactly one owner.
+/// - The rows of worker k + 1 follow the rows of worker k.
+/// - The numbers of rows of two workers differ by at most 1. If there are more workers than rows,
+///   some workers have no rows.
+///
+/// Any division with these properties is right.
 ///
 /// Book: chapter 3, *Which rows a thread owns*.
 pub fn own_rows(worker: usize, workers: usize, rows: usize) -> Range<usize> {
@@ -16,7 +19,7 @@ pub fn own_rows(worker: usize, workers: usize, rows: usize) -> Range<usize> {
     // end 3.3
 }
 
-/// The rows of every worker, in order.
+/// Returns the rows of every worker, in order.
 pub fn rows_of_each(workers: usize, rows: usize) -> impl Iterator<Item = Range<usize>> {
     (0..workers).map(move |worker| own_rows(worker, workers, rows))
 }

@@ -15,15 +15,16 @@ use solution2::{BIN_SIZE, Gather, Grid, SortedBins};
 use crate::barrier::Barrier;
 use crate::{own_rows, rows_of_each};
 
-/// A team: each member is a thread with rows of its own, and all run the same program.
+/// A team: each member is a thread with its own rows, and all members run the same program.
 ///
-/// This is how an OpenMP parallel region works inside, and how MPI programs are written: single
-/// program, multiple data. Threads are started once for many steps. Each member keeps its rows in
-/// sorted bins of its own; a particle that leaves them is handed over in a mailbox.
+/// An OpenMP parallel region works like this inside, and MPI programs are written like this: single
+/// program, multiple data. The threads are started once for many steps. Each member keeps the
+/// particles of its rows in its own sorted bins. A particle that leaves the rows travels through a
+/// mailbox.
 ///
 /// A member's bins are behind a [`RwLock`], and a mailbox is behind a [`Mutex`]. The barriers alone
-/// keep the members apart, so no lock is ever waited for. The locks are there because Rust wants to
-/// see it: a missing barrier then cannot corrupt memory.
+/// keep the members apart, so no thread ever waits for a lock. Rust requires the locks: with them,
+/// a missing barrier cannot corrupt memory.
 // ANCHOR: team
 #[derive(Default)]
 pub struct Team<O> {
@@ -33,17 +34,17 @@ pub struct Team<O> {
     grid: Grid,
     /// The bins of each member.
     bins: Vec<RwLock<SortedBins>>,
-    /// `mail[from][to]`: particles on their way from one member to another.
+    /// `mail[from][to]`: the particles that travel from one member to another.
     mail: Vec<Vec<Mutex<Vec<Particle>>>>,
-    /// What the pairs of each member's rows were like in the last step, row by row.
+    /// The observers of each member: one for each of its rows, with the last step's pairs.
     seen: Vec<Mutex<Vec<O>>>,
-    /// The member that owns a row.
+    /// The member that owns each row.
     owners: Vec<usize>,
-    /// How many parts each member has ended in this run.
+    /// The number of parts that each member has finished in this run.
     ended: Vec<CachePadded<AtomicU64>>,
 }
 
-/// What a member has for itself while its thread lives.
+/// The private data of a member, which lives as long as its thread.
 #[derive(Default)]
 struct Member {
     number: usize,
@@ -54,7 +55,7 @@ struct Member {
 // ANCHOR_END: team
 
 impl<O: Observer> Team<O> {
-    /// An engine as the config of its variant says.
+    /// Makes an engine from the config of its variant.
     pub fn new(config: &Config) -> Self {
         Self {
             bin_size: config.parameter(BIN_SIZE),
@@ -64,7 +65,8 @@ impl<O: Observer> Team<O> {
         }
     }
 
-    /// One part of a step of one member, the late member's after all others have done theirs.
+    /// Runs one part of a step for one member. The late member waits until all others have finished
+    /// it.
     fn part(&self, part: Part, member: &mut Member, barrier: &Barrier) {
         let before = self.ended[member.number].load(Ordering::Relaxed);
         for (other, ended) in self.ended.iter().enumerate() {
@@ -83,7 +85,7 @@ impl<O: Observer> Team<O> {
         self.ended[member.number].store(before + 1, Ordering::Release);
     }
 
-    /// First part: reads the bins of all members, writes the member's accelerations.
+    /// The first part: reads the bins of all members and writes the member's accelerations.
     fn sum_forces(&self, member: &mut Member) {
         // Any number of members may hold read locks at once.
         let bins: Vec<RwLockReadGuard<SortedBins>> = self
@@ -112,7 +114,7 @@ impl<O: Observer> Team<O> {
         }
     }
 
-    /// Second part: moves the member's particles, and posts those that left its rows.
+    /// The second part: moves the member's particles, and posts those that left its rows.
     fn move_particles(&self, member: &Member) {
         let mut bins = self.bins[member.number]
             .try_write()
@@ -130,7 +132,7 @@ impl<O: Observer> Team<O> {
         });
     }
 
-    /// Third part: takes the mail and sorts the member's bins.
+    /// The third part: takes the mail, and sorts the member's bins.
     fn take_arrivals(&self, member: &Member) {
         let mut bins = self.bins[member.number]
             .try_write()
@@ -158,11 +160,14 @@ pub enum Part {
     Arrivals,
 }
 
-/// Adds the particles posted to member `number`, by all members in their order, to its `bins`, and then
-/// sorts them once.
+/// Adds the particles posted to member `number` to its `bins`, then sorts the bins once.
 ///
-/// `mail[from][number]` must be empty afterwards for every sender: what is left would arrive
-/// twice. No member posts while this runs, so no lock is waited for.
+/// - `mail[from][to]` contains the particles posted by member `from` to member `to`.
+/// - Take the particles of all senders, in the order of the senders.
+/// - Afterwards, `mail[from][number]` must be empty for every sender. Particles left there would
+///   arrive twice.
+///
+/// No member posts while this runs, so you never have to wait for a lock.
 ///
 /// Book: chapter 3, *Mail*.
 pub fn take_posted(bins: &mut SortedBins, number: usize, mail: &[Vec<Mutex<Vec<Particle>>>]) {
@@ -174,13 +179,15 @@ pub fn take_posted(bins: &mut SortedBins, number: usize, mail: &[Vec<Mutex<Vec<P
     // end 3.9
 }
 
-/// What a member's thread does, from its first step to its last: in each of `steps` steps it calls
-/// `part` for [`Part::Forces`], [`Part::Moves`] and [`Part::Arrivals`].
+/// Runs a member's thread for `steps` steps, from the first to the last.
 ///
-/// All members run this at the same time, each with its own `part`. Look at what the parts read
-/// and write: which part may a member begin only when every other member has ended the one before?
-/// [`Barrier::wait`] returns when all members have called it that have not ended. A barrier costs more than a part
-/// of a small scene: there is none without need.
+/// In each step, call `part` for [`Part::Forces`], [`Part::Moves`] and [`Part::Arrivals`]. All
+/// members run this function at the same time, each with its own `part`.
+///
+/// [`Part`] says what each part reads and writes. Which parts may a member begin only when every
+/// other member has finished the previous part? Wait there: [`Barrier::wait`] returns when all
+/// members that have not finished have called it. In a small scene, a barrier costs more than a
+/// part, so use no barrier without need.
 ///
 /// Book: chapter 3, *Barriers*.
 pub fn take_steps(steps: u64, mut part: impl FnMut(Part), barrier: &Barrier) {
@@ -196,11 +203,13 @@ pub fn take_steps(steps: u64, mut part: impl FnMut(Part), barrier: &Barrier) {
     // end 3.10
 }
 
-/// Calls `work` on `threads` new threads at the same time, with the numbers 0, 1, … up to
-/// `threads`, and returns when all of them have ended.
+/// Calls `work` on `threads` new threads at the same time, and returns when all have finished.
 ///
-/// [`thread::scope`] lets threads borrow `work`. If a thread panics, this panics with its words
-/// ([`resume_unwind`] of what [`join`](thread::ScopedJoinHandle::join) returns).
+/// The threads call `work` with the numbers 0, 1, … up to, not including, `threads`.
+///
+/// [`thread::scope`] lets the threads borrow `work`. If a thread panics, this function panics with
+/// the same message: pass the error of [`join`](thread::ScopedJoinHandle::join) to
+/// [`resume_unwind`].
 ///
 /// Book: chapter 3, *Threads that stay*.
 pub fn on_threads(threads: usize, work: impl Fn(usize) + Sync) {

@@ -8,22 +8,23 @@ use solution1::{add_pair, advance};
 
 use crate::pool;
 
-/// Lab 1's program with its two loops run in parallel, as the vanilla OpenMP program of CS267
-/// does (report, figure 8). It scales, and it is still slower than one thread with bins.
+/// Lab 1's program with two parallel loops, like the vanilla OpenMP program of CS267.
+///
+/// It scales, and it is still slower than one thread with bins (report, figure 8).
 // ANCHOR: vanilla
 pub struct Vanilla<O> {
     pool: ThreadPool,
     size: f64,
     particles: Vec<Particle>,
-    /// One for each particle.
+    /// The acceleration of each particle.
     accelerations: Vec<Vec2>,
-    /// One for each particle: what its pairs were like.
+    /// The observer of each particle, which has seen its pairs.
     seen: Vec<O>,
 }
 // ANCHOR_END: vanilla
 
 impl<O: Observer> Vanilla<O> {
-    /// An engine for `threads` threads.
+    /// Makes an engine for `threads` threads.
     pub fn new(threads: usize) -> Self {
         Self {
             pool: pool(threads),
@@ -34,7 +35,7 @@ impl<O: Observer> Vanilla<O> {
         }
     }
 
-    /// Takes the scene.
+    /// Takes over the scene.
     pub fn load(&mut self, scene: &Scene) {
         self.size = scene.size();
         self.particles = scene.particles().to_vec();
@@ -42,11 +43,13 @@ impl<O: Observer> Vanilla<O> {
         self.seen = vec![O::default(); scene.len()];
     }
 
-    /// For each particle i the sum of what all particles do to it, in ascending order as in lab 1,
-    /// into `accelerations[i]`; the particles are shared among the threads of `pool`.
+    /// Writes the acceleration of each particle i to `accelerations[i]`, in parallel.
     ///
-    /// `seen[i]` is a new observer in each step. It is told of the pairs of particle i, and that
-    /// all particles were looked at.
+    /// - The threads of `pool` share the particles.
+    /// - Like in lab 1, the acceleration of particle i is the sum over all particles, in ascending
+    ///   order.
+    /// - `seen[i]` becomes a new observer in each step. Report the pairs of particle i to it, and
+    ///   report all particles as tested.
     ///
     /// Book: chapter 3, *The quick win*.
     pub fn sum_forces(&mut self) {
@@ -88,7 +91,7 @@ impl<O: Observer> Simulation for Vanilla<O> {
     }
 
     fn statistics(&self) -> Option<Statistics> {
-        // In the order of particles, whichever thread looked at which.
+        // The order of particles, so that the sum does not depend on the threads.
         merged(&self.seen)
     }
 }

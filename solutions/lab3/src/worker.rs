@@ -1,4 +1,4 @@
-//! Tasks 3.4 and 3.5: what one thread does, with memory of its own.
+//! Tasks 3.4 and 3.5: the work of one thread, in its own memory.
 
 use std::ops::Range;
 
@@ -11,21 +11,21 @@ use solution2::{Gather, Grid, VecBins, take_leavers};
 // ANCHOR: worker
 #[derive(Debug)]
 pub struct Worker<O> {
-    /// The rows of bins whose particles this worker looks after.
+    /// The rows of bins whose particles belong to this worker.
     pub rows: Range<usize>,
-    /// Of its own particles, in the order in which they lie in its bins.
+    /// The accelerations of the worker's particles, in the order of the particles in its bins.
     pub accelerations: Vec<Vec2>,
-    /// Its change buffer: particles that have left their bin and are in none at present.
+    /// The change buffer: particles that have left their bin and are not in any bin now.
     pub changed: Vec<Particle>,
-    /// What its particles' pairs were like in this step, for each of its rows.
+    /// One observer for each of the worker's rows, with the pairs of its particles in this step.
     pub seen: Vec<O>,
-    /// Sums the force on one particle.
+    /// The memory for the sum of the forces on one particle.
     pub gather: Gather,
 }
 // ANCHOR_END: worker
 
 impl<O: Observer> Worker<O> {
-    /// The worker that owns `rows`, before its first step.
+    /// Makes the worker that owns `rows`, before its first step.
     pub fn new(rows: Range<usize>) -> Self {
         Self {
             rows,
@@ -36,12 +36,17 @@ impl<O: Observer> Worker<O> {
         }
     }
 
-    /// Fills [`accelerations`](Self::accelerations) for the particles in the bins of the own rows, and
-    /// [`seen`](Self::seen) with one new observer for each row, in the order of rows.
+    /// Computes the accelerations of all particles in the worker's rows.
     ///
-    /// `bins` are those of the whole box: neighbours may lie in rows of other workers, which only
-    /// read them now. [`Gather::acceleration`] of the worker's own [`gather`](Self::gather) does the sum of
-    /// one particle, with [`VecBins::around`]. The two lists still hold those of the step before.
+    /// - `bins` are the bins of the whole box. Neighbours may be in the rows of other workers. All
+    ///   workers only read the bins now.
+    /// - [`accelerations`](Self::accelerations) gets one acceleration for each particle, in the
+    ///   order of the bins.
+    /// - [`seen`](Self::seen) gets one new observer for each row, in the order of rows.
+    /// - Both lists still hold the values of the previous step: clear them.
+    ///
+    /// The [`acceleration`](Gather::acceleration) method of the worker's [`gather`](Self::gather)
+    /// computes the acceleration of one particle. [`VecBins::around`] gives it the candidates.
     ///
     /// Book: chapter 3, *Forces*.
     pub fn sum_forces(&mut self, bins: &VecBins) {
@@ -63,13 +68,17 @@ impl<O: Observer> Worker<O> {
         // end 3.4
     }
 
-    /// Moves the particles in `own`, and takes those that left their bin into the change buffer.
+    /// Moves the particles in `own`, and moves those that left their bin to the change buffer.
     ///
-    /// `own` are the bins of the own rows, row by row, and no other thread can touch them while this
-    /// runs: that is what `&mut` means. The first of them has number `rows.start` · columns in
-    /// `grid`. [`advance`] moves one particle, [`take_leavers`] (lab 2) takes out of one bin the
-    /// particles that left it. A particle may leave for a bin of the same worker or of another; both
-    /// go into the buffer. What is still in the buffer from the step before is in the bins by now.
+    /// - `own` are the bins of the worker's rows, row by row. The first of them has number
+    ///   `rows.start` · columns in `grid`. No other thread can touch them while this runs: `&mut`
+    ///   guarantees this.
+    /// - [`advance`] moves one particle. [`take_leavers`] of lab 2 takes the particles that left a
+    ///   bin out of it.
+    /// - A particle may move to a bin of the same worker or of another worker. It goes into the
+    ///   buffer in both cases.
+    /// - The buffer still holds the particles of the previous step. They are in the bins now: clear
+    ///   it.
     ///
     /// Book: chapter 3, *Change buffers*.
     pub fn move_particles(&mut self, grid: &Grid, own: &mut [Vec<Particle>]) {

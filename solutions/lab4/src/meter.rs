@@ -1,35 +1,37 @@
-//! Task 4.2: what a lock costs.
+//! Task 4.2: the cost of a lock.
 
 use std::time::Duration;
 
 use common_threads::{Guard, Lock, Stopwatch};
 
-/// What one thread has spent its time on, and on locks.
+/// The times and the lock counts of one thread.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Meter {
-    /// Time in which it summed forces.
+    /// The time spent on forces.
     pub forces: Duration,
-    /// Time in which it moved particles, with all that it did at the moment of a change: locks, waiting
-    /// for them, noting down, handing over.
+    /// The time spent on moves, including the work at each change of bin.
+    ///
+    /// This work is taking locks, waiting for them, recording changes and handing them over.
     pub moving: Duration,
-    /// Time in which it brought bins up to date when all particles had moved.
+    /// The time spent on bringing bins up to date after all particles had moved.
     pub rebinning: Duration,
-    /// Locks taken.
+    /// The number of locks taken.
     pub locks: u64,
-    /// Of these, how many another thread held at the time.
+    /// The number of locks that another thread held when this thread wanted them.
     pub contended: u64,
-    /// Time spent waiting for all of those.
+    /// The time spent waiting for the contended locks.
     pub waiting: Duration,
 }
 
 impl Meter {
-    /// Takes the lock, and notes down what it cost.
+    /// Takes the lock, and records the cost.
     ///
-    /// A clock takes longer to read than a free lock to take: if every lock were timed, one would
-    /// measure the clock. So a free lock is counted in [`locks`](Self::locks) and costs no more than
-    /// [`Lock::try_lock`]. Only a lock that another thread holds is counted in
-    /// [`contended`](Self::contended) too, and the wait for it ([`Lock::lock`]) is added to
-    /// [`waiting`](Self::waiting). The clock is a [`Stopwatch`].
+    /// - Count every lock in [`locks`](Self::locks).
+    /// - A free lock must cost no more than [`Lock::try_lock`]. Reading a clock takes longer than
+    ///   taking a free lock, so do not time it: you would measure the clock.
+    /// - If another thread holds the lock, also count it in [`contended`](Self::contended). Wait
+    ///   for it with [`Lock::lock`], measure the wait with a [`Stopwatch`], and add it to
+    ///   [`waiting`](Self::waiting).
     ///
     /// Book: chapter 4, *Reading contention*.
     #[inline]

@@ -1,21 +1,21 @@
-//! Task 4.1: bins that all threads share, and their locks.
+//! Task 4.1: bins shared by all threads, and their locks.
 
 use std::sync::Arc;
 
 use common_threads::{Lock, Watch};
 
-/// The particles in a bin, by their numbers, in any order.
+/// A bin: the numbers of the particles in it, in any order.
 pub type Bin = Vec<u32>;
 
-/// How the bins of a box are cut into regions: runs of `bins_each` bins.
+/// The division of a box into regions, which are runs of `bins_each` bins.
 #[derive(Clone, Copy, Debug)]
 pub struct Cut {
-    /// Bins in each region; the last may have less.
+    /// The number of bins in each region. The last region may have fewer.
     pub bins_each: usize,
 }
 
 impl Cut {
-    /// The number of the region that bin `bin` lies in, and the bin's index in it.
+    /// Returns the number of the region that contains bin `bin`, and the bin's index in the region.
     ///
     /// Region 0 begins with bin 0.
     ///
@@ -28,22 +28,24 @@ impl Cut {
     }
 }
 
-/// All bins of a box in regions, with a lock for each.
+/// All bins of a box, divided into regions, with a lock for each region.
 ///
-/// The lock of a region owns its bins: while other threads can see them, there is no other way to
-/// them.
+/// The lock of a region owns the bins of the region. While other threads have access to the
+/// regions, the lock is the only way to the bins.
 pub struct Regions {
-    /// How they are cut.
+    /// The division of the bins into regions.
     pub cut: Cut,
-    /// Region r is guarded by lock number r.
+    /// The locks of the regions: lock r guards region r.
     pub locks: Vec<Lock<Vec<Bin>>>,
 }
 
 impl Regions {
-    /// `bins` empty bins in `count` regions or less, in the order of their numbers.
+    /// Makes `bins` empty bins, in order, in at most `count` regions.
     ///
-    /// All regions have the same number of bins, as few as will do; the last may have less, and no
-    /// region has none. Lock number r guards the bins of region r.
+    /// - Every region has the same number of bins. Only the last region may have fewer.
+    /// - Choose the smallest number of bins in a region for which `count` regions suffice.
+    /// - Every region has at least one bin.
+    /// - Lock r guards the bins of region r.
     ///
     /// Book: chapter 4, *Regions and their locks*.
     pub fn new(bins: usize, count: usize) -> Self {
@@ -58,38 +60,39 @@ impl Regions {
         // end 4.1b
     }
 
-    /// Tells `watch` of every lock.
+    /// Makes `watch` observe every lock.
     pub fn watch(&mut self, watch: &Arc<dyn Watch>) {
         self.locks.iter_mut().for_each(|lock| lock.watch(Arc::clone(watch)));
     }
 
-    /// The bins of each region, while no other thread sees them: no lock is taken.
+    /// The bins of each region, while no other thread has access to them. This takes no lock.
     // ANCHOR: parts
     pub fn parts_mut(&mut self) -> impl Iterator<Item = &mut Vec<Bin>> {
         self.locks.iter_mut().map(Lock::get_mut)
     }
 
-    /// All bins, to be read by all threads: no lock is taken, and none can be while this lives.
+    /// Returns all bins, for all threads to read. This takes no lock. No thread can take a lock
+    /// while the view exists.
     pub fn view(&mut self) -> View<'_> {
         View { cut: self.cut, regions: self.parts_mut().map(|bins| &bins[..]).collect() }
     }
     // ANCHOR_END: parts
 
-    /// A bin, while no other thread sees it.
+    /// Returns a bin, while no other thread has access to it.
     pub fn bin_mut(&mut self, bin: usize) -> &mut Bin {
         let (region, index) = self.cut.find(bin);
         &mut self.locks[region].get_mut()[index]
     }
 }
 
-/// The bins for reading.
+/// A read-only view of all bins.
 pub struct View<'a> {
     cut: Cut,
     regions: Vec<&'a [Bin]>,
 }
 
 impl View<'_> {
-    /// The particles in a bin.
+    /// The numbers of the particles in a bin.
     #[inline]
     pub fn bin(&self, bin: usize) -> &[u32] {
         let (region, index) = self.cut.find(bin);

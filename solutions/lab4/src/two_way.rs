@@ -5,18 +5,22 @@ use common::soft::Observer;
 use solution1::pair_acceleration;
 use solution2::SortedBins;
 
-/// Adds to `accelerations` what the particles of `bins` do to each other, looking at every pair
-/// once. `accelerations[i]` belongs to `bins.particles()[i]`.
+/// Adds the accelerations of all pairs within `bins` to `accelerations`, each pair computed once.
 ///
-/// If `a` is what j does to i ([`pair_acceleration`] of the vector from i to j), then −a is what i
-/// does to j. To meet every pair once, each particle looks only at those that come after it in
-/// the order of bins: the rest of its own bin and the bin to the right, and the three bins in the
-/// row above ([`Grid::near`] of its column). Rows beyond those of `bins` are not looked at.
+/// `accelerations[i]` belongs to `bins.particles()[i]`. If j accelerates i by `a`
+/// ([`pair_acceleration`] of the vector from i to j), then i accelerates j by −a.
 ///
-/// [`SortedBins::span`] gives the indices of neighbouring bins of a row: they are one range, and the
-/// rest of the own bin with the bin to the right is one as well. Tell the observer for each particle
-/// how many the two ranges have ([`Observer::tested`]), each pair once; and of every pair that touches
-/// ([`Observer::seen`], with its squared distance) *twice*: once for i, once for j.
+/// To meet every pair once, each particle looks only at the particles that come after it in the
+/// order of bins. They are in two ranges of indices ([`SortedBins::span`] of neighbouring bins of a
+/// row):
+///
+/// - the rest of its own bin, and the bin to the right;
+/// - the three bins in the row above ([`Grid::near`] of its column). If `bins` does not contain
+///   that row, this range is empty.
+///
+/// Report every pair once in [`tested`](Observer::tested): for each particle, the number of
+/// particles in both ranges. Call [`seen`](Observer::seen) with the squared distance *twice* for a
+/// pair that touches: once for i, once for j.
 ///
 /// Book: chapter 4, *Every pair once*.
 ///
@@ -53,14 +57,18 @@ pub fn pairs_within<O: Observer>(bins: &SortedBins, accelerations: &mut [Vec2], 
     }
 }
 
-/// Adds what the particles in the last row of `bins` and those in the first row of `next`, the
-/// owner of the row above, do to each other.
+/// Adds the accelerations of the pairs across the cut between `bins` and `next`.
 ///
-/// The thread that owns `bins` runs this, and it alone, so the pair counts once. It may write its
-/// own `accelerations`, but not the next owner's: its thread is writing there at the same time. So what
-/// is done to particle k of the next owner's first row goes into `across[k]`, which is zero at
-/// first, and the next owner adds it later. Indices in `next` begin with 0 in its first row. The observer
-/// is told as in [`pairs_within`].
+/// A pair consists of a particle i in the last row of `bins` and a particle k in the first row of
+/// `next`, which is the row above. Only the thread that owns `bins` runs this, so each pair is
+/// computed once.
+///
+/// - Add the acceleration of particle i to `accelerations[i]`.
+/// - Add the acceleration of particle k of the next owner's first row to `across[k]`. It is zero at
+///   first. The next owner adds it later. (The next owner's thread writes its own accelerations at
+///   the same time, so you may not write there.)
+/// - Indices into `next` start at 0, with the first particle of its first row.
+/// - Report the pairs to the observer as in [`pairs_within`].
 ///
 /// Book: chapter 4, *Every pair once*.
 pub fn pairs_across<O: Observer>(
@@ -91,7 +99,7 @@ pub fn pairs_across<O: Observer>(
     }
 }
 
-/// Adds what came from across the cut to the accelerations of an owner's first row.
+/// Adds the accelerations from across the cut to the accelerations of an owner's first row.
 pub fn add_across(accelerations: &mut [Vec2], across: &[Vec2]) {
     for (a, from_below) in accelerations.iter_mut().zip(across) {
         *a += *from_below;

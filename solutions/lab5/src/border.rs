@@ -1,4 +1,4 @@
-//! Tasks 5.3 and 5.7: ghosts, copies of particles on the other side of a border between ranks.
+//! Tasks 5.3 and 5.7: ghosts, copies of particles from the other side of a border between ranks.
 
 use std::ops::Range;
 
@@ -8,18 +8,18 @@ use solution2::VecBins;
 
 use crate::Cut;
 
-/// Copies of the particles of `block` that other ranks need as ghosts, in any order.
+/// Returns copies of the particles of `block` that other ranks need as ghosts, in any order.
 ///
-/// They lie in the border rows: the rows of the block that have a neighbouring row on another rank
-/// ([`Cut::neighbours`] names these ranks). *Every* particle of a border row is copied, whether it
-/// changed its bin in this step or not: it has moved, and the copy made in the step before lies
-/// where the particle no longer is.
+/// - Copy *every* particle of the border rows. These are the rows of the block with a neighbouring
+///   row on another rank ([`Cut::neighbours`] yields these ranks).
+/// - Copy a particle even if it did not change its bin in this step. It has moved, so the position
+///   of the previous copy is out of date.
+/// - Copy each particle once, even if the block is a single row with neighbours on both sides. The
+///   root sends the copy to both.
+/// - A block may be empty.
 ///
-/// Each particle is copied once, even if the block is a single row with a neighbour on either
-/// side: the root sends the copy to both. A block may be empty.
-///
-/// [`VecBins::bins`] has the bins row by row, `columns` in each, and [`Wire::from`] a particle is its
-/// copy.
+/// [`VecBins::bins`] returns the bins row by row, with `columns` bins in each row. [`Wire::from`]
+/// makes the copy of a particle.
 ///
 /// Book: chapter 5, *Ghosts*.
 pub fn border_copies(bins: &VecBins, cut: &Cut, block: &Range<usize>) -> Vec<Wire> {
@@ -36,17 +36,18 @@ pub fn border_copies(bins: &VecBins, cut: &Cut, block: &Range<usize>) -> Vec<Wir
     copies
 }
 
-/// Takes in what came from the root: clears the ghosts of the step before and puts every particle
-/// of `arrived` into its bin.
+/// Replaces the ghosts of the previous step by the particles that arrived from the root.
 ///
-/// Ghosts lie in the rows next to the block, `block.start − 1` and `block.end`, where the box has
-/// such a row; no other row outside the block holds anything. A particle of `arrived` is either
-/// owned by this rank from now on or a ghost. The row that it lies in tells which, and
-/// [`VecBins::put`] finds that row, so both are treated alike. An empty block gets no particles and
-/// has no ghosts.
+/// - First remove all particles from the ghost rows. These are the rows next to the block,
+///   `block.start − 1` and `block.end`, as far as the box has them. All other rows outside the
+///   block are empty.
+/// - Then put every particle of `arrived` into its bin. It is either a ghost, or a particle that
+///   this rank owns from now on. Its row decides which, and [`VecBins::put`] finds the row, so
+///   treat both in the same way.
+/// - A rank with an empty block has no ghosts, and receives no particles.
 ///
-/// [`VecBins::bins_mut`] has the bins row by row, `columns` in each, and [`Particle::from`] a wire is
-/// the particle itself.
+/// [`VecBins::bins_mut`] returns the bins row by row, with `columns` bins in each row.
+/// [`Particle::from`] converts a wire to a particle.
 ///
 /// Book: chapter 5, *The stale ghosts*.
 pub fn replace_ghosts(bins: &mut VecBins, block: &Range<usize>, arrived: &[Wire]) {
@@ -62,7 +63,7 @@ pub fn replace_ghosts(bins: &mut VecBins, block: &Range<usize>, arrived: &[Wire]
     // end 5.7
 }
 
-/// The particles of `block`, ghosts left out, in the order of their bins.
+/// Returns the particles of `block` without ghosts, in the order of their bins.
 pub(crate) fn own<'a>(
     bins: &'a VecBins,
     block: &Range<usize>,

@@ -1,29 +1,29 @@
-//! Task 5.1: which rank has which rows.
+//! Task 5.1: the rows of each rank.
 
 use std::ops::Range;
 
-/// `rows` rows of bins, cut into a block of adjacent rows for each of `ranks` ranks, as even as can
-/// be.
+/// The division of `rows` rows of bins into blocks of adjacent rows, one for each of `ranks` ranks.
 ///
-/// Rank k has the rows from k · `rows` / `ranks` up to, not including, (k + 1) · `rows` / `ranks`,
-/// both rounded down. Where one block ends the next begins, so no row is lost and none is doubled,
-/// whatever the numbers are. With more ranks than rows some blocks are empty.
+/// The blocks are as equal as possible. Rank k has the rows from k · `rows` / `ranks` up to, not
+/// including, (k + 1) · `rows` / `ranks`, both rounded down. Every block begins where the previous
+/// block ends, so each row belongs to exactly one rank, for any numbers of rows and ranks. If there
+/// are more ranks than rows, some blocks are empty.
 ///
-/// (`rows / ranks` rows for each rank is the obvious cut, and wrong twice: the last rows belong to
-/// no rank when the division leaves a remainder, and no rank has any row when ranks outnumber
-/// rows.)
+/// (The obvious division, `rows / ranks` rows for each rank, is wrong in two ways. If the division
+/// leaves a remainder, the last rows belong to no rank. If there are more ranks than rows, no rank
+/// has any rows.)
 // ANCHOR: cut
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cut {
-    /// Number of rows, at least 1.
+    /// The number of rows, at least 1.
     pub rows: usize,
-    /// Number of ranks, at least 1.
+    /// The number of ranks, at least 1.
     pub ranks: usize,
 }
 // ANCHOR_END: cut
 
 impl Cut {
-    /// The rows of `rank`, which is less than [`ranks`](Self::ranks).
+    /// Returns the rows of `rank`, which is less than [`ranks`](Self::ranks).
     ///
     /// Book: chapter 5, *Blocks of rows*.
     pub fn block(&self, rank: usize) -> Range<usize> {
@@ -33,11 +33,11 @@ impl Cut {
         // end 5.1
     }
 
-    /// The rank that has `row`: the only one whose [`block`](Self::block) contains it. `row` is less
-    /// than [`rows`](Self::rows).
+    /// Returns the rank that has `row`: the only rank whose [`block`](Self::block) contains it.
     ///
-    /// The root asks this for every particle that passes through it. Do not search: the inequality
-    /// k · `rows` / `ranks` ≤ `row`, its left side rounded down, can be solved for the greatest k.
+    /// `row` is less than [`rows`](Self::rows). The root calls this for every particle that it
+    /// passes on, so do not search. Solve the inequality k · `rows` / `ranks` ≤ `row`, with its
+    /// left side rounded down, for the greatest k.
     ///
     /// Book: chapter 5, *Blocks of rows*.
     #[inline]
@@ -47,9 +47,11 @@ impl Cut {
         // end 5.1b
     }
 
-    /// The other ranks that need ghosts of the particles in `row`: the owners of the row before it
-    /// and of the row after it, if these are not its own owner. None for a row inside a block, one
-    /// for a border row, two for a block of a single row.
+    /// Yields the other ranks that need ghosts of the particles in `row`.
+    ///
+    /// They are the owners of the previous row and of the next row, unless these rows have the same
+    /// owner as `row`. A row inside a block has no such rank, a border row has one, and a block of
+    /// a single row has two.
     pub fn neighbours(&self, row: usize) -> impl Iterator<Item = usize> {
         let owner = self.owner(row);
         let before = row.checked_sub(1);

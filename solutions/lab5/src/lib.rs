@@ -1,4 +1,4 @@
-//! Lab 5, messages through the root: the solution. What the lab is about stands in `labs/lab5/README.md`.
+//! Lab 5, messages through the root: the solution. The lab is described in `labs/lab5/README.md`.
 
 mod border;
 mod cut;

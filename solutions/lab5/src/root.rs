@@ -1,4 +1,4 @@
-//! Tasks 5.4 and 5.6: to the root and back.
+//! Tasks 5.4 and 5.6: from all ranks to the root, and from the root to all ranks.
 
 use common::soft::Particle;
 use common_mpi::{Wire, displacements, split, total};
@@ -9,17 +9,21 @@ use mpi::traits::*;
 
 use crate::ROOT;
 
-/// Collects at the root the `items` of each rank: returns there a list for each rank, in the order
-/// of ranks, the root's own among them. On other ranks it returns no list.
+/// Collects the `items` of each rank at the root.
 ///
-/// The root does not know how much each rank has. So it takes two collective operations. First the
-/// root gathers a number from each rank, `count`: [`Root::gather_into`], on the root
-/// [`Root::gather_into_root`]. Then it gathers that many items from each:
-/// [`Root::gather_varcount_into`], on the root [`Root::gather_varcount_into_root`]. The second one
-/// fills a [`PartitionMut`]: a buffer for the items of all ranks, how many items each rank sends, and
-/// where those of each rank begin ([`displacements`]). [`total`] and [`split`] help.
+/// On the root, this returns one list for each rank, in the order of ranks, including its own. On
+/// the other ranks, it returns no lists.
 ///
-/// All ranks call it together, also those that have no items.
+/// The root does not know how many items each rank has, so two collective operations are needed:
+///
+/// - The root gathers `count` from each rank. Call [`Root::gather_into`], and on the root
+///   [`Root::gather_into_root`].
+/// - The root gathers that many items from each rank. Call [`Root::gather_varcount_into`], and on
+///   the root [`Root::gather_varcount_into_root`]. The root fills a [`PartitionMut`]: a buffer for
+///   the items of all ranks, the number of items from each rank, and the index at which each rank's
+///   items begin ([`displacements`]). [`total`] and [`split`] help.
+///
+/// All ranks call this together, even ranks without items.
 ///
 /// Book: chapter 5, *Gather*.
 pub fn gather_at_root(world: &SimpleCommunicator, items: &[Wire]) -> Vec<Vec<Wire>> {
@@ -40,15 +44,19 @@ pub fn gather_at_root(world: &SimpleCommunicator, items: &[Wire]) -> Vec<Vec<Wir
     // end 5.4
 }
 
-/// Hands out the lists that the root has: returns `lists[k]` on rank k, on the root too. On other
-/// ranks than the root `lists` is not read and may be empty.
+/// Sends each rank its list from the root: rank k, and also the root, returns `lists[k]`.
 ///
-/// The reverse of [`gather_at_root`]. First the root scatters to each rank the length of its list:
-/// [`Root::scatter_into`], on the root [`Root::scatter_into_root`]. Then it scatters the items:
-/// [`Root::scatter_varcount_into`] and [`Root::scatter_varcount_into_root`]. The root sends from a
-/// [`Partition`] of one buffer, in which the lists stand one behind the other (`concat`).
+/// Only the root reads `lists`; on the other ranks it may be empty.
 ///
-/// All ranks call it together, also those that get nothing.
+/// This is the reverse of [`gather_at_root`]:
+///
+/// - The root scatters the length of its list to each rank. Call [`Root::scatter_into`], and on the
+///   root [`Root::scatter_into_root`].
+/// - The root scatters the items. Call [`Root::scatter_varcount_into`], and on the root
+///   [`Root::scatter_varcount_into_root`]. The root sends from a [`Partition`] of one buffer that
+///   contains all lists in sequence (`concat`).
+///
+/// All ranks call this together, even ranks with an empty list.
 ///
 /// Book: chapter 5, *Scatter*.
 pub fn scatter_from_root(world: &SimpleCommunicator, lists: &[Vec<Wire>]) -> Vec<Wire> {
@@ -71,8 +79,9 @@ pub fn scatter_from_root(world: &SimpleCommunicator, lists: &[Vec<Wire>]) -> Vec
     // end 5.6
 }
 
-/// Copies those of all ranks' `own` particles with ids `first .. first + out.len()` into the root's `out`, in the
-/// order of ids. All ranks call it together.
+/// Copies the particles with ids `first .. first + out.len()` to the root's `out`, in id order.
+///
+/// `own` are the particles of each rank. All ranks call this together.
 pub fn read_at_root(
     world: &SimpleCommunicator,
     own: impl Iterator<Item = Wire>,

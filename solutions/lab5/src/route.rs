@@ -5,24 +5,24 @@ use solution2::Grid;
 
 use crate::Cut;
 
-/// What one rank sent to the root.
+/// The particles that one rank has sent to the root.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parcel {
-    /// Particles that left its block. It no longer has them.
+    /// The particles that left the rank's block. The rank no longer has them.
     pub leavers: Vec<Wire>,
-    /// Copies of the particles in its border rows. It still has them.
+    /// Copies of the particles in the rank's border rows. The rank still has the particles.
     pub copies: Vec<Wire>,
 }
 
-/// Sorts the parcels of all ranks, in the order of ranks, into a list for each rank: what that rank
-/// shall get, in any order.
+/// Sorts the parcels of all ranks into one list for each rank: the particles to send to it.
 ///
-/// - A leaver goes to the rank that owns the row it lies in now ([`Cut::owner`]), anywhere in the
-///   box. If that is a border row, the row's neighbours need it as a ghost as well
-///   ([`Cut::neighbours`]). The rank that it left is most often one of them.
-/// - A copy goes to the row's neighbours only: its owner has the particle itself.
+/// `parcels` are in the order of ranks. Each list may be in any order. The rows of `cut` are the
+/// rows of `grid`.
 ///
-/// The rows of `cut` are those of `grid`.
+/// - A leaver goes to the rank that owns the row in which it is now ([`Cut::owner`]). That may be
+///   anywhere in the box. If the row is a border row, its neighbours need the leaver as a ghost as
+///   well ([`Cut::neighbours`]). The rank that the particle left is usually one of them.
+/// - A copy goes only to the neighbours of its row. The owner of the row has the particle itself.
 ///
 /// Book: chapter 5, *Sorting at the root*.
 pub fn sort_by_receiver(grid: &Grid, cut: &Cut, parcels: &[Parcel]) -> Vec<Vec<Wire>> {

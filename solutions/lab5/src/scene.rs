@@ -7,16 +7,17 @@ use mpi::traits::*;
 
 use crate::ROOT;
 
-/// Sends the scene of the root to all ranks, and returns on each of them the side of the box and
-/// all particles in id order. `scene` is there on the root ([`Scene::size`], [`Scene::particles`]); on
-/// other ranks it is `None`, and their buffers begin with any values.
+/// Broadcasts the root's scene: returns the side of the box and all particles in id order.
 ///
-/// A broadcast ([`Root::broadcast_into`]) is the same call on all ranks: the root's buffer is read,
-/// those of all other ranks are overwritten. A buffer must have the right length before the call.
-/// So it takes three calls, and no more: the number of particles (a `u64`), the side of the box (an `f64`), and then
-/// the particles, as a slice of [`Wire`].
+/// On the root, `scene` contains the scene ([`Scene::size`], [`Scene::particles`]). On the other
+/// ranks, it is `None`. Every rank returns the same side and the same particles.
 ///
-/// All ranks call it together.
+/// A broadcast ([`Root::broadcast_into`]) is the same call on all ranks: it reads the root's
+/// buffer, and overwrites the buffers of all other ranks, whatever they contain. Every buffer must
+/// have the right length before the call. So three calls are needed, and no more: the number of
+/// particles (a `u64`), the side of the box (an `f64`), and the particles (a slice of [`Wire`]).
+///
+/// All ranks call this together.
 ///
 /// Book: chapter 5, *Bcast*.
 pub fn broadcast(world: &SimpleCommunicator, scene: Option<&Scene>) -> (f64, Vec<Particle>) {

@@ -1,15 +1,18 @@
-//! Task 6.6: movers to the neighbours, and movers that go further.
+//! Task 6.6: particles that move to a neighbour, and particles that move further.
 
 use common_mpi::Wire;
 use halo::{Cuts, Leavers};
 use solution2::Grid;
 
-/// Sorts `leavers`, particles that no longer lie in the block of this rank, by their new owners, in
-/// each list in the order in which they come. `neighbours` are those of this rank, before and
-/// after, where there are any ([`neighbours`](crate::neighbours)).
+/// Sorts `leavers` by their new owners.
+///
+/// - `leavers` are particles that are no longer in the block of this rank. Each list of the result
+///   keeps their order.
+/// - `neighbours` are the ranks before and after this one, if they exist
+///   ([`neighbours`](crate::neighbours)).
 ///
 /// In an ordinary step a particle moves a twentieth of a cutoff, and all leavers go to a neighbour.
-/// But nothing in the model forbids a particle to fly across many blocks in one step.
+/// But the model allows a particle to cross many blocks in one step.
 ///
 /// Book: chapter 6, *Movers*.
 pub fn sort_leavers(

@@ -1,4 +1,4 @@
-//! Lab 6, messages to neighbours: the solution. What the lab is about stands in `labs/lab6/README.md`.
+//! Lab 6, messages to neighbours: the solution. The lab is described in `labs/lab6/README.md`.
 
 mod cuts;
 mod exchange;
@@ -44,7 +44,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     ),
 ];
 
-/// What the library asks for, answered by the functions of the tasks.
+/// The functions of the tasks, under the names that the library calls.
 pub struct Lab6;
 
 impl Blocks for Lab6 {

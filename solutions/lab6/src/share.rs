@@ -1,4 +1,4 @@
-//! Task 6.7: a rank's share of a scene that no rank holds.
+//! Task 6.7: a rank's share of a scene that is never in memory as a whole.
 
 use common::soft::Particle;
 use halo::{Cuts, Replay};
@@ -6,15 +6,18 @@ use solution2::Grid;
 
 use crate::balanced;
 
-/// The cuts of a scene and the particles of `rank`'s block, from a scene that comes one particle
-/// after the other.
+/// Returns the cuts of a scene and the particles in `rank`'s block.
 ///
-/// `replay(&mut |particle| …)` calls the function with each particle, as often as it is asked to.
+/// `replay` yields the scene one particle at a time: `replay(&mut |particle| …)` calls the function
+/// with each particle. You may call it several times.
 ///
-/// No rank may keep the whole scene, and the cuts are not known before the particles of all rows
-/// are counted. So replay the scene twice: first count the particles in each row of `grid`, and cut
-/// the rows ([`balanced`]); then keep the particles of the own block. Every rank finds the same
-/// cuts, without a message.
+/// No rank may keep the whole scene, and the cuts depend on the particles of all rows. So replay
+/// the scene twice:
+///
+/// 1. Count the particles in each row of `grid`, and cut the rows ([`balanced`]).
+/// 2. Keep the particles of the rank's block.
+///
+/// Every rank computes the same cuts, without a message.
 ///
 /// Book: chapter 6, *A scene that no rank holds*.
 pub fn keep_share(

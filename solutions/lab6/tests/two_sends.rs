@@ -1,4 +1,5 @@
-//! What chapter 6 steps through: two ranks that both send first, and the same messages started together.
+//! The example of chapter 6: two ranks that both send first, and the same messages started
+//! together.
 
 use std::process::ExitCode;
 
@@ -9,12 +10,14 @@ use mpi::traits::*;
 use oracle::mpiexec::{join_columns, on_each, print_column};
 use oracle::{spaced, watched};
 
-/// How often a rank asks whether its send is through.
+/// The number of times that a rank tests whether its send is complete.
 const LOOKS: usize = 1000;
 
-/// Synchronous sends, which the library may not copy aside, however short: they end when their receive
-/// has begun, and not before. They are started and asked about rather than called, so that the test comes
-/// to an end. No rank begins a receive before both ranks have asked for the last time.
+/// Two synchronous sends do not complete before their receives begin.
+///
+/// The library may not buffer a synchronous send, however short it is. The sends are started and
+/// tested instead of called, so that this test finishes. A rank begins its receive only after both
+/// ranks have tested their sends for the last time.
 #[test]
 fn two_sends_wait_for_each_other() {
     watched("two_sends_wait_for_each_other", || {
@@ -31,7 +34,7 @@ fn two_sends_wait_for_each_other() {
                 }
                 rows.push(("asked 1000 times", ask(&mut send)));
                 world.barrier();
-                // What the two programs have behind their sends, and do not reach.
+                // In the two programs, the receives come after the sends, and are not reached.
                 let reached = if send.is_some() { "not reached" } else { "begins" };
                 rows.push(("receive", reached.into()));
                 print_column(world.rank(), &rows);
@@ -69,7 +72,7 @@ fn started_together_they_arrive() {
     });
 }
 
-/// The columns of two ranks that each do `part`.
+/// Returns the columns printed by two ranks that each run `part`.
 fn on_two_ranks(part: impl FnOnce(&SimpleCommunicator)) -> String {
     let job = on_each("6.3", &[2], || {
         as_rank(|world| {
@@ -80,12 +83,12 @@ fn on_two_ranks(part: impl FnOnce(&SimpleCommunicator)) -> String {
     join_columns(&job.stdout)
 }
 
-/// Particles that the ranks have for each other.
+/// The particles that a rank sends to the other.
 fn ghosts(rank: i32) -> [u32; 2] {
     if rank == 0 { [2, 3] } else { [4, 5] }
 }
 
-/// Whether the send is through; then there is nothing left to ask about.
+/// Tests whether the send is complete. A complete send is removed from `send`.
 fn ask<'a, D: ?Sized, S: mpi::request::Scope<'a>>(send: &mut Option<Request<'a, D, S>>) -> String {
     *send = send.take().and_then(|request| request.test().err());
     if send.is_some() { "waits" } else { "through" }.into()

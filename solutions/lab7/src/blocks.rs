@@ -1,14 +1,22 @@
 //! Task 7.12: the blocks of the report's grid of three levels.
 //!
-//! There are 21: 4 × 4 small ones, numbers 0 to 15; 2 × 2 medium ones, 16 to 19; the whole square, 20.
+//! There are 21 blocks:
+//!
+//! - 4 × 4 small blocks, with numbers 0 to 15;
+//! - 2 × 2 medium blocks, with numbers 16 to 19;
+//! - the whole square, with number 20.
 
 use hard_discs::Span;
 
-/// The smallest block of a square of side `side` that a swept box fits into.
+/// Returns the number of the smallest block that a swept box fits into.
 ///
-/// Small blocks are numbered 4 row + column, medium ones 16 + 2 row + column, rows from below.
-/// The edge at x lies in column ⌊4 x / side⌋ of the small blocks: exactly between two columns in the right one.
-/// What lies beyond the square counts to the outermost blocks.
+/// `x` and `y` are the spans of the box, in a square of side `side`.
+///
+/// - Small blocks have numbers 4 row + column, and medium blocks have numbers 16 + 2 row + column.
+///   Row 0 is the lowest.
+/// - An edge at x is in column ⌊4 x / side⌋ of the small blocks. An edge exactly between two
+///   columns is therefore in the right one.
+/// - An edge beyond the square is in the outermost row or column.
 ///
 /// Book: chapter 7, *The grid of three levels*.
 pub fn block_of(x: Span, y: Span, side: f64) -> usize {
@@ -23,8 +31,9 @@ pub fn block_of(x: Span, y: Span, side: f64) -> usize {
     // end 7.12
 }
 
-/// The blocks of coarser levels that overlap block number `block`, which are those around it: a
-/// small block lies in a medium one and in the whole square.
+/// Returns the blocks of coarser levels that contain block number `block`.
+///
+/// A small block is in one medium block and in the whole square.
 ///
 /// Book: chapter 7, *The grid of three levels*.
 pub fn blocks_around(block: usize) -> Vec<usize> {
@@ -37,12 +46,14 @@ pub fn blocks_around(block: usize) -> Vec<usize> {
     // end 7.12b
 }
 
-/// The search of one disc: calls `look` with discs that it may meet, a list at a time.
+/// Calls `look` with lists of the discs that one disc may meet, one list at a time.
 ///
-/// `blocks[b]` are the numbers of the discs in block b, and the disc is the one at `index` in block `block`. Two discs
-/// may meet if they are in the same block, or if the block of one is among the [blocks around](blocks_around) that of
-/// the other. This is called for every disc of every block: each such pair must come up in the call of one of the two
-/// and not of both, and no disc meets itself.
+/// - `blocks[b]` contains the numbers of the discs in block b. The disc is at `index` in block
+///   `block`.
+/// - Two discs may meet if they are in the same block. They may also meet if the block of one is
+///   [around](blocks_around) the block of the other.
+/// - This is called for every disc of every block. Each such pair must be found in exactly one of
+///   the two calls for its discs. No disc meets itself.
 ///
 /// Book: chapter 7, *The grid of three levels*.
 pub fn look_around(blocks: &[Vec<u32>], block: usize, index: usize, mut look: impl FnMut(&[u32])) {

@@ -1,11 +1,13 @@
-//! Task 7.8: which worker does which part of a loop.
+//! Task 7.8: the division of a loop among workers.
 
 use std::ops::Range;
 
 use hard_discs::{Schedule, SharedCount, Team};
 
-/// A loop over `0..n`, shared out: calls `body(worker, part)`, on all workers of a team at the same time, for parts that
-/// together are `0..n`. Returns when all are done.
+/// Shares out a loop over `0..n` among the workers of a team.
+///
+/// All workers call `body(worker, part)` at the same time, for parts that together are `0..n`.
+/// Returns when all parts are done.
 pub fn parallel_for(
     n: usize,
     team: Team,
@@ -27,10 +29,10 @@ pub fn parallel_for(
     }
 }
 
-/// The part of worker number `worker` (0 .. `workers`) of a loop over `0..n`.
+/// Returns the part of worker number `worker` (0 .. `workers`) of a loop over `0..n`.
 ///
-/// Parts follow each other without gap or overlap, worker 0 first, and their lengths differ by at
-/// most 1. With fewer iterations than workers some parts are empty.
+/// The parts follow each other without gap or overlap. Worker 0 has the first. Their lengths differ
+/// by at most 1. If there are fewer iterations than workers, some parts are empty.
 ///
 /// Book: chapter 7, *Fixed parts*.
 pub fn fixed_part(n: usize, workers: usize, worker: usize) -> Range<usize> {
@@ -39,12 +41,14 @@ pub fn fixed_part(n: usize, workers: usize, worker: usize) -> Range<usize> {
     // end 7.8
 }
 
-/// Takes the next part of a loop over `0..n` from the queue: `chunk` iterations, fewer at the end,
-/// none when all are taken.
+/// Takes the next part of a loop over `0..n` from the queue, or returns `None` if all parts are
+/// taken.
 ///
-/// `next` is where the next part begins. All workers call this at the same time: no iteration may
-/// be handed out twice or be lost. A `load` and then a `store` are two steps, and another worker
-/// can come between them.
+/// A part has `chunk` iterations; the last part may have fewer. `next` is the first iteration of
+/// the next part.
+///
+/// All workers call this at the same time. Every iteration must be handed out exactly once. A
+/// `load` followed by a `store` is two operations: another worker can change `next` between them.
 ///
 /// Book: chapter 7, *The queue*.
 pub fn next_part(next: &SharedCount, n: usize, chunk: usize) -> Option<Range<usize>> {

@@ -2,13 +2,16 @@
 
 use hard_discs::{Collisions, Engine, Find, Window};
 
-/// Finds what happens in one window and marks it as taken.
+/// Finds the collisions of one window, and marks them as taken.
 ///
-/// Four things, in this order: clear `engine.found` ([`Found::clear`]; one list will do); let the finder find
-/// the pairs of the window ([`Find::find`]), which may replace the lists; add the wall collisions whose time lies in
-/// the window to the first list; let `engine.choice` choose ([`Choice::take`], with `C`: `take::<C>`). Wall collisions
-/// are in `engine.walls`, sorted by time if there are several windows; the ones before index `next_wall` belong to
-/// earlier windows. Returns the index of the first that belongs to a later window.
+/// 1. Clear `engine.found` ([`Found::clear`]). One list is enough.
+/// 2. Let the finder find the pairs of the window ([`Find::find`]). It may replace the lists.
+/// 3. Add the wall collisions whose time is in the window to the first list.
+/// 4. Let `engine.choice` choose ([`Choice::take`], with `C`: `take::<C>`).
+///
+/// `engine.walls` contains the wall collisions. If there are several windows, the wall collisions
+/// are sorted by time. Those before index `next_wall` belong to earlier windows. Return the index
+/// of the first wall collision that belongs to a later window.
 ///
 /// Book: chapter 7, *A step*.
 ///
@@ -30,16 +33,16 @@ pub fn collide_in<C: Collisions, F: Find>(
     // end 7.7b
 }
 
-/// One step.
+/// Computes one step.
 ///
-/// 1. Ask the finder into how many windows it wants the step cut ([`Find::windows`]).
-/// 2. Every disc is free; nothing is taken.
-/// 3. Look for wall collisions ([`Engine::find_walls`]).
-/// 4. Window by window ([`Window::part`]), in order of time: [`collide_in`].
-/// 5. Move the discs that are still free, by a whole step, and carry out what was taken
+/// 1. Ask the finder for the number of windows into which to cut the step ([`Find::windows`]).
+/// 2. Mark every disc as free, and no candidate as taken.
+/// 3. Find the wall collisions ([`Engine::find_walls`]).
+/// 4. Call [`collide_in`] for each window ([`Window::part`]), in the order of time.
+/// 5. Move the discs that are still free by a whole step, and carry out the collisions that were taken
 ///    ([`Engine::move_discs`]).
 ///
-/// All candidates are about the discs at the start of the step, so no disc moves before step 5.
+/// All candidates refer to the discs at the start of the step, so no disc may move before item 5.
 ///
 /// Book: chapter 7, *A step*.
 pub fn step<C: Collisions, F: Find>(engine: &mut Engine<C, F>) {

@@ -1,12 +1,14 @@
-//! Task 7.11: where a disc can be during a part of the step.
+//! Task 7.11: the space that a disc sweeps in a part of the step.
 
 use hard_discs::{Span, Window};
 
-/// What a disc with centre `x` and velocity `v` can touch in `window` along one axis, if it flies
-/// straight: the interval from the lesser to the greater of its two positions at the ends of the
-/// window, and `reach` more on both sides.
+/// Returns the interval that a disc can touch during `window` along one axis.
 ///
-/// The step ends at 1 even if the window goes on.
+/// The disc has its centre at `x`, velocity `v`, and flies straight. The interval reaches from the
+/// lesser to the greater of its positions at the two ends of the window, and `reach` further on
+/// both sides.
+///
+/// The step ends at 1, even if the window continues.
 ///
 /// Book: chapter 7, *Swept boxes*.
 #[inline]

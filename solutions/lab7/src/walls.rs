@@ -3,16 +3,18 @@
 use common::hard::Disc;
 use hard_discs::{Candidate, Hit, Square};
 
-/// The collision of disc number `a` with the walls in this step, if nothing stops it before.
+/// Returns the collision of disc number `a` with the walls in this step, or `None` without one.
 ///
-/// Along each axis for itself, with the centre in `square.least() ..= square.most()`:
+/// Assume that nothing stops the disc before. Its centre must stay in
+/// `square.least() ..= square.most()` along each axis. Look at each axis separately:
 ///
 /// - If the straight path ends below, x + vx < least, the time is λ = (least − x) / vx. If it ends
-///   above, x + vx > most, it is λ = (most − x) / vx. Else this axis has no wall to hit.
-/// - Rounding may have left the disc very slightly outside: clamp λ to 0 ..= 1. So a disc outside with vx = 0 hits
-///   too: the quotient is infinite, and the clamp makes it 0 or 1.
-/// - The earlier of the two axes counts. If both times are the same it is a corner, which is one
-///   collision.
+///   above, x + vx > most, the time is λ = (most − x) / vx. Otherwise the disc hits no wall along
+///   this axis.
+/// - Rounding may have left the disc very slightly outside, so clamp λ to 0 ..= 1. A disc outside
+///   with vx = 0 then hits the wall too: the quotient is infinite, and the clamp makes it 0 or 1.
+/// - The earlier of the two times counts. If both times are equal, the disc hits a corner, which is
+///   one collision.
 ///
 /// Book: chapter 7, *Walls*.
 #[inline]

@@ -1,4 +1,4 @@
-//! Task 8.10: which candidates are certain to happen.
+//! Task 8.10: the candidates that are certain to happen.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -8,33 +8,35 @@ use solution7::order;
 
 /// Takes every open candidate that is certain to happen, and drops those that cannot happen.
 ///
-/// This is lab 7's choice ([`solution7::take_in_order`]) by a rank that does not have all
-/// candidates. Look at the first candidate in the queue of each free disc, always at the earliest
-/// of these first. It has three possible ends:
+/// This is lab 7's choice ([`solution7::take_in_order`]), made by a rank that does not have all
+/// candidates. Look at the candidates that are first in the queue of a free disc, always at the
+/// earliest of them. There are three cases:
 ///
-/// - *Dropped*: one of its discs is not free, so it cannot happen. In the queue of each free disc
-///   where it stands first, [advance](hard_disc_ranks::Queues::advance); the candidate that is first there
-///   now is looked at when it is the earliest.
-/// - *Taken*: none of its discs `waits`, and it comes before the rival of each of them that has
-///   one. Then no other candidate, from this rank or another, can come in between. Append it to
-///   `taken` and mark its discs as not free.
-/// - *Left open*: it may or may not happen, and its discs wait, since no later candidate of theirs
-///   is certain before this one is decided. If one of its discs did not wait before, it is the
-///   earliest open candidate of that disc, and other ranks may have to hear of it: append it to
-///   `front`.
+/// - *Dropped*: one of the candidate's discs is not free, so it cannot happen. Wherever it is first
+///   in the queue of a free disc, [advance](hard_disc_ranks::Queues::advance) that queue. Look at
+///   the candidate that is now first there when its turn comes.
+/// - *Taken*: `waits` is false for all its discs, and it comes before the rival of each disc that
+///   has a rival. (The rival of a disc is its earliest open candidate on other ranks.) No other
+///   candidate, of this rank or another rank, can then come before it. Append it to `taken`, and
+///   mark its discs as not free.
+/// - *Left open*: it may or may not happen. Let its discs wait, because no later candidate of these
+///   discs is certain until this one is decided. If one of the discs did not wait before, the
+///   candidate is the earliest open candidate of that disc. Other ranks may need to know it, so
+///   append it to `front`.
 ///
-/// Empty `front` first: it still has the open candidates of the round before. `waits` is false for all
-/// discs when you are called, and must be so again when you return. A candidate that is first in two
-/// queues comes up twice; the second time its discs are taken or wait already, and nothing changes.
+/// Empty `front` first: it still contains the open candidates of the previous round. At the start,
+/// `waits` is false for all discs. It must be false for all discs again when you return. A
+/// candidate that is first in two queues comes up twice. The second time, its discs are already
+/// taken or waiting, and nothing changes.
 ///
-/// A [`BinaryHeap`] of [`Reverse`]d indices gives the earliest: a lower index comes earlier. To go
-/// through [all](hard_disc_ranks::Queues::all) candidates instead would give the same result, but this is
-/// called in every round, and a crowd has millions of candidates and a hundred rounds. Nearly all
-/// of these candidates stand in a queue behind one that is left open, and the heap never meets
-/// them.
+/// A [`BinaryHeap`] of [`Reverse`]d indices yields the earliest candidate, because a lower index is
+/// earlier. A loop over [all](hard_disc_ranks::Queues::all) candidates would give the same result.
+/// But this function is called in every round, and a crowd has millions of candidates and a hundred
+/// rounds. Nearly all of these candidates are in a queue behind one that is left open, and the heap
+/// never meets them.
 ///
-/// A rival may be out of date, which does no harm: the candidates of other ranks only become fewer,
-/// so a candidate that comes before an old rival also comes before all that are left.
+/// A rival may be out of date. This does no harm: other ranks only lose candidates, so a candidate
+/// that comes before an old rival also comes before all remaining candidates.
 ///
 /// Book: chapter 8, *What is certain*.
 pub fn take_certain(decisions: &mut Decisions) {

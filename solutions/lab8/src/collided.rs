@@ -1,4 +1,4 @@
-//! Task 8.6: what a worker must be told after a step.
+//! Task 8.6: the discs that the master sends to a worker after a step.
 
 use std::ops::Range;
 
@@ -7,15 +7,19 @@ use hard_disc_ranks::DiscWire;
 use solution5::Cut;
 use solution7::Candidate;
 
-/// The discs of the blocks `held` that have collided: those that a worker cannot move by itself.
+/// Returns the discs of the blocks `held` that have collided, and so cannot be moved by the worker.
 ///
-/// A disc that has not collided flies straight, so each worker that has it can move it. A disc that has
-/// collided may have met one of a block that the worker does not have; then the worker cannot know
-/// where it is. So after each step the master sends the discs that were in a collision of `taken`, and
-/// only these.
+/// - `discs` are all discs, as they are after the step.
+/// - `held` are the numbers of the worker's blocks.
+/// - `taken` are the collisions of the step.
 ///
-/// `discs` are all discs, as they are after the step. Of a pair both discs may be in held blocks, or
-/// one, or none; look at each by itself. [`Cut::owner`] says which block a disc is in.
+/// A disc that has not collided flies straight, so each worker that has it can move it. A disc that
+/// has collided may have met a disc of a block that the worker does not have, so the worker cannot
+/// compute its position. After each step, the master therefore sends the discs that were in a
+/// collision of `taken`, and only these.
+///
+/// Look at each disc of a pair separately: a held block may contain both of them, one, or neither.
+/// [`Cut::owner`] returns the block of a disc.
 ///
 /// Book: chapter 8, *What a worker cannot know*.
 pub fn collided(
@@ -34,13 +38,13 @@ pub fn collided(
     // end 8.6
 }
 
-/// What a worker does with the master's message: takes its discs, those with numbers in `held`, to
-/// the end of the step before, and then puts in those that `arrived`.
+/// Moves a worker's discs to the end of the previous step, then inserts those that `arrived`.
 ///
-/// `moves` is false if there was no step before, or if all held discs arrive. Else each held disc flies
-/// straight by (vx, vy), whether it has collided or not: a disc that has collided is among the arrived
-/// ones and is overwritten. The sum is x + vx and nothing else, since the master does the same and bits
-/// must agree.
+/// - `held` are the ranges of the worker's disc numbers.
+/// - If `moves` is true, each held disc flies straight by (vx, vy), whether it has collided or not.
+///   A disc that has collided is among those that arrived, and is overwritten.
+/// - `moves` is false if there was no previous step, or if all held discs arrive.
+/// - Compute exactly x + vx. The master computes the same sum, and the bits must agree.
 ///
 /// Book: chapter 8, *What a worker cannot know*.
 pub fn update(discs: &mut [Disc], held: &[Range<usize>], moves: bool, arrived: &[DiscWire]) {

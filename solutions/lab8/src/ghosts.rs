@@ -1,14 +1,16 @@
-//! Task 8.9: which discs a partner needs copies of.
+//! Task 8.9: the discs that a partner needs as ghosts.
 
 use hard_disc_ranks::{DiscWire, Strips};
 
 use crate::strips::reached;
 
-/// For each of `partners`, in their order, copies of those of the `own` discs whose swept boxes reach
-/// its strip, in the order of `own`.
+/// Returns one list for each of `partners`, with copies of the discs that reach the partner's
+/// strip.
 ///
-/// A disc that flies far may go to several partners. [`reached`] says to which; `reach` is its
-/// argument. This rank itself is not among the partners.
+/// A disc of `own` reaches a strip if its swept box does. [`reached`] returns the strips that a
+/// disc reaches; pass `reach` on to it. A disc that flies far may reach several partners. Lists are
+/// in the order of `partners`, and each list is in the order of `own`. This rank is not among the
+/// partners.
 ///
 /// Book: chapter 8, *Strips and ghosts*.
 pub fn ghosts_for(

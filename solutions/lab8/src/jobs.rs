@@ -1,22 +1,22 @@
-//! Task 8.3: a worker's search.
+//! Task 8.3: the search of a worker.
 
 use common::hard::Disc;
 use hard_disc_ranks::Job;
 use solution5::Cut;
 use solution7::{Candidate, look_along};
 
-/// Looks at the pairs of a job: appends those that collide in this step to `list`, and returns how
-/// many it has looked at.
+/// Tests the pairs of a job, and returns their number. Appends those that collide to `list`.
 ///
-/// `discs` has an entry for every disc of the scene; only the blocks of this worker need to be
-/// filled. [`Cut::block`] says which discs block k has: `blocks.block(k)`.
+/// `discs` has an entry for every disc of the scene. Only the entries of this worker's blocks need
+/// to be filled. [`Cut::block`] returns the discs of block k: `blocks.block(k)`.
 ///
-/// - On the diagonal, `row` = `column`: each pair of the block once, the lower number first.
-/// - Elsewhere: each disc of the [`Part`](hard_disc_ranks::Part) of block `row` ([`Part::of`](hard_disc_ranks::Part::of))
-///   with each disc of block `column`. Blocks are in the order of numbers, so the disc of the row
-///   is the lower one.
+/// - On the diagonal, where `row` = `column`, test each pair of the block once, the lower number
+///   first.
+/// - Elsewhere, test each disc of the [`Part`](hard_disc_ranks::Part) of block `row` (call
+///   [`Part::of`](hard_disc_ranks::Part::of)) with each disc of block `column`. Blocks are in the
+///   order of disc numbers, so the disc of the row has the lower number.
 ///
-/// [`look_along`] of lab 7 looks at the pairs of one disc with a range of discs of higher numbers.
+/// [`look_along`] of lab 7 tests the pairs of one disc with a range of discs of higher numbers.
 ///
 /// Book: chapter 8, *Dealing out the pairs*.
 pub fn search_job(

@@ -1,4 +1,4 @@
-//! Lab 8, collisions over MPI: the solution. What the lab is about stands in `labs/lab8/README.md`.
+//! Lab 8, collisions over MPI: the solution. The lab is described in `labs/lab8/README.md`.
 
 mod certain;
 mod collided;
@@ -56,7 +56,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     ),
 ];
 
-/// What the library asks for, answered by the functions of the tasks.
+/// The functions of the tasks, under the names that the library calls.
 pub struct Lab8;
 
 impl Messages for Lab8 {

@@ -5,18 +5,17 @@ use mpi::request;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// Sends each worker its list: `lists[k]` is for worker k, and the return value there. `lists`
-/// matters on the master only. A master that does not work gets an empty list.
+/// Sends each worker its list: worker k returns `lists[k]`.
 ///
-/// A worker does not know how long its list will be. It can ask the message itself before it
-/// makes a buffer: [`Source::receive_vec`] does.
+/// Only the master reads `lists`. A master that does not work returns an empty list.
 ///
-/// The master starts all sends ([`Destination::immediate_send`], within a [`request::scope`]; see
-/// chapter 6, *Both ways at once*) and then waits for all of them. The report sends and waits, one worker
-/// after the other, and a worker that is not ready yet keeps the next ones waiting.
-///
-/// A master that works sends nothing to itself and keeps its own list: a message to its own rank that
-/// is too long to be copied aside waits for a receive that is never reached.
+/// - A worker does not know the length of its list, so it must ask the message before it makes a
+///   buffer. [`Source::receive_vec`] does this.
+/// - The master starts all sends ([`Destination::immediate_send`], within a [`request::scope`]; see
+///   chapter 6, *Both ways at once*), and then waits for all of them. The report instead waits
+///   after each send, so a worker that is not ready delays all later workers.
+/// - A master that works keeps its own list, and sends nothing to itself. A message to its own rank
+///   that is too long for the library's buffer would wait for a receive that is never reached.
 ///
 /// All ranks call it together.
 ///
@@ -41,12 +40,12 @@ where
     // end 8.4
 }
 
-/// Collects the workers' lists at the master: returns there the lists of all workers, one behind
-/// the other in the order of workers; elsewhere it returns nothing. A master that does not work has
-/// no list.
+/// Collects the workers' lists at the master, which returns all items in the order of workers.
 ///
-/// Again lists may be of any length. Receive from worker after worker, not in the order in which
-/// messages arrive: then the result is the same in every run.
+/// All other ranks return an empty list. A master that does not work has no list.
+///
+/// Again, the lists may have any length. Receive from one worker after the other, not in the order
+/// in which messages arrive. The result is then the same in every run.
 ///
 /// All ranks call it together.
 ///

@@ -1,23 +1,25 @@
-//! Task 8.12: which rank moves a disc, and where the disc is afterwards.
+//! Task 8.12: the rank that moves a disc, and the disc after the step.
 
 use common::hard::Disc;
 use hard_disc_ranks::{Decisions, DiscWire};
 use solution7::{Square, resolve};
 
-/// The discs that this rank moves, as they are after the step. Each disc of the square is moved by
-/// exactly one rank, though several may have it.
+/// Returns the discs that this rank moves, as they are after the step.
 ///
-/// - A disc that is in a candidate of `decisions.taken` was taken here. Both discs of a pair are moved
-///   here, own or ghost: lab 7's [`resolve`] carries out what was taken.
-/// - A disc that is free flies straight, and is moved by the rank that owns it: `owns[slot]`.
-/// - A disc that is neither was taken by another rank, which moves it. If this rank owned it, the
-///   other rank sends it back, or to a third: leave it out.
+/// Exactly one rank moves each disc of the square, although several ranks may have it.
 ///
-/// `discs` are the discs of this rank, own and ghosts, in the order of `decisions.numbers`.
-/// [`resolve`] finds a candidate's discs by their slots in this list: [`Decisions::local`] puts slots
-/// instead of the numbers.
+/// - A disc in a candidate of `decisions.taken` was taken here. This rank moves both discs of a
+///   pair, even ghosts. Lab 7's [`resolve`] carries out the candidates that were taken.
+/// - A disc that is free flies straight. The rank that owns it moves it; there, `owns[slot]` is
+///   true.
+/// - Any other disc was taken by another rank, which moves it. Leave it out, even if this rank owns
+///   it: the other rank sends it to the right owner.
 ///
-/// Return the moved discs with their numbers, in ascending order of these.
+/// `discs` are the rank's own discs and the ghosts, in the order of `decisions.numbers`.
+/// [`resolve`] finds the discs of a candidate by their slots in this list: [`Decisions::local`]
+/// replaces the numbers with slots.
+///
+/// Return the moved discs with their numbers, in ascending order of the numbers.
 ///
 /// Book: chapter 8, *One rank moves a disc*.
 pub fn move_on(

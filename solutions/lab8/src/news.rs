@@ -1,12 +1,17 @@
-//! Task 8.11: what ranks tell each other of their decisions.
+//! Task 8.11: the decisions that ranks tell each other.
 
 use hard_disc_ranks::{CandidateWire, Decisions};
 use solution7::{Candidate, order};
 
-/// What `partner` must hear: candidates with a disc that the partner has too
-/// ([`Decisions::concerns`]). First the ones in `decisions.taken` that have not been told, from `told` on, as
-/// [`CandidateWire::taken`]; then the ones in `front`. Other open candidates need not be told: the
-/// earliest of a disc keeps all its later ones waiting.
+/// Returns the news for `partner`: candidates with a disc that the partner also has.
+///
+/// [`Decisions::concerns`] tests whether the partner has a disc of a candidate. The news is, in
+/// this order:
+///
+/// 1. The candidates of `decisions.taken` that have not been told yet, from index `told` on, as
+///    [`CandidateWire::taken`].
+/// 2. The candidates in `front`. The partner need not know the other open candidates: the earliest
+///    candidate of a disc keeps all its later candidates waiting.
 ///
 /// Book: chapter 8, *News*.
 pub fn news_for(decisions: &Decisions, partner: usize) -> Vec<CandidateWire> {
@@ -21,9 +26,10 @@ pub fn news_for(decisions: &Decisions, partner: usize) -> Vec<CandidateWire> {
 
 /// Takes in the news of all partners.
 ///
-/// Every partner has told its rivals again, so forget the old ones. Then, for each candidate
-/// of the news and each of its discs that is here: if the candidate was taken, the disc is not free
-/// any more; if it is open, it is a rival, and the disc keeps the earliest.
+/// First forget the old rivals, because every partner has told its rivals again. Then look at each
+/// candidate of the news, and at each of its discs that this rank has. If the candidate was taken,
+/// the disc is not free any more. If the candidate is open, it is a rival of the disc. A disc keeps
+/// its earliest rival.
 ///
 /// Book: chapter 8, *News*.
 pub fn hear(decisions: &mut Decisions, news: &[CandidateWire]) {

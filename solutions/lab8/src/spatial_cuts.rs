@@ -8,23 +8,23 @@ use crate::ghosts::ghosts_for;
 use crate::moves::move_on;
 use crate::news::{hear, news_for};
 
-/// Decides together with the partners, starting from what `engine.decisions` knows.
+/// Decides together with the partners, starting with the state of `engine.decisions`.
 ///
-/// In rounds:
+/// Repeat in rounds:
 ///
-/// 1. Take what is certain ([`take_certain`]).
-/// 2. All ranks add up how much there is to tell: the candidates in `front`, which is empty only if
-///    none is open, and the taken candidates that have not been told ([`SpatialCuts::add_up`]). If the sum
-///    is zero, return. All ranks get the same sum, so all return in the same round.
-/// 3. Make the news for each partner ([`news_for`]); from now on all taken candidates
-///    count as told. Exchange the news ([`SpatialCuts::exchange`], with nothing to do beside), and hear
-///    the news of all partners at once ([`hear`]).
+/// 1. Take the candidates that are certain ([`take_certain`]).
+/// 2. Add up the news of all ranks ([`SpatialCuts::add_up`]): the candidates in `front`, which is
+///    empty only if none is open, and the taken candidates that have not been told yet. If the sum
+///    is zero, return. All ranks get the same sum, so all ranks return in the same round.
+/// 3. Make the news for each partner ([`news_for`]). From now on, all taken candidates count as told.
+///    Exchange the news ([`SpatialCuts::exchange`], with no work meanwhile). Take in the news of all
+///    partners at once ([`hear`]).
 ///
-/// In every round the earliest candidate that is open on any rank is taken or dropped, so the rounds
-/// end: mostly after two to five; in a crowd, where a decision waits for one across the cut and
-/// that for another back across it, after a hundred.
+/// In every round, the earliest open candidate of all ranks is taken or dropped, so the rounds end.
+/// Usually there are two to five rounds. In a crowd there may be a hundred, because a decision
+/// waits for a decision across the cut, which waits for a decision on this side.
 ///
-/// All ranks call it together, ranks without partners or candidates too.
+/// All ranks call this together, even ranks without partners or candidates.
 ///
 /// Book: chapter 8, *Deciding together*.
 fn decide<T: Deciding>(engine: &mut SpatialCuts<T>, partners: &[usize]) {
@@ -43,21 +43,22 @@ fn decide<T: Deciding>(engine: &mut SpatialCuts<T>, partners: &[usize]) {
     // end 8.13
 }
 
-/// One step.
+/// Computes one step.
 ///
-/// 1. Agree on the `range` of this step ([`SpatialCuts::range`]), from which the partners follow:
-///    [`Strips::partners`] of this rank within `range.furthest`.
-/// 2. Send ghosts to the partners ([`ghosts_for`], [`SpatialCuts::exchange`]), and while they travel
-///    find the wall collisions of the own discs ([`walls_of`] by the rules of [`Lab7`]). The owner of a ghost finds
-///    its wall collisions. While `engine` exchanges, nothing of it can be borrowed: [take](std::mem::take) `own` out, and
-///    put it back.
-/// 3. Put own discs and ghosts together ([`SpatialCuts::see`]), and find the pairs ([`SpatialCuts::find`]): this
-///    starts the decisions and takes what is certain at once.
-/// 4. Decide about the rest ([`decide`]).
-/// 5. Move the discs ([`move_on`], of `engine.seen`), count what was taken (`engine.tally.taken`), and send each disc to
-///    the rank in whose strip it is now ([`SpatialCuts::bring`]).
+/// 1. Agree on the `range` of this step ([`SpatialCuts::range`]). It determines the partners of this
+///    rank: [`Strips::partners`] within `range.furthest`.
+/// 2. Send ghosts to the partners ([`ghosts_for`], [`SpatialCuts::exchange`]). While they travel,
+///    find the wall collisions of the rank's own discs ([`walls_of`] by the rules of [`Lab7`]). The
+///    owner of a ghost finds its wall collisions. Nothing in `engine` can be borrowed during an
+///    exchange, so [take](std::mem::take) `own` out, and put it back afterwards.
+/// 3. Combine own discs and ghosts ([`SpatialCuts::see`]), and find the pairs ([`SpatialCuts::find`]).
+///    This also starts the decisions, and takes the certain candidates at once.
+/// 4. Decide the other candidates ([`decide`]).
+/// 5. Move the discs ([`move_on`], of `engine.seen`), and count the candidates taken
+///    (`engine.tally.taken`). Send each disc to the rank whose strip now contains it
+///    ([`SpatialCuts::bring`]).
 ///
-/// All ranks call it together.
+/// All ranks call this together.
 ///
 /// Book: chapter 8, *A step without a master*.
 ///

@@ -1,11 +1,12 @@
 // Task 9.3: the basic version.
 //
-// The report's find_collisions: invocation t of T takes the discs t, t + T, t + 2T, … of its
-// launch, and for each disc looks at the walls and at all discs after it.
+// This is the report's find_collisions. Invocation t of T takes the discs t, t + T, t + 2T, … of
+// its launch. For each disc, it tests the walls and all discs after it.
 
-// Appends all candidates of the discs i, square.first <= i < square.last: (i, WALL) if the disc
-// may hit a wall, and (i, j) for each disc j > i that it may meet. `me` is the number of this
-// invocation, `all` how many there are.
+// Appends all candidates of the discs i, square.first <= i < square.last.
+//
+// They are (i, WALL) if the disc may hit a wall, and (i, j) for each disc j > i that it may meet.
+// `me` is the number of this invocation, and `all` is the number of invocations.
 fn find_of_discs(me: u32, all: u32) {
     // task 9.3: every disc and all discs after it
     for (var i = square.first + me; i < square.last; i += all) {

@@ -1,4 +1,4 @@
-//! Task 9.3, on the host: a list of candidates that grows, and the last word about each.
+//! Task 9.3, on the host: a list of candidates that grows, and the host's check of each candidate.
 
 use std::ops::Range;
 
@@ -10,15 +10,20 @@ use solution7::{Candidate, Square, pair_hit, wall_hit};
 use crate::Lab9;
 
 impl HardKernels for Lab9 {
-    /// Adds all candidates of some rows of work to `found`. The kernels number them; if there are
-    /// more than `finder.capacity()`, the list has only the first of them.
+    /// Adds all candidates of some rows of work to `found`.
     ///
-    /// - `finder.run(rows)` runs the kernels on the rows and returns how many candidates there are.
-    /// - If there was room for all, `finder.fetch(count, found)` adds them to `found`.
-    /// - If not, `finder.grow(count)` makes room for that number, and the kernels must run again. Where
-    ///   the device has too little memory, it returns an error: then do the first half of the
-    ///   rows, and the second half, each for itself. The candidates of a single row are at most as
-    ///   many as discs and always have room: if it is one row, pass the error on.
+    /// The kernels count the candidates. If there are more than `finder.capacity()`, the device's
+    /// list contains only the first of them.
+    ///
+    /// - `finder.run(rows)` runs the kernels on the rows, and returns the number of candidates.
+    /// - If the list had room for all candidates, `finder.fetch(count, found)` adds them to
+    ///   `found`.
+    /// - Otherwise, `finder.grow(count)` makes room for that number, and the kernels must run
+    ///   again.
+    /// - `finder.grow` returns an error if the device has too little memory. Then collect the first
+    ///   half of the rows and the second half separately. If there is only one row, return the
+    ///   error. (The list always has room for the candidates of one row, which are at most as many
+    ///   as the discs.)
     ///
     /// Book: chapter 9, *A list that grows*.
     fn collect(
@@ -44,8 +49,10 @@ impl HardKernels for Lab9 {
         // end 9.3b
     }
 
-    /// Writes down the launches that find the candidates: the number of candidates, `finder.count()`,
-    /// starts at zero, and each of `finder.kernels()` is run on `finder.launch()`.
+    /// Records the launches that find the candidates.
+    ///
+    /// Set the number of candidates, `finder.count()`, to zero. Then run each of `finder.kernels()`
+    /// on `finder.launch()`.
     ///
     /// Book: chapter 9, *A list that grows*.
     fn record(finder: Launches<'_>, work: &mut Work<'_>) {
@@ -57,8 +64,10 @@ impl HardKernels for Lab9 {
         // end 9.3c
     }
 
-    /// Fills `candidates` from `found`, what the device passed on: (a, b) with a < b, or
-    /// (a, [`WALL`]). What [`pair_hit`] or [`wall_hit`] does not confirm is no candidate.
+    /// Replaces `candidates` by those pairs in `found` that the host confirms.
+    ///
+    /// The device found these pairs. A pair is (a, b) with a < b, or (a, [`WALL`]). It is a
+    /// candidate only if [`pair_hit`] or [`wall_hit`] returns one.
     ///
     /// Book: chapter 9, *The same bytes on every device*.
     fn confirm(

@@ -1,20 +1,21 @@
 // Task 9.7e: the forces, gathered.
 //
-// Each invocation sums the forces on one particle and moves it. Many invocations read the same
-// particles, and each writes only its own: no locks, no atomics, and the same order of summation in
-// every run. The price is lab 2's: each pair is computed twice.
+// Each invocation sums the forces on one particle, and moves it. Many invocations read the same
+// particles, but each of them writes only its own. So there are no locks and no atomics, and the
+// order of summation is the same in every run. The price is the same as in lab 2: each pair is
+// computed twice.
 
 override STATISTICS: bool = false;
 
-// The statistics of one workgroup's particles; the host adds the workgroups up.
+// The statistics of one workgroup's particles. The host adds up the workgroups.
 struct Tally {
     // The least r² of a pair.
     nearest: real,
-    // The sum of the distances.
+    // The sum of the distances of the pairs.
     sum: real,
-    // Their number.
+    // The number of pairs.
     pairs: u32,
-    // Pairs looked at.
+    // The number of pairs tested.
     tests: u32,
 }
 
@@ -33,7 +34,8 @@ fn pair_acceleration(d: vec2<real>) -> vec2<real> {
     return (1.0 - CUTOFF / r) / clamped / MASS * d;
 }
 
-// Takes the pair at `d` into the statistics, if it is near enough and not a particle with itself.
+// Adds the pair at `d` to the statistics, if it is within the cutoff and not a particle with
+// itself.
 fn look(tally: ptr<function, Tally>, d: vec2<real>) {
     (*tally).tests++;
     let r2 = dot(d, d);
@@ -44,14 +46,15 @@ fn look(tally: ptr<function, Tally>, d: vec2<real>) {
     }
 }
 
-// The acceleration of sorted particle i.
+// Returns the acceleration of sorted particle i.
 //
-// It adds up pair_acceleration(d) over all particles j of its own bin and the eight around it that
-// exist, where d = separation(i, j, over) and `over` = (bin column of j − that of i, bin row of j −
-// that of i), each −1, 0 or 1. j = i may be among them; it adds zero. The bins come row by row, the
-// particles of a bin as they stand: from starts[bin] to before starts[bin + 1].
-//
-// If STATISTICS is set, call look(tally, d) for each j as well.
+// - Add up pair_acceleration(d) over all particles j of i's bin and of the eight bins around it, as
+//   far as they exist. j = i may be included, because it adds zero.
+// - d is separation(i, j, over), where `over` =
+//   (bin column of j − bin column of i, bin row of j − bin row of i). Both numbers are −1, 0 or 1.
+// - Take the bins row by row, and the particles of a bin in the order of the sorted arrays, from
+//   starts[bin] up to, not including, starts[bin + 1].
+// - If STATISTICS is set, also call look(tally, d) for each j.
 fn acceleration(i: u32, tally: ptr<function, Tally>) -> vec2<real> {
     var a = vec2<real>();
     let bin = sorted_tags[i].x;
@@ -95,7 +98,7 @@ fn step(
     }
 }
 
-// Adds up the statistics of a workgroup, by halves, and writes it to tallies[block].
+// Adds up the statistics of a workgroup, by halves, and writes them to tallies[block].
 fn add_up(tally: Tally, local: u32, block: u32) {
     seen[local] = tally;
     var count = THREADS;

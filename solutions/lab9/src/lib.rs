@@ -1,4 +1,4 @@
-//! Lab 9, on a graphics processor: the solution. What the lab is about stands in `labs/lab9/README.md`.
+//! Lab 9, on a graphics processor: the solution. The lab is described in `labs/lab9/README.md`.
 
 mod candidates;
 mod launch;
@@ -8,8 +8,9 @@ use common::{Variant, bitwise, deterministic, hard, soft};
 use device_discs::hard::{Deal, PARAMETERS, build};
 use device_discs::soft::{Double, Single};
 
-/// What this lab gives to the engines: its launches ([`device::Launcher`]) and kernels
-/// ([`device_discs::soft::SoftKernels`], [`device_discs::hard::HardKernels`]).
+/// The launches ([`device::Launcher`]) and kernels of this lab, which the engines use.
+///
+/// The kernels are [`device_discs::soft::SoftKernels`] and [`device_discs::hard::HardKernels`].
 pub struct Lab9;
 
 /// The programs of soft discs.

@@ -1,13 +1,14 @@
 // Task 9.8: positions in single precision, relative to the bin.
 //
 // A single-precision number has 24 bits. In a box of ten million particles, 7,000 cutoffs wide, a
-// coordinate that counts from the corner is off by up to 1/2,500 of a cutoff. A position here is an
-// offset from the lower left corner of the particle's bin, in units of the bin's side: 0 to 1. It
-// is as exact in the largest box as in the smallest, since the bin's column and row are whole
-// numbers.
+// coordinate measured from the corner has an error of up to 1/2,500 of a cutoff. Here a position is
+// an offset from the lower left corner of the particle's bin, in units of the bin's side: 0 to 1.
+// It is equally exact in every box, because the bin's column and row are integers.
 
-// The vector from sorted particle i to sorted particle j, whose bin lies `over` = (columns, rows)
-// from that of i. Offsets are in units of box.side, the vector is not.
+// Returns the vector from sorted particle i to sorted particle j, a length.
+//
+// The bin of j is `over` = (columns, rows) away from the bin of i. Offsets are in units of
+// box.side, but the vector is not.
 fn separation(i: u32, j: u32, over: vec2<i32>) -> vec2<real> {
     // task 9.8: a vector between two bins
     return (vec2<real>(over) + (sorted_positions[j] - sorted_positions[i])) * box.side;
@@ -21,11 +22,13 @@ struct Along {
     v: real,
 }
 
-// Where a particle comes to that moves by `distance`, in units of the bin's side, before any
-// wall: offset 0 ≤ … < 1 from a column that may lie outside the box. The offset plus the distance
-// can be any number; its floor is carried over to the column.
+// Returns the position of a particle that moves by `distance`, before it meets a wall.
 //
-// Mind the rounding: −1e-9 has floor −1, and −1e-9 + 1 is 1, which is not less than 1.
+// `distance` is in units of the bin's side. The result has an offset 0 ≤ … < 1, from a column that
+// may be outside the box. The offset plus the distance can be any number. Carry its floor over to
+// the column.
+//
+// Mind the rounding: −1e-9 has floor −1, and −1e-9 + 1 is rounded to 1, which is not less than 1.
 fn carry(from_: Along, distance: real) -> Along {
     // task 9.8b: carry the whole bins
     let moved = from_.offset + distance;
@@ -39,7 +42,7 @@ fn carry(from_: Along, distance: real) -> Along {
     // end 9.8b
 }
 
-// The mirror image of a position in column 0's left edge: −(column + offset).
+// Returns the mirror image of a position in the left edge of column 0: −(column + offset).
 fn mirrored(at: Along) -> Along {
     var image = Along(-at.column - 1, 1.0 - at.offset, -at.v);
     if image.offset >= 1.0 {
@@ -49,10 +52,10 @@ fn mirrored(at: Along) -> Along {
     return image;
 }
 
-// Moves along one direction, with the bounces.
+// Moves a particle along one direction, with the bounces.
 fn travel(from_: Along) -> Along {
     let columns = i32(box.columns);
-    // Twice the box, there and back, changes nothing.
+    // Moving twice the size of the box, there and back, changes nothing.
     let period = 2.0 * real(columns);
     var distance = from_.v * DT / box.side;
     if abs(distance) > period {
@@ -69,7 +72,7 @@ fn travel(from_: Along) -> Along {
             break;
         }
     }
-    // On the far wall is inside: the last bin's far edge.
+    // A particle on the far wall is inside: it is at the far edge of the last bin.
     if at.column == columns {
         at.column = columns - 1;
         at.offset = 1.0;
@@ -77,7 +80,7 @@ fn travel(from_: Along) -> Along {
     return at;
 }
 
-// Moves sorted particle i for one time step and writes it to the unsorted arrays, with its new bin.
+// Moves sorted particle i for one time step. Writes it to the unsorted arrays, with its new bin.
 fn advance(i: u32, a: vec2<real>) {
     let tag = sorted_tags[i];
     let v = sorted_velocities[i] + a * DT;

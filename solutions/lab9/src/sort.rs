@@ -6,12 +6,15 @@ use device_discs::soft::{Scan, SoftKernels, Sort};
 use crate::Lab9;
 
 impl SoftKernels for Lab9 {
-    /// Adds the launches of a prefix sum to `work`: each of `scan.levels` has the kernels `scan_blocks` and
-    /// `add_sums`, and the `launch` that they run on.
+    /// Adds the launches of a prefix sum to `work`.
     ///
-    /// On the way up each level's blocks are summed, from level 0 to the last, so that each level
-    /// finds the sums of the one below. On the way down the last level is done already; each level
-    /// below it, from the last but one to level 0, adds the sums to its blocks.
+    /// Each of `scan.levels` has the kernels `scan_blocks` and `add_sums`, and the `launch` on
+    /// which they run.
+    ///
+    /// 1. On the way up, from level 0 to the last level, each level sums its blocks. So each level
+    ///    finds the sums of the level below.
+    /// 2. On the way down, the last level is already complete. Each level below it, from the last
+    ///    but one to level 0, adds the sums to its blocks.
     ///
     /// Book: chapter 9, *A prefix sum of any length*.
     fn record_scan(scan: &Scan, work: &mut Work<'_>) {
@@ -25,14 +28,18 @@ impl SoftKernels for Lab9 {
         // end 9.6b
     }
 
-    /// Writes down the launches that sort the particles: the tags, positions and velocities of the
-    /// last step go to the sorted arrays, and `sort.starts` says where each bin begins.
+    /// Records the launches that sort the particles by bin.
     ///
-    /// - `starts` is counted up from zero by the kernel `count`;
-    /// - `scan` turns the counts into starts ([`record_scan`](Self::record_scan));
-    /// - `scatter` gives each particle a slot in its bin, `order` copies it to its index.
+    /// The tags, positions and velocities of the last step go to the sorted arrays. `sort.starts`
+    /// becomes the index at which each bin begins.
     ///
-    /// All three kernels run once for each particle: `sort.launch`.
+    /// - The kernel `count` counts the particles of each bin in `starts`, which must be zero at
+    ///   first.
+    /// - `scan` turns the counts into starts ([`record_scan`](Self::record_scan)).
+    /// - `scatter` gives each particle a slot in its bin, and `order` copies the particle to its
+    ///   index.
+    ///
+    /// The kernels `count`, `scatter` and `order` run once for each particle: `sort.launch`.
     ///
     /// Book: chapter 9, *A counting sort*.
     fn record_sort(sort: &Sort, work: &mut Work<'_>) {

@@ -1,21 +1,24 @@
 // Task 9.7: the counting sort, in three kernels around the prefix sum.
 //
-// Lab 2 sorted particles into bins by going through them in order. Here all of them arrive at
-// once, in whatever order the device likes. The result must not depend on it: sums of forces
-// depend on their order, and a program that gives two answers cannot be debugged.
+// Lab 2 visited the particles one after the other, and put each of them into its bin. Here all
+// particles arrive at the same time, in any order that the device chooses. The result must not
+// depend on this order, because sums of forces depend on the order of particles. A program with two
+// different answers cannot be debugged.
 
-// How many particles each bin holds; after the prefix sum the same memory is `starts`.
+// The number of particles in each bin. After the prefix sum, the same memory is `starts`.
 @group(0) @binding(1) var<storage, read_write> counts: array<atomic<u32>>;
 
-// Which particle of its bin came when: 0 for the first.
+// The order in which each particle arrived in its bin: 0 for the first.
 @group(0) @binding(8) var<storage, read_write> arrivals: array<u32>;
 
-// The particles' numbers by bin, each bin's in order of arrival.
+// The numbers of the particles by bin, in the order of their arrival.
 @group(0) @binding(9) var<storage, read_write> slots: array<u32>;
 
-// Counts each particle i < box.n in its bin, tags[i].x, and notes in arrivals[i] how many were
-// there before it. `counts` is zero at the start. Two invocations may meet at one bin: atomicAdd
-// adds in one piece and returns what was there before.
+// Counts each particle i < box.n in its bin, tags[i].x.
+//
+// Write the number of particles that were counted in the bin before particle i to arrivals[i].
+// `counts` is zero at the start. Two invocations may reach the same bin at the same time. atomicAdd
+// is indivisible, and returns the value before the addition.
 @compute @workgroup_size(THREADS)
 fn count(
     @builtin(global_invocation_id) id: vec3<u32>,
@@ -29,7 +32,7 @@ fn count(
     // end 9.7
 }
 
-// Puts the number of each particle into the slots of its bin, in the order of their arrival.
+// Puts the number of each particle into the slots of its bin, in the order of arrival.
 @compute @workgroup_size(THREADS)
 fn scatter(
     @builtin(global_invocation_id) id: vec3<u32>,
@@ -43,9 +46,11 @@ fn scatter(
     // end 9.7b
 }
 
-// Copies each particle (tag, position, velocity) to where it stands in the sorted arrays. A bin's
-// particles stand in ascending order of their ids, tags[…].y, whatever the order of arrival was:
-// a particle's rank is the number of particles in the slots of its bin with a smaller id.
+// Copies each particle (tag, position, velocity) to its place in the sorted arrays.
+//
+// The particles of a bin must be in ascending order of their ids, tags[…].y, whatever the order of
+// arrival was. The rank of a particle is the number of particles with a smaller id in the slots of
+// its bin.
 @compute @workgroup_size(THREADS)
 fn order(
     @builtin(global_invocation_id) id: vec3<u32>,

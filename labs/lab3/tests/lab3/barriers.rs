@@ -114,12 +114,13 @@ pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
         let barrier = Barrier::new(1);
         let mut parts = 0;
         take_steps(steps as u64, |_| parts += 1, &barrier);
-        let question =
-            format!("{steps} steps of one member: parts, and barriers, three for each step");
+        let question = format!(
+            "{steps} steps of one member: the number of parts, and of barriers (three of each for a step)"
+        );
         let found = || whole([parts, barrier.meetings() as usize]);
         ask.judge(&question, found, |found| {
             let right = 3 * steps;
-            // Nobody waits for anything behind the last part.
+            // Nobody waits for anything after the last part.
             if [right, right.saturating_sub(1)].iter().any(|least| found == whole([right, *least]))
             {
                 return Ok(());
