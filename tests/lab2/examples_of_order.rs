@@ -1,4 +1,5 @@
-//! The worked examples of tasks 2.6 to 2.9: lists, pairs and sums in an order that can be checked by hand.
+//! The worked examples of tasks 2.6 to 2.9: lists, pairs and sums in an order that can be checked
+//! by hand.
 
 use common::soft::{CUTOFF, Observer, Particle, Scene, Simulation, Statistics};
 use lab2::{BinLists, Gather, Grid, LinkedList, SortedBins, forward};

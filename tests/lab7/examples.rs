@@ -1,4 +1,5 @@
-//! The worked examples of tasks 7.1 to 7.7: a few discs that can be checked by hand. All have radius 1.
+//! The worked examples of tasks 7.1 to 7.7: a few discs that can be checked by hand. All have
+//! radius 1.
 
 use common::hard::{Disc, Scene};
 use hard_discs::{Candidate, Hit, Square};

@@ -17,7 +17,7 @@ fn two_thousand() -> Scene {
     hard::scenes::random(2000, 0.2, 2.0, 50)
 }
 
-/// Names the task and its finder.
+/// Returns the name of the task that a finder belongs to.
 fn task_of(deal: Deal) -> &'static str {
     if deal == Deal::Discs { "9.3" } else { "9.4" }
 }
