@@ -1,18 +1,19 @@
-//! What a program may be off.
+//! Error bounds for programs.
 
 use common::soft::DT;
 
-/// How far a correct program may be off after one step.
+/// Greatest error of a correct program after one step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Allowed {
-    /// |Δx| and |Δy| at most.
+    /// Bound of |Δx| and |Δy|.
     pub(crate) position: f64,
-    /// |Δvx| and |Δvy| at most.
+    /// Bound of |Δvx| and |Δvy|.
     pub(crate) velocity: f64,
 }
 
 impl Allowed {
-    /// Double precision: correct programs stay below a thousandth of it.
+    /// Returns the bounds for double precision. Errors of correct programs are below a thousandth
+    /// of them.
     pub(crate) fn in_double(a: f64) -> Self {
         Self { position: 1e-13 * (1.0 + 100.0 * DT * DT * a), velocity: 1e-12 * (1.0 + DT * a) }
     }

@@ -1,18 +1,18 @@
-//! A part of a test in a process of its own.
+//! Runs part of a test in a separate process.
 
 use std::env;
 use std::process::{Command, exit};
 
 use crate::watchdog::TEST;
 
-/// Says to a test that it is such a process.
+/// Name of the variable that marks a process as such a process.
 const APART: &str = "CUTOFF_APART";
 
-/// Has this very test run once more as a process of its own, which does `part` and ends. If its stack overflows,
-/// that ends no other test.
+/// Runs the current test again in a separate process, which executes `part` and ends. A stack
+/// overflow in the process does not end other tests.
 ///
 /// # Panics
-/// The process did not end well, or this is no `watched::test`.
+/// If the process fails, or the test is not a `watched::test`.
 pub fn apart(part: impl FnOnce()) {
     if env::var_os(APART).is_some() {
         part();

@@ -1,10 +1,10 @@
-//! Comparing programs bit by bit.
+//! Bitwise comparison of programs.
 
 use std::fmt::Write;
 
 use common::soft::Particle;
 
-/// Says where two states differ in any bit; nothing if they do not.
+/// Describes where two states differ in any bit. `None` if they are equal.
 pub fn difference(found: &[Particle], expected: &[Particle]) -> Option<String> {
     let fields = |p: &Particle| [("x", p.x), ("y", p.y), ("vx", p.vx), ("vy", p.vy)];
     let mut words = String::new();

@@ -13,12 +13,12 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// A table without rows.
+    /// Returns a table without rows.
     pub fn new(heads: impl IntoIterator<Item = String>) -> Self {
         Self { heads: heads.into_iter().collect(), rows: Vec::new() }
     }
 
-    /// Adds a row; a column that has nothing in it has an empty text.
+    /// Adds a row. An empty text leaves a column empty.
     pub fn row(&mut self, name: impl Into<String>, cells: impl IntoIterator<Item = String>) {
         self.rows.push((name.into(), cells.into_iter().collect()));
     }
@@ -44,7 +44,7 @@ impl Display for Columns {
     }
 }
 
-/// Numbers with a space between, `-` if there are none.
+/// Formats numbers separated by spaces, `-` if there are none.
 pub fn spaced<T: Display>(items: impl IntoIterator<Item = T>) -> String {
     let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
     if items.is_empty() { "-".into() } else { items.join(" ") }

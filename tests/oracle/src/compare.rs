@@ -7,9 +7,9 @@ use crate::allowed::Allowed;
 use crate::diagnosis::Mistake;
 use crate::single::Single;
 
-/// Compares `after`, where a program went in one step from `before`, with the model's step from
-/// there; a program in single precision if `single` says so. Returns the first particle that is
-/// off, explained.
+/// Compares `after`, a program's state one step after `before`, with the model's step from
+/// `before`. `single` is given for a program in single precision. Returns an explanation of the
+/// first wrong particle.
 pub(crate) fn one_step(
     size: f64,
     before: &[Particle],
@@ -19,8 +19,8 @@ pub(crate) fn one_step(
     let mut model = Model::from_state(size, before.to_vec());
     model.step();
     for (id, (found, expected)) in after.iter().zip(&model.particles).enumerate() {
-        // The sum of magnitudes bounds |a| and, in a crowd where forces cancel, what rounding
-        // in another order of summation can do.
+        // The sum of magnitudes bounds |a|. In a crowd where forces cancel, it also bounds the
+        // rounding errors of a different order of summation.
         let a = model.magnitudes[id];
         let allowed = match single {
             None => Allowed::in_double(a),
@@ -28,7 +28,7 @@ pub(crate) fn one_step(
         };
         let near = |found: f64, expected: f64, limit: f64| (found - expected).abs() <= limit;
         let along = |(x, v): (f64, f64), (expected_x, expected_v): (f64, f64)| {
-            // Where a particle ends next to a wall, rounding may have decided whether it bounced.
+            // Next to a wall, rounding may have decided whether the particle bounced.
             let at_wall = single.is_some()
                 && (expected_x <= allowed.position || expected_x >= size - allowed.position);
             near(x, expected_x, allowed.position)

@@ -2,12 +2,12 @@
 
 use common::soft::{Observer, Statistics};
 
-/// Counts the pairs that were looked at, whatever else of an observer is not written yet.
+/// An observer that counts pair tests, even if other parts of an observer are not written yet.
 #[derive(Clone, Default)]
 pub struct Count {
-    /// How many it was told of.
+    /// Number of reported pairs.
     pub tested: u64,
-    /// How many of these are within the cutoff, and at two positions.
+    /// Number of reported pairs within the cutoff whose positions differ.
     pub seen: u64,
 }
 

@@ -1,4 +1,4 @@
-//! What went wrong, in the domain's words.
+//! Explanations of mistakes, in the domain's words.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -7,7 +7,7 @@ use common::soft::{CUTOFF, DT, Particle};
 
 use crate::{Model, acceleration_of_pair};
 
-/// A particle that is not where it should be.
+/// A particle with a wrong position or velocity.
 #[derive(Debug)]
 pub(crate) struct Mistake {
     id: usize,
@@ -19,25 +19,25 @@ pub(crate) struct Mistake {
 
 #[derive(Debug)]
 enum Cause {
-    /// It was not written into the buffer.
+    /// The particle was not written into the buffer.
     Lost,
-    /// Another id stands at its index.
+    /// The particle at this index has a different id.
     WrongId(u32),
-    /// Left the box, or became no number.
+    /// The particle left the box, or has NaN coordinates.
     Outside,
     /// One pair explains the difference exactly.
     Pair { other: usize, distance: f64, direction: &'static str, what: &'static str },
-    /// No force at all acted on it.
+    /// No force acted on the particle.
     NoForce { neighbours: usize },
-    /// It did not move.
+    /// The particle did not move.
     DidNotMove,
-    /// The velocity is right and the position is not.
+    /// The velocity is correct and the position is wrong.
     Position,
-    /// It reached a wall, and its velocity is right but for the sign.
+    /// The particle reached a wall, and its velocity is correct except for the sign.
     Sign,
-    /// The force is right but for the sign.
+    /// The force is correct except for the sign.
     Attracted { expected: Vec2 },
-    /// None of the above.
+    /// The force is wrong in a different way.
     Force { expected: Vec2, found: Vec2, neighbours: usize },
 }
 
@@ -82,7 +82,7 @@ impl Cause {
                 return Self::Sign;
             }
         }
-        // Undo reflections to see the acceleration that the program must have used.
+        // Undoing reflections shows the acceleration that the program must have used.
         let undone = |expected: f64, start: f64, a: f64, found: f64| {
             let free = start + a * DT;
             let sign = if (expected - free).abs() <= (expected + free).abs() { 1.0 } else { -1.0 };
@@ -187,7 +187,7 @@ fn counted(neighbours: usize) -> String {
     }
 }
 
-/// Where a neighbour is, for a reader who thinks of x to the right and y upwards.
+/// Names the direction of a neighbour, with x to the right and y upwards.
 fn direction(d: Vec2) -> &'static str {
     let side = |v: f64, other: f64| match v {
         _ if v.abs() < 0.4 * other.abs() || v == 0.0 => 0,

@@ -1,4 +1,4 @@
-//! Scenes that are drawn for each question.
+//! Random scenes for questions.
 
 use std::f64::consts::TAU;
 
@@ -7,10 +7,11 @@ use common::soft::{CUTOFF, MIN_R, Particle, Scene};
 use crate::Random;
 use crate::scenes::anywhere;
 
-/// 81 pairs at 0.9995 cutoffs in any direction, alone, each over an edge of bins of one cutoff.
+/// Draws 81 isolated pairs at 0.9995 cutoffs in any direction, each across an edge of bins of one
+/// cutoff.
 ///
 /// # Panics
-/// Never: all are in the box.
+/// Never: all particles are in the box.
 pub fn pairs_over_edges(random: &mut Random) -> Scene {
     let middle = |at: usize| (4 * at + 3) as f64 * CUTOFF;
     let mut particles = Vec::new();
@@ -29,10 +30,10 @@ pub fn pairs_over_edges(random: &mut Random) -> Scene {
     Scene::new(40.55 * CUTOFF, particles).expect("all are in the box")
 }
 
-/// Some 60 particles in a small box, two of them at one position and two nearly so.
+/// Draws about 60 particles in a small box, two of them at one position and two nearly so.
 ///
 /// # Panics
-/// Never: all are in the box.
+/// Never: all particles are in the box.
 pub fn heap(random: &mut Random) -> Scene {
     let size = 2.55 * CUTOFF;
     let n = 40 + random.below(40);

@@ -7,10 +7,10 @@ use std::path::Path;
 use common::soft::{FrameFormat, FrameWriter, Particle, Scene};
 use common::write_whole;
 
-/// Writes a scene as the labs read it.
+/// Writes a scene in the format that the labs read.
 ///
 /// # Errors
-/// The file cannot be written.
+/// If the file cannot be written.
 pub fn write_scene(path: &Path, scene: &Scene) -> io::Result<()> {
     write_whole(path, |out| {
         let mut writer = FrameWriter::new(out, FrameFormat::Full, scene.len(), scene.size())?;
@@ -18,10 +18,11 @@ pub fn write_scene(path: &Path, scene: &Scene) -> io::Result<()> {
     })
 }
 
-/// The states of a file of full frames, each of `n` particles; another line may stand above them.
+/// Reads the states of a file of full frames, each of `n` particles. The file may have an extra
+/// first line.
 ///
 /// # Errors
-/// The file cannot be read, or holds something else.
+/// If the file cannot be read, or has different contents.
 pub fn read_frames(path: &Path, n: usize) -> io::Result<Vec<Vec<Particle>>> {
     let text = fs::read_to_string(path)?;
     let lines = text.lines().filter(|line| !line.is_empty()).enumerate();

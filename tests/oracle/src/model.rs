@@ -3,37 +3,37 @@
 use common::Vec2;
 use common::soft::{CUTOFF, DT, MASS, MIN_R, Particle, Scene};
 
-/// All particles of a box and what acts on them, by looking at all pairs.
+/// All particles of a box and the forces on them, computed from all pairs.
 #[derive(Clone, Debug)]
 pub struct Model {
     /// Side of the box.
     pub size: f64,
-    /// The particles in id order.
+    /// Particles in id order.
     pub particles: Vec<Particle>,
-    /// What acted on each in the last step.
+    /// Acceleration of each particle in the last step.
     pub accelerations: Vec<Vec2>,
-    /// For each, the sum of |a_ij| over its neighbours: the scale of rounding errors.
+    /// Sum of |a_ij| over the neighbours of each particle: the scale of rounding errors.
     pub magnitudes: Vec<f64>,
 }
 
 impl Model {
-    /// Starts from a scene.
+    /// Returns a model that starts from a scene.
     pub fn new(scene: &Scene) -> Self {
         Self::from_state(scene.size(), scene.particles().to_vec())
     }
 
-    /// Starts from any particles in id order.
+    /// Returns a model that starts from any particles in id order.
     pub fn from_state(size: f64, particles: Vec<Particle>) -> Self {
         let n = particles.len();
         Self { size, particles, accelerations: vec![Vec2::ZERO; n], magnitudes: vec![0.0; n] }
     }
 
-    /// Advances by one time step; neighbours are summed in ascending id.
+    /// Advances by one time step. Neighbours are summed in ascending id.
     pub fn step(&mut self) {
         self.advance(DT);
     }
 
-    /// The same by another time step.
+    /// Advances by a different time step `dt`.
     pub fn advance(&mut self, dt: f64) {
         self.sum();
         for (particle, a) in self.particles.iter_mut().zip(&self.accelerations) {
@@ -66,7 +66,7 @@ impl Model {
     }
 }
 
-/// The acceleration that a neighbour at (dx, dy) causes; zero beyond the cutoff.
+/// Returns the acceleration that a neighbour at (dx, dy) causes; zero beyond the cutoff.
 pub fn acceleration_of_pair(dx: f64, dy: f64) -> Vec2 {
     let squared = dx * dx + dy * dy;
     if squared > CUTOFF * CUTOFF {
@@ -77,7 +77,7 @@ pub fn acceleration_of_pair(dx: f64, dy: f64) -> Vec2 {
     Vec2::new(coefficient * dx, coefficient * dy)
 }
 
-/// The potential energy of a pair at (dx, dy).
+/// Returns the potential energy of a pair at (dx, dy).
 pub fn potential_of_pair(dx: f64, dy: f64) -> f64 {
     let r = (dx * dx + dy * dy).sqrt();
     let potential = |r: f64| CUTOFF / r - 1.0 - (CUTOFF / r).ln();
@@ -91,7 +91,7 @@ pub fn potential_of_pair(dx: f64, dy: f64) -> f64 {
     }
 }
 
-/// The kinetic and potential energy of all particles.
+/// Returns the kinetic and potential energy of all particles.
 pub fn energy(particles: &[Particle]) -> f64 {
     let of = |(i, p): (usize, &Particle)| {
         let near = particles[..i].iter().map(|q| potential_of_pair(q.x - p.x, q.y - p.y));
@@ -100,7 +100,7 @@ pub fn energy(particles: &[Particle]) -> f64 {
     particles.iter().enumerate().map(of).sum()
 }
 
-/// Where a coordinate ends after its reflections, and with which velocity.
+/// Returns a coordinate and its velocity after all reflections.
 pub fn fold(x: f64, v: f64, size: f64) -> (f64, f64) {
     let (mut x, mut v, mut reflections) = (x, v, 0);
     while (x < 0.0 || x > size) && reflections < 8 {
@@ -156,7 +156,7 @@ mod tests {
         assert!((a.vx + b.vx).abs() < 1e-12);
     }
 
-    /// The numbers of the book's page *The problem*.
+    /// Checks the numbers of the book's page *The problem*.
     #[test]
     fn how_close_two_particles_come() {
         let at_start = f64::sqrt(2.0);
@@ -178,8 +178,8 @@ mod tests {
             all.sort_by(|a, b| a.0.total_cmp(&b.0));
             all
         };
-        // Nothing touches it yet. Its energy and angular momentum relative to the nearest give the
-        // least distance of the exact motion.
+        // The particle is not in contact yet. Its energy and angular momentum relative to the
+        // nearest particle determine the least distance of the exact motion.
         let (distance, partner) = by_distance(&model)[1];
         assert!(distance > 1.0, "contact begins at {distance}");
         let partner = model.particles[partner as usize];

@@ -1,4 +1,4 @@
-//! Questions as tests: a wrong answer fails at once.
+//! Questions as tests: a wrong answer fails immediately.
 
 use super::Ask;
 use crate::apart::apart;
@@ -8,24 +8,24 @@ use crate::panics::name_the_lab;
 use crate::watchdog::{is_rank, watched};
 use crate::{Question, Random};
 
-/// Asks as a test does.
+/// An asker for tests.
 pub struct InTest {
-    /// The name of a worked example's snapshot.
+    /// Name of a worked example's snapshot.
     name: String,
-    /// Compares a table with the snapshot of this name.
+    /// Function that compares a table with the snapshot of this name.
     snapshot: fn(&str, &str),
 }
 
-/// How a test begins the line that says what it asks. The first line that it prints.
+/// Beginning of the line with the question, the first line that a test prints.
 const ASKS: &str = "asks: ";
 
-/// How a rank begins each line of a worked example.
+/// Beginning of each line of a worked example that a rank prints.
 const EXAMPLE: &str = "|example|";
 
-/// The body of a test: asks one question, under a time limit.
+/// Runs the body of a test: one question, under a time limit.
 ///
 /// # Panics
-/// An answer is wrong, the lab's code panics, or it takes too long.
+/// If an answer is wrong, the lab's code panics, or the answer takes too long.
 pub fn in_test(
     question: &'static Question,
     snapshot: fn(&str, &str),
@@ -55,7 +55,7 @@ impl Ask for InTest {
     fn example(&mut self, table: impl FnOnce() -> String) {
         let table = table();
         if is_rank() {
-            // The test that started this rank compares it.
+            // The test that started this rank compares the table.
             print!(
                 "{}",
                 table.lines().map(|line| format!("{EXAMPLE}{line}\n")).collect::<String>()

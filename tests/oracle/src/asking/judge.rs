@@ -1,4 +1,4 @@
-//! Questions in the grader's own program: it compares the answers that a submission's program wrote.
+//! Questions in the grader's program, which compares the answers that a submission's program wrote.
 
 use std::fs::File;
 use std::io::{self, BufReader};
@@ -8,48 +8,49 @@ use super::Ask;
 use super::wire::{END, read, to_numbers};
 use crate::right::different_tables;
 
-/// Reads a submission's answers from a file and judges them.
+/// A judge that reads a submission's answers from a file.
 pub struct Judge {
     answers: BufReader<File>,
-    /// The table of the worked example.
+    /// Table of the worked example.
     snapshot: String,
-    /// The number of questions so far, and how many of these were answered rightly.
+    /// Number of questions so far, and number of correct answers.
     asked: usize,
     right: usize,
-    /// What is wrong with the first answer that is.
+    /// Error of the first wrong answer.
     wrong: Option<String>,
-    /// Set when the file has no further answer.
+    /// Whether the file contains no further answer.
     ended: bool,
 }
 
-/// What came of a question's answers.
+/// Result of a question's answers.
 #[derive(Debug, PartialEq)]
 pub struct Verdict {
-    /// The number of answers that were asked for.
+    /// Number of requested answers.
     pub asked: usize,
-    /// How many of these are right.
+    /// Number of correct answers.
     pub right: usize,
-    /// What is wrong with the first wrong answer. `None` if every answer is right and there is no
-    /// further one.
+    /// Error of the first wrong answer. `None` if every answer is correct and there is no further
+    /// answer.
     pub wrong: Option<String>,
-    /// Whether the answers broke off; `wrong` then says before which question.
+    /// Whether the answers broke off. In this case `wrong` names the question at which they broke
+    /// off.
     pub broke_off: bool,
 }
 
 impl Judge {
-    /// A judge of the answers in the file at `path`; the question's worked example, if it is one, is
-    /// the snapshot with the text `snapshot`.
+    /// Returns a judge of the answers in the file at `path`. If the question is a worked example,
+    /// `snapshot` is the text of its snapshot.
     ///
     /// # Errors
-    /// There is no such file.
+    /// If the file does not exist.
     pub fn new(path: &Path, snapshot: &str) -> io::Result<Self> {
         let answers = BufReader::new(File::open(path)?);
-        // Behind the second line of dashes.
+        // The table follows the second line of dashes.
         let table = snapshot.splitn(3, "---\n").nth(2).unwrap_or_default().to_owned();
         Ok(Self { answers, snapshot: table, asked: 0, right: 0, wrong: None, ended: false })
     }
 
-    /// What came of all answers.
+    /// Returns the result of all answers.
     pub fn end(mut self) -> Verdict {
         if !self.ended && self.wrong.is_none() {
             match read(&mut self.answers) {

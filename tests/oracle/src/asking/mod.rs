@@ -28,11 +28,11 @@ pub use self::ranks::itself_on;
 pub use self::recorder::Recorder;
 use crate::right::compare;
 
-/// Who asks.
+/// An asker of questions.
 pub trait Ask {
-    /// Has the lab answer, and has the answer judged. `question` names the inputs and labels every
-    /// number of the answer; it says nothing that depends on the answer. `verdict` returns what is
-    /// wrong, in words.
+    /// Asks the lab for an answer and has the answer judged. `question` names the inputs and labels
+    /// every number of the answer; it must not depend on the answer. `verdict` returns the error in
+    /// words.
     fn judge(
         &mut self,
         question: &str,
@@ -40,20 +40,21 @@ pub trait Ask {
         verdict: impl FnOnce(&[f64]) -> Result<(), String>,
     );
 
-    /// Shows a worked example: a table of inputs and of what the lab makes of them, which must be
-    /// the solution's.
+    /// Shows a worked example: a table of inputs and of the lab's results, which must equal the
+    /// solution's table.
     fn example(&mut self, table: impl FnOnce() -> String);
 
-    /// Does a part in a process of its own: what it holds, or a stack that overflows, concerns no
-    /// other question.
+    /// Executes a part in a separate process, so that its memory or a stack overflow does not
+    /// affect other questions.
     fn apart(&mut self, part: impl FnOnce(&mut Self));
 
-    /// Does what only a test can do, such as starting the lab's own program. Grading leaves it out.
+    /// Executes a part that only a test can execute, such as starting the lab's own program.
+    /// Grading omits it.
     fn in_tests_only(&mut self, part: impl FnOnce());
 
-    /// Has the ranks of a job answer, for each number of ranks in turn; at most once in a question.
-    /// A rank of a job calls `on_this_rank`. Who compares without a job calls `of_rank` for each rank
-    /// and number of ranks; both ask the same questions.
+    /// Asks the ranks of a job, for each number of ranks in turn; at most once in a question. A
+    /// rank of a job calls `on_this_rank`. A judge without a job calls `of_rank` for each rank and
+    /// number of ranks. Both functions ask the same questions.
     #[cfg(unix)]
     fn on_ranks(
         &mut self,
@@ -63,7 +64,7 @@ pub trait Ask {
         of_rank: impl FnMut(usize, usize, &mut Self),
     );
 
-    /// Asks for exactly the right numbers.
+    /// Asks for numbers that must be exact.
     fn exact(
         &mut self,
         question: &str,
@@ -73,7 +74,7 @@ pub trait Ask {
         self.judge(question, found, |found| compare(found, &right()));
     }
 
-    /// Asks for the right numbers up to rounding.
+    /// Asks for numbers that must be correct up to rounding.
     fn near(
         &mut self,
         question: &str,
@@ -82,7 +83,8 @@ pub trait Ask {
     ) {
         self.judge(question, found, |found| {
             let right = right();
-            // A number that is near enough counts as the right one, so that only wrong ones are shown.
+            // A number that is near enough is replaced by the correct number, so that only wrong
+            // numbers are shown.
             let found: Vec<f64> = (0..found.len())
                 .map(|k| right.get(k).map_or(found[k], |near| near.rounded(found[k])))
                 .collect();
@@ -92,12 +94,13 @@ pub trait Ask {
     }
 }
 
-/// A right number, and the sum of the magnitudes that add up to it: rounding may be off by 10⁻¹² of that.
+/// A correct number, and the sum of the magnitudes of its terms. The allowed error is 10⁻¹² of this
+/// sum.
 #[derive(Clone, Copy, Debug)]
 pub struct Near {
-    /// The number.
+    /// The correct number.
     pub right: f64,
-    /// The sum of the magnitudes of what was added.
+    /// Sum of the magnitudes of the terms.
     pub scale: f64,
 }
 
@@ -107,53 +110,53 @@ impl Near {
     }
 }
 
-/// Whole numbers as an answer.
+/// Returns integers as an answer.
 pub fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
     numbers.into_iter().map(|number| number as f64).collect()
 }
 
-/// 1 for true, 0 for false.
+/// Returns 1 for true, 0 for false.
 pub fn truth(is: bool) -> f64 {
     f64::from(u8::from(is))
 }
 
-/// 1 for each true, 0 for each false.
+/// Returns 1 for each true, 0 for each false.
 pub fn flags<'a>(all: impl IntoIterator<Item = &'a bool>) -> Vec<f64> {
     all.into_iter().map(|&is| truth(is)).collect()
 }
 
-/// The other ranks that are at most `furthest` from `rank`, beginning with the next one.
+/// Returns the other ranks at a distance of at most `furthest` from `rank`, starting with the next
+/// rank.
 pub fn others_within(furthest: usize, rank: usize, ranks: usize) -> Vec<usize> {
     let others = (1..ranks).map(|k| (rank + k) % ranks);
     others.filter(|other| other.abs_diff(rank) <= furthest).collect()
 }
 
-/// Whether a call of MPI begins to send a message that is waited for later.
+/// Returns whether an MPI call begins a send that is waited for later.
 pub fn begins_send(call: &str) -> bool {
     ["MPI_Isend", "MPI_Issend"].contains(&call)
 }
 
-/// Asks how many of the calls that a rank has `made` are none of `calls`: there must be none, where
-/// these do the work.
+/// Asks how many of the calls that a rank has `made` are not in `calls`. There must be none.
 pub fn no_other_calls(made: &[&str], calls: &[&str], name: &str, ask: &mut impl Ask) {
     let others = made.iter().filter(|call| !calls.contains(call)).count();
     let question = format!("{name}: calls of MPI beside {}", calls.join(" and "));
     ask.exact(&question, || vec![others as f64], || vec![0.0]);
 }
 
-/// A number and its two neighbours in floating point.
+/// Returns a number and its two floating-point neighbours.
 pub fn beside(number: f64) -> [f64; 3] {
     [number, number.next_down(), number.next_up()]
 }
 
-/// `right` if `found` differs from it by no more than rounding, where magnitudes of `scale` are
-/// added up; else `found`.
+/// Returns `right` if `found` differs from it only by rounding of terms with the total magnitude
+/// `scale`; otherwise `found`.
 pub fn rounded(found: f64, right: f64, scale: f64) -> f64 {
     if (found - right).abs() <= 1e-12 * scale { right } else { found }
 }
 
-/// A long list as three numbers: its length, the sum of its numbers times their places, and the sum
-/// of its ids.
+/// Summarises a long list in three numbers: its length, the sum of its numbers times their
+/// positions, and the sum of its ids.
 pub fn digest(items: impl IntoIterator<Item = (f64, u64)>) -> Vec<f64> {
     let mut sums = vec![0.0; 3];
     for (number, id) in items {
@@ -164,8 +167,8 @@ pub fn digest(items: impl IntoIterator<Item = (f64, u64)>) -> Vec<f64> {
     sums
 }
 
-/// Asks whether the memory that this process holds grows with its steps. `run` takes a number of
-/// steps, first `steps` and then four times as many; each step handles so many `bytes`. To be asked
+/// Asks whether the memory of this process grows with its steps. `run` is called with `steps` steps
+/// and then with four times as many; each step handles `bytes` bytes. Ask this question
 /// [apart](Ask::apart).
 pub fn memory(
     name: &str,
@@ -188,7 +191,7 @@ pub fn memory(
     ask.exact(&question, found, || vec![0.0]);
 }
 
-/// The bytes of memory that this process has now; 0 where the system does not say.
+/// Returns this process's current memory in bytes; 0 if the system does not report it.
 pub fn resident() -> u64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));

@@ -1,7 +1,7 @@
-//! The ranks of a submission's program: it starts itself again under `mpiexec`.
+//! The ranks of a submission's program, which starts itself again under `mpiexec`.
 //!
-//! In a sandbox there is neither a home folder nor room for shared files, so Open MPI is told to use
-//! the loopback network for everything.
+//! A sandbox has neither a home folder nor space for shared files, so Open MPI must use the
+//! loopback network for everything.
 
 use std::env;
 use std::fs::{self, File};
@@ -10,14 +10,15 @@ use std::process::Command;
 
 use lab_machine::Mpiexec;
 
-/// Tells a program that it is a rank of a job.
+/// Variable that marks a program as a rank of a job.
 const RANK_OF: &str = "CUTOFF_RANK_OF";
 
-/// Where the launchers of Open MPI and MPICH tell a rank its number.
+/// Variables in which the launchers of Open MPI and MPICH pass a rank its number.
 const RANK: [&str; 3] = ["OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"];
 
-/// What Open MPI needs to run without shared files and without spinning, and to end a job that hangs; and a watch,
-/// which does not let a rank leave out a collective operation because it has nothing to send. Limits are in seconds.
+/// Settings that let Open MPI run without shared files and without spinning, and end a job that
+/// hangs. They also enable the watch, which detects a rank that omits a collective operation
+/// because it has nothing to send. Limits are in seconds.
 const ENVIRONMENT: [(&str, &str); 8] = [
     ("MPIEXEC_TIMEOUT", "20"),
     ("PMIX_MCA_gds", "hash"),
@@ -29,7 +30,7 @@ const ENVIRONMENT: [(&str, &str); 8] = [
     ("CUTOFF_WATCH", "18"),
 ];
 
-/// An empty file for the answers of this rank; `None` if this process is no rank.
+/// Returns an empty file for the answers of this rank. `None` if this process is not a rank.
 pub(super) fn file_of_this_rank() -> Option<File> {
     env::var_os(RANK_OF)?;
     let rank = RANK.iter().find_map(|name| env::var(name).ok()?.parse().ok());
@@ -37,10 +38,10 @@ pub(super) fn file_of_this_rank() -> Option<File> {
     Some(file.expect("a rank can write its answers"))
 }
 
-/// Runs this program on so many ranks. Returns the answers of all ranks, one behind another.
+/// Runs this program on `ranks` ranks. Returns the concatenated answers of all ranks.
 ///
 /// # Panics
-/// The job failed.
+/// If the job fails.
 pub(super) fn run(ranks: usize) -> Vec<u8> {
     let mut job = itself_on(ranks);
     job.env(RANK_OF, ranks.to_string()).envs(ENVIRONMENT);
@@ -50,11 +51,11 @@ pub(super) fn run(ranks: usize) -> Vec<u8> {
     answers.collect::<Vec<_>>().concat()
 }
 
-/// The command that starts this program, with its arguments, as the ranks of a job; in a sandbox too, which
-/// has no environment.
+/// Returns the command that starts this program, with its arguments, as the ranks of a job. It also
+/// works in a sandbox, which has no environment.
 ///
 /// # Panics
-/// There is no MPI.
+/// If MPI is not installed.
 pub fn itself_on(ranks: usize) -> Command {
     let this = env::current_exe().expect("a program knows its own path");
     let launcher = Mpiexec::find().unwrap_or_else(|error| panic!("{error}"));

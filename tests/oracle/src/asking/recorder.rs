@@ -1,5 +1,5 @@
-//! Questions in the program that runs a submission: its answers go to a file, and nothing in the
-//! program knows whether they are right.
+//! Questions in the program that runs a submission. Answers are written to a file; the program
+//! cannot know whether they are correct.
 
 use std::fs::File;
 use std::io::Write;
@@ -12,26 +12,26 @@ use super::Ask;
 use super::ranks;
 use super::wire::{END, to_bytes, write};
 
-/// Writes a submission's answers to a file.
+/// A recorder that writes a submission's answers to a file.
 pub struct Recorder(File);
 
 impl Recorder {
-    /// A recorder that appends to the file at `path`.
+    /// Returns a recorder that appends to the file at `path`.
     ///
     /// # Panics
-    /// The file cannot be written. This holds for every method.
+    /// If the file cannot be written. This holds for every method.
     pub fn new(path: &Path) -> Self {
         let file = File::options().append(true).create(true).open(path);
         Self(file.expect("the file of answers can be written"))
     }
 
-    /// Says that the last question has been answered.
+    /// Records that the last question has been answered.
     pub fn end(mut self) {
         self.add(END, &[]);
     }
 
     fn add(&mut self, question: &str, answer: &[u8]) {
-        // Without a buffer: the next question may end this process.
+        // The write is not buffered, because the next question may end this process.
         write(&mut self.0, question, answer).expect("the file of answers can be written");
     }
 }
@@ -56,8 +56,8 @@ impl Ask for Recorder {
 
     fn in_tests_only(&mut self, _part: impl FnOnce()) {}
 
-    /// This program starts itself again as the ranks of each job. Each rank writes a file of its own,
-    /// and these follow one another in the file of answers.
+    /// Starts this program again as the ranks of each job. Each rank writes a file of its own, and
+    /// these files are concatenated in the file of answers.
     #[cfg(unix)]
     fn on_ranks(
         &mut self,

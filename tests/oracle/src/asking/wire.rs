@@ -6,10 +6,11 @@
 
 use std::io::{self, Read, Write};
 
-/// The question behind the last one.
+/// Name of the pseudo-question after the last question.
 pub(super) const END: &str = "end";
 
-/// A longer question or answer is not read: no lab has one.
+/// Greatest length in bytes of a question or an answer. Longer ones are refused, because no lab has
+/// them.
 const MOST: u64 = 1 << 30;
 
 pub(super) fn write(file: &mut impl Write, question: &str, answer: &[u8]) -> io::Result<()> {
@@ -20,7 +21,7 @@ pub(super) fn write(file: &mut impl Write, question: &str, answer: &[u8]) -> io:
     Ok(())
 }
 
-/// The next question and its answer.
+/// Reads the next question and its answer.
 pub(super) fn read(file: &mut impl Read) -> io::Result<(String, Vec<u8>)> {
     let question = String::from_utf8_lossy(&part(file)?).into_owned();
     Ok((question, part(file)?))
@@ -42,7 +43,7 @@ pub(super) fn to_bytes(numbers: &[f64]) -> Vec<u8> {
     numbers.iter().flat_map(|number| number.to_le_bytes()).collect()
 }
 
-/// `None` if these bytes are not whole numbers of eight bytes.
+/// Converts bytes to numbers. `None` if the length is not a multiple of eight bytes.
 pub(super) fn to_numbers(bytes: &[u8]) -> Option<Vec<f64>> {
     let (numbers, rest) = bytes.as_chunks::<8>();
     rest.is_empty().then(|| numbers.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())

@@ -1,16 +1,17 @@
-//! Comparisons of discs: up to rounding after one step, and to the bit.
+//! Comparisons of discs: up to rounding after one step, and bitwise.
 
 use common::hard::{Disc, Scene};
 
 use super::model::{Event, What, step};
 
-/// How far two correct programs may be apart after one step from the same state.
+/// Returns the greatest difference of two correct programs after one step from the same state.
 fn limit(before: &[Disc], scene: &Scene) -> f64 {
     let fastest = before.iter().map(|d| d.vx.abs().max(d.vy.abs())).fold(0.0, f64::max);
     1e-14 * scene.side() * (1.0 + fastest / scene.radius())
 }
 
-/// What is wrong with `found`, the discs after a step of `scene` from `before`. `None` if nothing is.
+/// Describes the error in `found`, the discs after a step of `scene` from `before`. `None` if there
+/// is no error.
 pub fn one_step(before: &[Disc], found: &[Disc], scene: &Scene) -> Option<String> {
     let (expected, events) = step(before, scene.side(), scene.radius());
     let limit = limit(before, scene);
@@ -19,7 +20,7 @@ pub fn one_step(before: &[Disc], found: &[Disc], scene: &Scene) -> Option<String
         !(near(e.x, f.x) && near(e.y, f.y) && near(e.vx, f.vx) && near(e.vy, f.vy))
             || (e.pair_collisions, e.wall_collisions) != (f.pair_collisions, f.wall_collisions)
     };
-    // Of several wrong discs the one with the earliest collision tells most.
+    // If several discs are wrong, the disc with the earliest collision is the most informative.
     let i = (0..expected.len())
         .filter(|&i| wrong((&expected[i], &found[i])))
         .min_by(|&i, &j| time_of(&events, i).total_cmp(&time_of(&events, j)))?;
@@ -59,7 +60,7 @@ fn describe(d: &Disc) -> String {
     )
 }
 
-/// The first disc whose bits differ in two runs. `None` if no disc's do.
+/// Describes the first disc whose bits differ in two runs. `None` if all bits agree.
 pub fn difference(expected: &[Disc], found: &[Disc]) -> Option<String> {
     let bits =
         |d: &Disc| ([d.x, d.y, d.vx, d.vy].map(f64::to_bits), d.pair_collisions, d.wall_collisions);

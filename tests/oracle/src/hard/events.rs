@@ -1,4 +1,4 @@
-//! The exact motion: every collision, in order of time, however many a disc has.
+//! The exact motion: every collision, in order of time, for any number of collisions per disc.
 
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
@@ -7,29 +7,28 @@ use common::hard::Disc;
 
 use super::model::{What, swap_normal_components};
 
-/// An event-driven simulation. Between collisions discs fly straight, so the next collision of all
-/// can be predicted, and time jumps from one to the next (Alder and Wainwright, 1959).
-///
-/// Nothing is rounded to time steps: what the greedy model leaves out, this has.
+/// An event-driven simulation. Between collisions discs fly straight, so the next collision can be
+/// predicted, and time jumps from one collision to the next (Alder and Wainwright, 1959). Nothing
+/// is rounded to time steps: the simulation includes the collisions that the greedy model omits.
 pub struct Exact {
     low: f64,
     high: f64,
     radius: f64,
     discs: Vec<Disc>,
-    /// The time at which `discs[i]` is where it says.
+    /// Time at which `discs[i]` has its stored state.
     at: Vec<f64>,
     queue: BinaryHeap<Reverse<Prediction>>,
     now: f64,
     collisions: u64,
 }
 
-/// A collision that will happen unless one of its discs collides before.
+/// A collision that will happen unless one of its discs collides earlier.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Prediction {
     time: f64,
     disc: usize,
     what: What,
-    /// How often its discs had collided when this was predicted.
+    /// Collision counts of both discs at the time of the prediction.
     made_at: (u32, u32),
 }
 
@@ -70,12 +69,12 @@ impl Exact {
         exact
     }
 
-    /// How many collisions there have been, walls and pairs.
+    /// Returns the number of collisions so far, with walls and with discs.
     pub fn collisions(&self) -> u64 {
         self.collisions
     }
 
-    /// Lets time go on until `end`, and returns the discs there.
+    /// Advances to the time `end`, and returns the discs at that time.
     pub fn run_until(&mut self, end: f64) -> Vec<Disc> {
         while self.queue.peek().is_some_and(|Reverse(next)| next.time <= end) {
             let Some(Reverse(next)) = self.queue.pop() else { break };
@@ -176,14 +175,14 @@ mod tests {
     fn two_discs_head_on_exchange_velocities() {
         let discs = [Disc::new(10.0, 50.0, 2.0, 0.0), Disc::new(32.0, 50.0, -3.0, 0.0)];
         let after = Exact::new(&discs, 100.0, 1.0).run_until(5.0);
-        // They touch after 4, at 18 and 20.
+        // The discs touch at time 4, at 18 and 20.
         near(&after[0], (15.0, 50.0, -3.0, 0.0));
         near(&after[1], (22.0, 50.0, 2.0, 0.0));
     }
 
     #[test]
     fn two_discs_off_centre_turn_by_a_right_angle() {
-        // They touch when the line of centres is at 45 degrees.
+        // The discs touch when the line of centres is at 45 degrees.
         let off = 2f64.sqrt();
         let discs = [Disc::new(20.0, 50.0, 4.0, 0.0), Disc::new(40.0, 50.0 + off, 0.0, 0.0)];
         let mut exact = Exact::new(&discs, 100.0, 1.0);

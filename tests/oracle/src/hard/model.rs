@@ -2,7 +2,7 @@
 
 use common::hard::Disc;
 
-/// What a disc meets.
+/// The obstacle of a collision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum What {
     /// Two walls at once.
@@ -11,30 +11,30 @@ pub enum What {
     WallX,
     /// The lower or upper wall.
     WallY,
-    /// Another disc, of this number.
+    /// Another disc, with this number.
     Disc(usize),
 }
 
 /// A collision of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
-    /// When, 0 to 1.
+    /// Time of the collision, 0 to 1.
     pub time: f64,
-    /// The disc, the lower of two.
+    /// Number of the disc, the lower of two.
     pub disc: usize,
-    /// What it meets.
+    /// The obstacle.
     pub what: What,
 }
 
 impl Event {
-    /// Whether disc number `i` takes part.
+    /// Returns whether disc number `i` takes part.
     pub fn involves(&self, i: usize) -> bool {
         self.disc == i || self.what == What::Disc(i)
     }
 }
 
-/// The earliest λ in 0 .. 1 at which two discs touch: `apart` is where b is seen from a, `closing`
-/// the velocity of b seen from a.
+/// Returns the earliest λ in 0 .. 1 at which two discs touch. `apart` is the position of b relative
+/// to a, `closing` the velocity of b relative to a.
 pub fn first_touch(apart: [f64; 2], closing: [f64; 2], radius: f64) -> Option<f64> {
     let [px, py] = apart;
     let [ux, uy] = closing;
@@ -58,7 +58,8 @@ pub fn first_touch(apart: [f64; 2], closing: [f64; 2], radius: f64) -> Option<f6
     None
 }
 
-/// When a coordinate that moves by `v` in the step reaches `low` or `high` and would go beyond.
+/// Returns the time at which a coordinate that moves by `v` in the step reaches `low` or `high` and
+/// would go beyond.
 fn reaches_wall(x: f64, v: f64, low: f64, high: f64) -> Option<f64> {
     let bound = match x + v {
         end if end < low => low,
@@ -68,7 +69,7 @@ fn reaches_wall(x: f64, v: f64, low: f64, high: f64) -> Option<f64> {
     Some(((bound - x) / v).clamp(0.0, 1.0))
 }
 
-/// All collisions that could happen in the step, in the order in which they are to be considered.
+/// Returns all collisions that could happen in the step, in the order in which they are considered.
 pub fn possible(discs: &[Disc], side: f64, radius: f64) -> Vec<Event> {
     let (low, high) = (radius, side - radius);
     let mut events = Vec::new();
@@ -98,7 +99,7 @@ pub fn possible(discs: &[Disc], side: f64, radius: f64) -> Vec<Event> {
     events
 }
 
-/// One step: the discs at its end, and the collisions that happened, in order.
+/// Takes one step. Returns the discs at its end, and the collisions that happened, in order.
 pub fn step(discs: &[Disc], side: f64, radius: f64) -> (Vec<Disc>, Vec<Event>) {
     let mut busy = vec![false; discs.len()];
     let mut happened = Vec::new();
@@ -154,7 +155,7 @@ fn fly(disc: &mut Disc, time: f64) {
     disc.y += disc.vy * time;
 }
 
-/// Two discs of equal mass in contact exchange their velocities along the line of centres.
+/// Exchanges the velocities of two discs of equal mass along the line of centres.
 pub(super) fn swap_normal_components(a: &mut Disc, b: &mut Disc) {
     let (nx, ny) = (b.x - a.x, b.y - a.y);
     let n2 = nx * nx + ny * ny;
@@ -168,14 +169,14 @@ pub(super) fn swap_normal_components(a: &mut Disc, b: &mut Disc) {
     b.vy -= share * ny;
 }
 
-/// Takes a disc that is beyond a wall back along its path.
+/// Moves a disc that is beyond a wall back along its path.
 pub fn wait_at_wall(disc: &mut Disc, low: f64, high: f64) {
     let mut back: f64 = 0.0;
     for (x, v) in [(disc.x, disc.vx), (disc.y, disc.vy)] {
         let bound = if x < low { low } else { high };
         if x < low || x > high {
             let time = (x - bound) / v;
-            // Beyond by rounding only: it cannot have flown there within a step.
+            // A longer time means that the disc is beyond the wall only by rounding.
             if time <= 2.0 {
                 back = back.max(time);
             }

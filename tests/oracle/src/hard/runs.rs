@@ -1,5 +1,5 @@
-//! Questions about whole runs of one variant with hard discs: the lab's engine takes the steps, the
-//! model judges them.
+//! Questions about whole runs of one variant with hard discs: the lab's engine takes the steps, and
+//! the model judges them.
 
 use common::hard::{RandomScene, Scene, Simulation};
 use common::{Config, Variant};
@@ -8,13 +8,13 @@ use super::states::{follow, of_each_step, of_end, split};
 use super::{difference, scenes};
 use crate::{Ask, memory, within};
 
-/// Every run ends within this number of seconds, or the test fails with the task's name.
+/// Time limit of every run in seconds. The failure names the task.
 const SECONDS: u64 = 120;
 
-/// What each number of a state is.
+/// Description of the numbers of a state.
 const STATE: &str = "x y vx vy, collisions with discs and with walls of each disc";
 
-/// Asks about runs of one variant of a lab on behalf of one task. What is wrong is said in the
+/// Questions about runs of one variant of a lab on behalf of one task, with verdicts in the
 /// domain's words.
 #[derive(Clone)]
 pub struct Runs {
@@ -24,10 +24,10 @@ pub struct Runs {
 }
 
 impl Runs {
-    /// Runs of `variant`, one of `variants`, for task `task`, such as `"7.7"`.
+    /// Returns runs of `variant`, one of `variants`, for task `task`, such as `"7.7"`.
     ///
     /// # Panics
-    /// There is no such variant.
+    /// If the variant does not exist.
     pub fn new(
         task: &'static str,
         variants: &'static [Variant<dyn Simulation>],
@@ -39,24 +39,24 @@ impl Runs {
         Self { task, variant, config: variant.config() }
     }
 
-    /// The same with `threads` threads.
+    /// Returns the same runs with `threads` threads.
     #[must_use]
     pub fn threads(mut self, threads: usize) -> Self {
         self.config.threads = threads;
         self
     }
 
-    /// The same with a parameter of the variant changed.
+    /// Returns the same runs with a parameter of the variant changed.
     ///
     /// # Panics
-    /// The variant has no such parameter.
+    /// If the variant does not have this parameter.
     #[must_use]
     pub fn set(mut self, parameter: &str, value: f64) -> Self {
         self.variant.set(&mut self.config, parameter, value).unwrap_or_else(|e| panic!("{e}"));
         self
     }
 
-    /// `task 7.7, variant sequential, 2 threads`: how questions begin.
+    /// Returns the beginning of questions: `task 7.7, variant sequential, 2 threads`.
     pub fn name(&self) -> String {
         format!("task {}, {}", self.task, self.program())
     }
@@ -64,7 +64,7 @@ impl Runs {
     /// Runs `work` on a fresh engine under the watchdog.
     ///
     /// # Panics
-    /// The variant cannot be built, or `work` panics or takes too long.
+    /// If the variant cannot be built, or `work` panics or takes too long.
     pub fn run<T: Send + 'static>(
         &self,
         work: impl FnOnce(&mut dyn Simulation) -> T + Send + 'static,
@@ -77,8 +77,8 @@ impl Runs {
         })
     }
 
-    /// Every one of `steps` steps is the model's up to rounding. The model restarts from the
-    /// program's own state before each step. `name` says what scene it is.
+    /// Asks whether every one of `steps` steps agrees with the model up to rounding. The model
+    /// restarts from the program's own state before each step. `name` describes the scene.
     pub fn resynchronised(&self, ask: &mut impl Ask, name: &str, scene: &Scene, steps: usize) {
         let question = format!("{}: {STATE} after each step", self.question(name, scene, steps));
         let of_run = scene.clone();
@@ -86,8 +86,8 @@ impl Runs {
         ask.judge(&question, || self.run(found), |found| follow(scene, found, steps));
     }
 
-    /// After `steps` steps the bits are those of `right`, a program that is known to be right. The
-    /// question of a lab whose tasks have no part in `right`.
+    /// Asks whether the bits after `steps` steps are those of `right`, a program that is known to
+    /// be correct. For labs whose tasks have no part in `right`.
     pub fn bits_of(
         &self,
         ask: &mut impl Ask,
@@ -109,8 +109,8 @@ impl Runs {
         );
     }
 
-    /// After `steps` steps the bits of each of `programs` are those of this one, a program of the same
-    /// lab.
+    /// Asks whether the bits after `steps` steps are the same for each of `programs`, programs of
+    /// the same lab.
     pub fn same_bits(
         &self,
         ask: &mut impl Ask,
@@ -140,7 +140,7 @@ impl Runs {
         );
     }
 
-    /// What a long run holds does not grow with its steps.
+    /// Asks whether the memory of a long run is independent of its number of steps.
     pub fn keeps_its_memory(&self, ask: &mut impl Ask) {
         ask.apart(|ask| {
             let scene = RandomScene::new(100, 32.0, 1.0, 7).with_speeds(0.5, 3.0).draw();
@@ -153,7 +153,7 @@ impl Runs {
         });
     }
 
-    /// Three steps of each of forty scenes, from thin to crowded, small and wide.
+    /// Asks for three steps of each of forty scenes, from sparse to crowded, small and wide.
     pub fn follows_unseen_scenes(&self, ask: &mut impl Ask) {
         for seed in 0..40 {
             let (name, scene) = (format!("unseen {seed}"), scenes::unseen(seed));
@@ -161,13 +161,13 @@ impl Runs {
         }
     }
 
-    /// The state after `steps` steps.
+    /// Returns the state after `steps` steps.
     fn end(&self, scene: &Scene, steps: usize) -> Vec<f64> {
         let scene = scene.clone();
         self.run(move |engine| of_end(engine, &scene, steps))
     }
 
-    /// `variant sequential, 2 threads`.
+    /// Describes the program: `variant sequential, 2 threads`.
     fn program(&self) -> String {
         match self.config.threads {
             1 => format!("variant {}", self.variant.name),

@@ -1,20 +1,20 @@
-//! Scenes of hard discs on which wrong programs show.
+//! Scenes of hard discs that expose wrong programs.
 
 use common::hard::{Disc, Scene};
 
 use crate::Random;
 
-/// A scene from discs (x, y, vx, vy).
+/// Returns a scene with discs (x, y, vx, vy).
 ///
 /// # Panics
-/// The discs make no scene: a mistake in a test.
+/// If the discs are not a valid scene, which is a mistake in a test.
 pub fn of(side: f64, radius: f64, discs: &[(f64, f64, f64, f64)]) -> Scene {
     let discs = discs.iter().map(|&(x, y, vx, vy)| Disc::new(x, y, vx, vy)).collect();
     Scene::new(side, radius, discs).expect("the test's scene is sound")
 }
 
-/// `n` discs anywhere, also on top of each other, that cover the part `fraction` of a square of
-/// side 100; velocity components up to `speed` radii.
+/// Returns `n` discs anywhere, possibly overlapping, that cover the part `fraction` of a square of
+/// side 100, with velocity components up to `speed` radii.
 pub fn random(n: usize, fraction: f64, speed: f64, seed: u64) -> Scene {
     let side = 100.0;
     let radius = (fraction * side * side / (n as f64 * std::f64::consts::PI)).sqrt();
@@ -33,7 +33,7 @@ fn anywhere(n: usize, side: f64, radius: f64, speed: f64, seed: u64) -> Scene {
     of(side, radius, &discs)
 }
 
-/// 60 to 199 discs anywhere, from thin to crowded, in a small square or a wide one.
+/// Returns 60 to 199 discs anywhere, from sparse to crowded, in a small square or a wide one.
 pub fn unseen(seed: u64) -> Scene {
     let mut random = Random::new(1000 + seed);
     let n = 60 + random.below(140);
@@ -41,8 +41,8 @@ pub fn unseen(seed: u64) -> Scene {
     scaled(&self::random(n, fraction, 20.0, seed), random.between(0.5, 20.0))
 }
 
-/// Discs of radius 1 on some points of a lattice of whole numbers, with velocities of whole
-/// numbers: collisions at exactly the same time, at exactly λ = 0 and λ = 1, discs at one position.
+/// Returns discs of radius 1 on some points of an integer lattice, with integer velocities:
+/// collisions at exactly the same time, at exactly λ = 0 and λ = 1, and discs at one position.
 pub fn lattice(seed: u64) -> Scene {
     let side = 24.0;
     let mut random = Random::new(seed);
@@ -53,19 +53,19 @@ pub fn lattice(seed: u64) -> Scene {
     of(side, 1.0, &discs)
 }
 
-/// The same scene in other units of length.
+/// Returns the same scene in a different unit of length.
 pub fn scaled(scene: &Scene, by: f64) -> Scene {
     let discs: Vec<_> =
         scene.discs().iter().map(|d| (d.x * by, d.y * by, d.vx * by, d.vy * by)).collect();
     of(scene.side() * by, scene.radius() * by, &discs)
 }
 
-/// Discs that fly across the whole square in a step or two.
+/// Returns discs that fly across the whole square in a step or two.
 pub fn fast(n: usize, seed: u64) -> Scene {
     anywhere(n, 1000.0, 2.0, 1000.0, seed)
 }
 
-/// Slow discs in one corner, a few far away, and one that crosses everything.
+/// Returns slow discs in one corner, a few far away, and one disc that crosses everything.
 pub fn mixed(seed: u64) -> Scene {
     let (side, radius) = (1e7, 1.0);
     let mut random = Random::new(seed);
@@ -79,8 +79,8 @@ pub fn mixed(seed: u64) -> Scene {
     of(side, radius, &discs)
 }
 
-/// Pairs that nearly miss each other: the way of the second passes the first at 2 r (1 − gap), for
-/// gaps from 1e-3 down to 1e-15, and beyond at 2 r (1 + gap).
+/// Returns pairs that nearly miss each other: the path of the second disc passes the first at 2 r
+/// (1 − gap), for gaps from 1e-3 down to 1e-15, and at 2 r (1 + gap).
 pub fn grazing() -> Scene {
     let (side, radius) = (4000.0, 1.0);
     let mut discs = Vec::new();
@@ -93,7 +93,7 @@ pub fn grazing() -> Scene {
     of(side, radius, &discs)
 }
 
-/// The scenes that every variant must agree on, by name.
+/// Returns the scenes on which every variant must agree, by name.
 pub fn all() -> Vec<(&'static str, Scene)> {
     vec![
         ("crowded", random(400, 0.3, 2.0, 1)),

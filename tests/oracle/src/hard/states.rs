@@ -5,10 +5,10 @@ use common::hard::{Disc, Scene, Simulation};
 
 use super::one_step;
 
-/// Numbers of each disc in a state.
+/// Count of numbers per disc in a state.
 const OF_A_DISC: usize = 6;
 
-/// The states after each of `steps` steps of a scene.
+/// Returns the states after each of `steps` steps of a scene.
 pub fn of_each_step(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Vec<f64> {
     engine.load(scene);
     let mut numbers = Vec::new();
@@ -19,17 +19,17 @@ pub fn of_each_step(engine: &mut dyn Simulation, scene: &Scene, steps: usize) ->
     numbers
 }
 
-/// The state after `steps` steps of a scene, one by one.
+/// Returns the state after `steps` single steps of a scene.
 pub(super) fn of_end(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Vec<f64> {
     engine.load(scene);
     (0..steps).for_each(|_| engine.step());
     read(engine, scene.len()).iter().flat_map(state).collect()
 }
 
-/// The discs of each of `count` states of `n` discs.
+/// Returns the discs of each of `count` states of `n` discs.
 ///
 /// # Errors
-/// There are more numbers, or fewer.
+/// If the number of numbers is wrong.
 pub fn split(numbers: &[f64], n: usize, count: usize) -> Result<Vec<Vec<Disc>>, String> {
     if numbers.len() != OF_A_DISC * n * count {
         return Err("the run is not complete".into());
@@ -37,11 +37,11 @@ pub fn split(numbers: &[f64], n: usize, count: usize) -> Result<Vec<Vec<Disc>>, 
     Ok(numbers.chunks_exact(OF_A_DISC * n).map(discs).collect())
 }
 
-/// Whether every step of a run is the model's up to rounding. `numbers` are the states after each of
-/// `steps` steps, and the model restarts from the state before each.
+/// Checks that every step of a run agrees with the model up to rounding. `numbers` contains the
+/// states after each of `steps` steps, and the model restarts from the state before each step.
 ///
 /// # Errors
-/// A step is not: its number, the disc and its collision.
+/// If a step disagrees: its number, the disc and its collision.
 pub fn follow(scene: &Scene, numbers: &[f64], steps: usize) -> Result<(), String> {
     let mut before = scene.discs().to_vec();
     for (step, after) in (1..).zip(split(numbers, scene.len(), steps)?) {
@@ -53,13 +53,13 @@ pub fn follow(scene: &Scene, numbers: &[f64], steps: usize) -> Result<(), String
     Ok(())
 }
 
-/// x, y, vx, vy of a disc, and its collisions with discs and with walls.
+/// Returns x, y, vx, vy of a disc, and its collisions with discs and with walls.
 pub fn state(disc: &Disc) -> [f64; 6] {
     let [met, hit] = [disc.pair_collisions, disc.wall_collisions].map(f64::from);
     [disc.x, disc.y, disc.vx, disc.vy, met, hit]
 }
 
-/// The discs of an engine. What it does not write stays visibly wrong.
+/// Returns the discs of an engine. Discs that the engine does not write stay visibly wrong.
 fn read(engine: &dyn Simulation, n: usize) -> Vec<Disc> {
     let mut discs = vec![Disc::new(f64::NAN, f64::NAN, f64::NAN, f64::NAN); n];
     engine.read(0, &mut discs);

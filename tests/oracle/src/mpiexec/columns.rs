@@ -1,25 +1,25 @@
-//! What the ranks of a job have in their buffers, side by side.
+//! The contents of the buffers of a job's ranks, side by side.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use crate::Columns;
 
-/// Begins a line of a rank's column on its standard output.
+/// Beginning of a line of a rank's column on its standard output.
 const MARK: &str = "|column|";
 
-/// Prints a column for [`join_columns`]: what `rank` has in each row, by the row's name. It prints
-/// the same rows on all ranks, and once; a rank that has nothing in a row gives an empty text.
+/// Prints a column for [`join_columns`]: the contents of each row on `rank`, by the row's name. All
+/// ranks must print the same rows once; a rank without contents passes an empty text.
 pub fn print_column(rank: i32, rows: &[(&str, String)]) {
     let mut lines = String::from("\n");
     for (row, (name, cell)) in rows.iter().enumerate() {
         let _ = writeln!(lines, "{MARK}{row}|{rank}|{name}|{cell}");
     }
-    // In one piece, since all ranks print at once.
+    // All lines are printed in one piece, because all ranks print at the same time.
     print!("{lines}");
 }
 
-/// The table of all columns that ranks printed to `stdout`.
+/// Returns the table of all columns that ranks printed to `stdout`.
 pub fn join_columns(stdout: &str) -> String {
     let mut rows: BTreeMap<usize, (&str, BTreeMap<usize, &str>)> = BTreeMap::new();
     for line in stdout.lines().filter_map(|line| line.strip_prefix(MARK)) {
