@@ -128,7 +128,8 @@ impl Grown {
         }
     }
 
-    /// Returns one row: each disc with all discs after it and with the walls.
+    /// Returns the number of candidates, twice: found, and different. Empty if the device has no
+    /// room for one row.
     fn right(&self) -> Vec<f64> {
         let all = self.discs * (self.discs + 1) / 2;
         let has_room = self.room.is_none_or(|room| room >= self.discs as u64);

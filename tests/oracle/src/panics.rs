@@ -1,11 +1,12 @@
-//! Where a lab panicked, also where it called a library that did.
+//! Locations of a lab's panics, including panics in libraries that the lab called.
 
 use std::backtrace::Backtrace;
 use std::panic::{self, PanicHookInfo};
 use std::sync::Once;
 use std::thread;
 
-/// Has panics outside a lab's sources print the lab's line that called what panicked, if there is one.
+/// Makes panics outside a lab's sources print the lab's line that called the panicking function, if
+/// there is one.
 pub(crate) fn name_the_lab() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
@@ -22,8 +23,8 @@ pub(crate) fn name_the_lab() {
     });
 }
 
-/// The lab's line that called what panicked. None for a panic of the lab itself, and for one of a test, which has its
-/// own words.
+/// Returns the lab's line that called the panicking function. `None` for a panic of the lab itself,
+/// and for a panic of a test, which has its own message.
 fn caller(info: &PanicHookInfo<'_>) -> Option<String> {
     let file = info.location()?.file();
     if file.contains("labs/lab") || file.contains("tests/") {
@@ -32,7 +33,8 @@ fn caller(info: &PanicHookInfo<'_>) -> Option<String> {
     lab_frame(&format!("{:#}", Backtrace::force_capture()))
 }
 
-/// The innermost location of a trace in a lab's sources, such as `labs/lab8/src/moves.rs:29:14`.
+/// Returns the innermost location of a trace in a lab's sources, such as
+/// `labs/lab8/src/moves.rs:29:14`.
 fn lab_frame(trace: &str) -> Option<String> {
     let mut locations = trace.lines().filter_map(|line| line.trim_start().strip_prefix("at "));
     locations.find_map(|location| {

@@ -1,4 +1,5 @@
-//! The table of a lab's questions, from which its tests, its grading and the order of both follow.
+//! The table of a lab's questions. Its tests, its grading and the order of both are derived from
+//! the table.
 
 use crate::Random;
 use crate::asking::{Judge, Recorder};
@@ -7,24 +8,24 @@ use crate::panics::name_the_lab;
 /// A row of the table: one question about one task.
 #[derive(Debug)]
 pub struct Question {
-    /// The task as an identifier, `task_3_2` for 3.2.
+    /// Task as an identifier, `task_3_2` for 3.2.
     pub task: &'static str,
-    /// The question's name.
+    /// Name of the question.
     pub name: &'static str,
-    /// The tasks that it needs besides its own, such as `"3.1, 3.2"`. Grading asks it only if these
-    /// are right, so that a mistake costs one task.
+    /// Other tasks that the question depends on, such as `"3.1, 3.2"`. Grading asks the question
+    /// only if these tasks are correct, so that a mistake costs one task.
     pub after: &'static str,
-    /// What it asks, as a student reads it.
+    /// Sentence that a student reads.
     pub text: &'static str,
 }
 
 impl Question {
-    /// The name of its test: `task_3_2::forces`.
+    /// Returns the name of the question's test: `task_3_2::forces`.
     pub fn test(&self) -> String {
         format!("{}::{}", self.task, self.name)
     }
 
-    /// A seed of its own, made from a seed for all questions.
+    /// Returns a separate seed for the question, derived from a seed for all questions.
     pub(crate) fn seed(&self, seed: u64) -> u64 {
         // FNV-1a.
         let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
@@ -32,7 +33,7 @@ impl Question {
     }
 }
 
-/// Prints a table of questions for the tools, a line each: task, name, tasks needed, text.
+/// Prints a table of questions for the tools, one per line: task, name, tasks needed, text.
 pub fn print(questions: &[Question]) {
     // A test program prints the name of the test first, on the same line.
     println!();
@@ -41,10 +42,10 @@ pub fn print(questions: &[Question]) {
     }
 }
 
-/// The program that runs a submission: `answer FILE QUESTION SEED` writes the answers to a file.
+/// Runs a submission: `answer FILE QUESTION SEED` writes the answers to a file.
 ///
 /// # Panics
-/// There is no such question, the file cannot be written, or the submission panics.
+/// If the question does not exist, the file cannot be written, or the submission panics.
 pub fn answer(questions: &[Question], ask: fn(&str, &mut Random, &mut Recorder) -> bool) {
     name_the_lab();
     let order = Order::read();
@@ -53,14 +54,14 @@ pub fn answer(questions: &[Question], ask: fn(&str, &mut Random, &mut Recorder) 
     recorder.end();
 }
 
-/// The grader's program: `judge FILE QUESTION SEED SNAPSHOTS` prints what came of the answers in a file,
-/// `judge` alone prints the table. The lab's snapshots have paths that begin with `SNAPSHOTS`.
+/// Judges answers for the grader: `judge FILE QUESTION SEED SNAPSHOTS` prints the result; `judge`
+/// alone prints the table. The paths of the lab's snapshots begin with `SNAPSHOTS`.
 ///
-/// It prints the number of answers asked for, the number of right ones, and 1 if the answers broke off
-/// (0 if not), and then what is wrong with the first wrong answer.
+/// The result is the number of requested answers, the number of correct answers, and 1 if the
+/// answers broke off (0 if not), followed by the error of the first wrong answer.
 ///
 /// # Panics
-/// There is no such question, or a file cannot be read.
+/// If the question does not exist, or a file cannot be read.
 pub fn judge(questions: &[Question], ask: fn(&str, &mut Random, &mut Judge) -> bool) {
     if std::env::args().len() == 1 {
         return print(questions);
@@ -68,7 +69,7 @@ pub fn judge(questions: &[Question], ask: fn(&str, &mut Random, &mut Judge) -> b
     let order = Order::read();
     let snapshots = std::env::args().nth(4).expect("FILE QUESTION SEED SNAPSHOTS");
     let snapshot = format!("{snapshots}{}.snap", order.question.replace("::", "_"));
-    // Not every question is a worked example.
+    // Only worked examples have a snapshot.
     let snapshot = std::fs::read_to_string(snapshot).unwrap_or_default();
     let mut judge = Judge::new(&order.file, &snapshot).expect("the file of answers can be read");
     order.ask(questions, |name, random| ask(name, random, &mut judge));
@@ -77,7 +78,7 @@ pub fn judge(questions: &[Question], ask: fn(&str, &mut Random, &mut Judge) -> b
     print!("{}", verdict.wrong.unwrap_or_default());
 }
 
-/// What a program of the grader is told.
+/// Arguments of a program of the grader.
 struct Order {
     file: std::path::PathBuf,
     question: String,
@@ -122,7 +123,7 @@ macro_rules! questions {
     ($($task:ident {
         $($name:ident $(after $after:literal)? $(= $function:expr)? => $text:literal,)+
     })+) => {
-        /// The questions, in the order in which their tests are reported.
+        /// Questions, in the order in which their tests are reported.
         pub static QUESTIONS: &[$crate::Question] = &[$($($crate::Question {
             task: stringify!($task),
             name: stringify!($name),
@@ -130,7 +131,7 @@ macro_rules! questions {
             text: $text,
         },)+)+];
 
-        /// Asks the question of a test's name; false if there is none.
+        /// Asks the question of a test's name. Returns false if there is no such question.
         pub fn ask<A: $crate::Ask>(test: &str, random: &mut $crate::Random, ask: &mut A) -> bool {
             $($(if test == concat!(stringify!($task), "::", stringify!($name)) {
                 $crate::questions!(@function $name $($function)?)(random, ask);
@@ -151,7 +152,7 @@ macro_rules! questions {
             })+
         })+
 
-        // A starter has a copy of this file, but not of the snapshots.
+        // A starter contains a copy of this file, but not the snapshots.
         #[cfg(test)]
         fn snapshot(name: &str, table: &str) {
             let mut settings = insta::Settings::clone_current();

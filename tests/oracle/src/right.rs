@@ -1,8 +1,9 @@
-//! An answer beside the right one, and what kind of mistake the difference looks like.
+//! Comparison of an answer with the correct answer, and the kind of mistake that the difference
+//! suggests.
 
 use std::fmt::{self, Debug, Formatter};
 
-/// A number that is printed without a point where it is whole.
+/// A number that is printed without a decimal point if it is an integer.
 #[derive(PartialEq)]
 struct Plain(f64);
 
@@ -17,11 +18,11 @@ impl Debug for Plain {
     }
 }
 
-/// What is wrong with an answer: both lists of numbers, or of many numbers the first that differs;
-/// and what kind of mistake the difference looks like.
+/// Compares an answer with the expected numbers.
 ///
 /// # Errors
-/// The numbers differ.
+/// If the numbers differ: both lists (or the first different number of long lists), and the kind of
+/// mistake that the difference suggests.
 pub(crate) fn compare(found: &[f64], expected: &[f64]) -> Result<(), String> {
     let is_same = |k: &usize| match (found.get(*k), expected.get(*k)) {
         (Some(found), Some(expected)) => found == expected || found.is_nan() && expected.is_nan(),
@@ -49,7 +50,7 @@ fn plain(numbers: &[f64]) -> Vec<Plain> {
 /// Compares two tables line by line.
 ///
 /// # Errors
-/// They differ: the expected table, with the lines that differ marked.
+/// If the tables differ: the expected table, with the different lines marked.
 pub(crate) fn different_tables(found: &str, expected: &str) -> Result<(), String> {
     if found.trim_end() == expected.trim_end() {
         return Ok(());
@@ -69,10 +70,10 @@ pub(crate) fn different_tables(found: &str, expected: &str) -> Result<(), String
     Err(lines.join("\n"))
 }
 
-/// Whether a found number and the expected one differ in one way.
+/// A test whether a found number and the expected number differ in a certain way.
 type Difference<'a> = &'a dyn Fn(f64, f64) -> bool;
 
-/// What kind of mistake may have made these of those.
+/// Names the kind of mistake that may have caused the difference. `None` if no kind fits.
 fn likeness(found: &[f64], expected: &[f64]) -> Option<&'static str> {
     if found.len() > 1 && found.len() + 1 == expected.len() && expected.starts_with(found) {
         return Some("It looks as if the last one had been forgotten");
@@ -83,7 +84,7 @@ fn likeness(found: &[f64], expected: &[f64]) -> Option<&'static str> {
         return None;
     }
     let cut = |f: f64, e: f64, bits: i32| e.fract() == 0.0 && e >= 0.0 && f == e % 2_f64.powi(bits);
-    // A small whole number may be an index: of 2, 1 is not half.
+    // A small integer may be an index, so 1 is not considered half of 2.
     let is_much = |e: f64| e.fract() != 0.0 || e.abs() > 16.0;
     let all = |is: Difference| pairs.iter().all(|&(f, e)| is(f, e));
     let kinds: [(Difference, &'static str); 8] = [

@@ -15,32 +15,32 @@ use crate::compare::one_step;
 use crate::single::Single;
 use crate::{Ask, Model, memory, scenes, within};
 
-/// Every run ends within this number of seconds, or the test fails with the task's name.
+/// Time limit of every run in seconds. The failure names the task.
 const SECONDS: u64 = 120;
 
-/// A longer run is asked about so many steps first: particles that double in each step are found
-/// before they fill the memory.
+/// Number of steps that are asked first in a longer run, so that a program that doubles particles
+/// fails before memory is full.
 const FIRST: usize = 8;
 
-/// Asks about runs of one variant of a lab on behalf of one task. What is wrong is said in the
+/// Questions about runs of one variant of a lab on behalf of one task, with verdicts in the
 /// domain's words.
 #[derive(Clone)]
 pub struct Runs {
     task: &'static str,
     variant: &'static Variant<dyn Simulation>,
     config: Config,
-    /// The parameters that are not the variant's own, as questions name them.
+    /// Parameters that differ from the variant's defaults, as questions name them.
     changed: String,
-    /// The side of the bins that positions count from, for programs in single precision.
+    /// Side of the bins to which positions are relative, for programs in single precision.
     bins: Option<fn(&Scene) -> f64>,
     seconds: u64,
 }
 
 impl Runs {
-    /// Runs of `variant`, one of `variants`, for task `task`, such as `"2.5"`.
+    /// Returns runs of `variant`, one of `variants`, for task `task`, such as `"2.5"`.
     ///
     /// # Panics
-    /// There is no such variant.
+    /// If the variant does not exist.
     pub fn new(
         task: &'static str,
         variants: &'static [Variant<dyn Simulation>],
@@ -53,17 +53,17 @@ impl Runs {
         Self { task, variant, config, changed: String::new(), bins: None, seconds: SECONDS }
     }
 
-    /// The same with `threads` threads.
+    /// Returns the same runs with `threads` threads.
     #[must_use]
     pub fn threads(mut self, threads: usize) -> Self {
         self.config.threads = threads;
         self
     }
 
-    /// The same with a parameter of the variant changed.
+    /// Returns the same runs with a parameter of the variant changed.
     ///
     /// # Panics
-    /// The variant has no such parameter.
+    /// If the variant does not have this parameter.
     #[must_use]
     pub fn set(mut self, parameter: &str, value: f64) -> Self {
         self.variant.set(&mut self.config, parameter, value).unwrap_or_else(|e| panic!("{e}"));
@@ -71,35 +71,35 @@ impl Runs {
         self
     }
 
-    /// The same with statistics collected.
+    /// Returns the same runs with statistics collected.
     #[must_use]
     pub fn statistics(mut self) -> Self {
         self.config.statistics = true;
         self
     }
 
-    /// The same for a program in single precision whose positions are offsets in bins, of a side that
-    /// depends on the scene. Only [`resynchronised`](Self::resynchronised) and
-    /// [`resynchronised_on_each`](Self::resynchronised_on_each) know about precision.
+    /// Returns the same runs for a program in single precision whose positions are offsets in bins.
+    /// The side of the bins depends on the scene. Only [`resynchronised`](Self::resynchronised) and
+    /// [`resynchronised_on_each`](Self::resynchronised_on_each) consider precision.
     #[must_use]
     pub fn in_single(mut self, side_of_bins: fn(&Scene) -> f64) -> Self {
         self.bins = Some(side_of_bins);
         self
     }
 
-    /// The same with another time limit for each run, in seconds.
+    /// Returns the same runs with a different time limit for each run, in seconds.
     #[must_use]
     pub fn seconds(mut self, seconds: u64) -> Self {
         self.seconds = seconds;
         self
     }
 
-    /// What the variant promises.
+    /// Returns the reproducibility that the variant promises.
     pub fn reproducibility(&self) -> Reproducibility {
         self.variant.reproducibility
     }
 
-    /// `task 2.5, variant sorted, bin-size 2, 4 threads`: how questions begin.
+    /// Returns the beginning of questions: `task 2.5, variant sorted, bin-size 2, 4 threads`.
     pub fn name(&self) -> String {
         let threads = match self.config.threads {
             1 => String::new(),
@@ -121,15 +121,15 @@ impl Runs {
         })
     }
 
-    /// Every one of `steps` steps is the model's up to rounding. The model restarts from the
-    /// program's own state before each step, so chaos does not count, and neither does the order of
-    /// summation.
+    /// Asks whether every one of `steps` steps agrees with the model up to rounding. The model
+    /// restarts from the program's own state before each step, so chaos and the order of summation
+    /// have no effect.
     pub fn resynchronised(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
         self.resynchronised_on_each(ask, vec![scene.clone()], steps);
     }
 
-    /// [`resynchronised`](Self::resynchronised) on many scenes through one engine: what the engine
-    /// keeps from the scene before would show.
+    /// Asks [`resynchronised`](Self::resynchronised) on many scenes with one engine, so that data
+    /// left over from the previous scene is noticed.
     pub fn resynchronised_on_each(&self, ask: &mut impl Ask, all: Vec<Scene>, steps: usize) {
         if steps > FIRST {
             self.steps_of_each(ask, all.clone(), FIRST);
@@ -162,13 +162,14 @@ impl Runs {
         ask.judge(&question, || self.run(found), verdict);
     }
 
-    /// 200 crowds of 200, two steps each, through one engine.
+    /// Asks for two steps of each of 200 crowds of 200 particles, with one engine.
     pub fn crowds(&self, ask: &mut impl Ask) {
         self.resynchronised_on_each(ask, (1..=200).map(scenes::crowd).collect(), 2);
     }
 
-    /// Forces on particles at rest in crowds: within 10⁻¹² of the sum of magnitudes; and all forces
-    /// together within 10⁻¹² of theirs, since pairs keep the momentum.
+    /// Asks for forces on particles at rest in crowds, within 10⁻¹² of the sum of magnitudes. The
+    /// total force must be zero within 10⁻¹² of the sum of all magnitudes, because pairs conserve
+    /// momentum.
     pub fn forces(&self, ask: &mut impl Ask) {
         for seed in 1..=10 {
             let scene = scenes::cloud(40 * seed as usize, 4.0, seed);
@@ -187,7 +188,8 @@ impl Runs {
         }
     }
 
-    /// After every one of `steps` steps the bits are those of all pairs in ascending order.
+    /// Asks whether the bits after every one of `steps` steps are those of all pairs in ascending
+    /// order.
     pub fn bits_of_all_pairs(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
         let of_run = scene.clone();
         let found =
@@ -204,8 +206,9 @@ impl Runs {
         );
     }
 
-    /// After `steps` steps in a row, without a read in between, the bits are those of all pairs:
-    /// nothing outside makes threads that live for the whole run wait at a step's end.
+    /// Asks whether the bits after `steps` steps in a row, without a read in between, are those of
+    /// all pairs. No outside action makes threads that live for the whole run wait at the end of a
+    /// step.
     pub fn bits_after_a_run(&self, ask: &mut impl Ask, scene: &Scene, steps: u64) {
         let of_run = scene.clone();
         let found = move |engine: &mut dyn Simulation| {
@@ -227,8 +230,8 @@ impl Runs {
         );
     }
 
-    /// The bits after `steps` steps are the same for each number of threads, and for a second run
-    /// through the same engine.
+    /// Asks whether the bits after `steps` steps are the same for each number of threads, and for a
+    /// second run with the same engine.
     pub fn same_bits_on_threads(
         &self,
         ask: &mut impl Ask,
@@ -266,7 +269,8 @@ impl Runs {
         });
     }
 
-    /// No particle is lost or doubled: after every step each id is there once, inside the box.
+    /// Asks whether particles are lost or doubled: after every step each id must occur once, inside
+    /// the box.
     pub fn keeps_everyone(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
         let of_run = scene.clone();
         let found =
@@ -282,7 +286,7 @@ impl Runs {
         );
     }
 
-    /// What a long run holds does not grow with its steps.
+    /// Asks whether the memory of a long run is independent of its number of steps.
     pub fn keeps_its_memory(&self, ask: &mut impl Ask) {
         ask.apart(|ask| {
             let scene = scenes::dense();
@@ -298,14 +302,14 @@ impl Runs {
         format!("{}, {} particles, {steps} steps", self.name(), scene.len())
     }
 
-    /// Whether every step is the model's. With bins of single precision the states begin with the one
-    /// that was loaded.
+    /// Checks that every step agrees with the model. With bins of single precision the states begin
+    /// with the loaded state.
     fn follow(&self, scene: &Scene, states: States) -> Result<(), String> {
         let single = self.bins.map(|side_of| Single { side: side_of(scene) });
         let mut before = scene.particles().to_vec();
         let mut first = 0;
         if let Some(single) = single {
-            // The model starts where the program does: at the scene, rounded.
+            // The model starts where the program starts: at the rounded scene.
             let loaded = states.state(0);
             let odd = loaded.iter().zip(&before).find(|(l, given)| !single.is_rounded(l, given));
             if let Some((loaded, given)) = odd {
@@ -323,7 +327,8 @@ impl Runs {
     }
 }
 
-/// Whether particles that began at rest were accelerated as the model says, and keep their momentum.
+/// Checks that particles that began at rest were accelerated as in the model, and conserve
+/// momentum.
 fn forces_of_pairs(scene: &Scene, after: &[Particle]) -> Result<(), String> {
     let mut model = Model::new(scene);
     model.step();

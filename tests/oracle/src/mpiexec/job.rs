@@ -17,20 +17,21 @@ use rustix::process::{Pid, Signal, kill_process_group};
 use super::words;
 use crate::watchdog::{OwnLimit, WATCH};
 
-/// How often a running job is looked at.
+/// Interval between two checks of a running job.
 const GLANCE: Duration = Duration::from_millis(5);
 
-/// What ranks get to say where they are.
+/// Time in which ranks report their positions.
 const TO_SAY: Duration = Duration::from_secs(2);
 
-/// What a launcher gets to end its ranks before it is killed itself.
+/// Time in which a launcher may end its ranks before it is killed.
 const LAST_WORDS: Duration = Duration::from_secs(5);
 
-/// A rank writes its process id into the folder `$0`, in a file with its number, and becomes the program.
+/// Shell command with which a rank writes its process id into the folder `$0`, in a file named by
+/// its number, before it becomes the program.
 const NOTE_ID: &str =
     r#"echo $$ > "$0/${OMPI_COMM_WORLD_RANK:-${PMIX_RANK:-$PMI_RANK}}" && exec "$@""#;
 
-/// A program to be run on ranks on behalf of a task.
+/// A program to run on ranks on behalf of a task.
 #[derive(Clone, Debug)]
 pub struct Job {
     task: String,
@@ -41,21 +42,22 @@ pub struct Job {
     ids: Option<PathBuf>,
 }
 
-/// A job that is over.
+/// A job that has ended.
 #[derive(Debug)]
 pub struct Ended {
-    /// What the launcher exited with.
+    /// Exit status of the launcher.
     pub status: ExitStatus,
-    /// What all ranks printed.
+    /// Standard output of all ranks.
     pub stdout: String,
-    /// What all ranks and the launcher complained about.
+    /// Standard error of all ranks and the launcher.
     pub stderr: String,
-    /// From start to end.
+    /// Time from start to end.
     pub took: Duration,
 }
 
 impl Job {
-    /// `program` on `ranks` ranks for task `task`, such as `"5.2"`, ended after a minute.
+    /// Returns a job that runs `program` on `ranks` ranks for task `task`, such as `"5.2"`, for at
+    /// most a minute.
     pub fn new(task: &str, program: impl AsRef<Path>, ranks: usize) -> Self {
         Self {
             task: task.into(),
@@ -67,60 +69,64 @@ impl Job {
         }
     }
 
-    /// The ignored test `part` of this very test program on `ranks` ranks: for what is tested
-    /// from inside.
+    /// Returns a job that runs the ignored test `part` of this test program on `ranks` ranks, for
+    /// tests from inside.
     pub fn part(task: &str, part: &str, ranks: usize) -> Self {
         let this = env::current_exe().expect("a program knows its own path");
         Self::new(task, this, ranks).args(["--exact", part, "--ignored", "--nocapture"])
     }
 
-    /// On how many ranks it runs.
+    /// Returns the number of ranks.
     pub fn ranks(&self) -> usize {
         self.ranks
     }
 
-    /// The same with one more argument.
+    /// Returns the same job with one more argument.
     #[must_use]
     pub fn arg(mut self, argument: impl Into<OsString>) -> Self {
         self.arguments.push(argument.into());
         self
     }
 
-    /// The same with more arguments.
+    /// Returns the same job with more arguments.
     #[must_use]
     pub fn args<A: Into<OsString>>(mut self, arguments: impl IntoIterator<Item = A>) -> Self {
         self.arguments.extend(arguments.into_iter().map(Into::into));
         self
     }
 
-    /// The same with another time limit.
+    /// Returns the same job with a different time limit.
     #[must_use]
     pub fn within(mut self, seconds: u64) -> Self {
         self.limit = Duration::from_secs(seconds);
         self
     }
 
-    /// The same, whose ranks write their process ids into files of `folder`, named by their numbers.
+    /// Returns the same job, whose ranks write their process ids into files of `folder`, named by
+    /// their numbers.
     #[must_use]
     pub(super) fn ids_into(mut self, folder: &Path) -> Self {
         self.ids = Some(folder.into());
         self
     }
 
-    /// Runs the job to its end, whatever that is.
+    /// Runs the job to its end, successful or not.
     ///
     /// # Panics
-    /// It did not end in time (all its processes have then been ended), or there is no MPI.
+    /// If the job does not end in time (all its processes are ended first), or MPI is not
+    /// installed.
     pub fn run(&self) -> Ended {
         self.run_beside(|| {})
     }
 
-    /// As [`run`](Self::run), and calls `meanwhile` as soon as the job is started.
+    /// Runs the job as [`run`](Self::run) does, and calls `meanwhile` as soon as the job has
+    /// started.
     pub fn run_beside(&self, meanwhile: impl FnOnce()) -> Ended {
         let launcher = Mpiexec::find().unwrap_or_else(|e| panic!("task {}: {e}", self.task));
         let limit = launcher.limit(self.limit, self.ranks);
         let _own = OwnLimit::begin();
-        // Ranks spin while they wait: two jobs at once on a few cores slow each other to a crawl.
+        // Ranks spin while they wait, so two simultaneous jobs on a few cores slow each other down
+        // extremely.
         let _alone = only_job();
         assert!(
             !tasks_that_hang().contains(&self.task),
@@ -140,13 +146,13 @@ impl Job {
         };
         command.args(&self.arguments);
         command.stdout(share(&stdout)).stderr(share(&stderr)).stdin(std::process::Stdio::null());
-        // Should the test itself be killed, both Open MPI and MPICH end the job by themselves.
+        // If the test itself is killed, both Open MPI and MPICH end the job.
         command.env("MPIEXEC_TIMEOUT", (limit + TO_SAY + LAST_WORDS).as_secs().to_string());
         command.env(WATCH, limit.as_secs().to_string());
-        // Between ranks of one machine nothing else is used in the end, and to look for networks takes longer
+        // Ranks of one machine use nothing else in the end, and searching for networks takes longer
         // than most jobs.
         command.env("OMPI_MCA_pml", "ob1").env("OMPI_MCA_btl", "^openib,tcp,ofi,usnic");
-        // It would hold back what the library has to say until the job is gone.
+        // Aggregation would delay the library's messages until the job has ended.
         command.env("OMPI_MCA_orte_base_help_aggregate", "0");
         let start = Instant::now();
         let child = command.process_group(0).spawn();
@@ -169,10 +175,10 @@ impl Job {
         Ended { status, stdout: all_of(&mut stdout), stderr: all_of(&mut stderr), took }
     }
 
-    /// Runs the job, which must succeed.
+    /// Runs a job that must succeed.
     ///
     /// # Panics
-    /// As [`run`](Self::run), or it failed.
+    /// As [`run`](Self::run), or if the job fails.
     pub fn succeed(&self) -> Ended {
         let ended = self.run();
         assert!(
@@ -186,12 +192,12 @@ impl Job {
     }
 }
 
-/// `1 rank`, `3 ranks`.
+/// Formats a number of ranks: `1 rank`, `3 ranks`.
 pub(super) fn count(ranks: usize) -> String {
     if ranks == 1 { "1 rank".into() } else { format!("{ranks} ranks") }
 }
 
-/// A launcher and its ranks, which end with it, also when what goes on beside them panics.
+/// A launcher and its ranks. Dropping it ends them, also after a panic beside them.
 struct Running(Child);
 
 impl Drop for Running {
@@ -215,23 +221,23 @@ fn wait(child: &mut Child, limit: Duration) -> Option<ExitStatus> {
     }
 }
 
-/// Asks the launcher to end its ranks, wherever they are, and then ends the whole group.
+/// Asks the launcher to end its ranks on all machines, and then ends the whole process group.
 fn end_group(child: &mut Child) {
     let group = Pid::from_child(child);
-    // The group may be gone by the time of either signal; then there is nothing left to do.
+    // The group may have ended before either signal; then nothing remains to be done.
     let _ = kill_process_group(group, Signal::TERM);
     wait(child, LAST_WORDS);
     let _ = kill_process_group(group, Signal::KILL);
     wait(child, LAST_WORDS);
 }
 
-/// The tasks that have had a job that did not end: another one would not either.
+/// Returns the tasks that had a job that did not end. Their further jobs would not end either.
 fn tasks_that_hang() -> MutexGuard<'static, BTreeSet<String>> {
     static TASKS: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     TASKS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Held while a job runs, by whichever test of whichever process.
+/// Returns a lock that is held while a job runs, across all tests and processes.
 fn only_job() -> File {
     let path = env::temp_dir().join("cutoff-mpiexec.lock");
     let file = File::options().create(true).truncate(false).write(true).open(path);

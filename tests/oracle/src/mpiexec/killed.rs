@@ -9,19 +9,20 @@ use rustix::process::{Pid, Signal, kill_process};
 
 use super::Job;
 
-/// A launcher may take a second or two to see that a rank is gone, and some to end the other ranks.
+/// Time limit for the end of a job. A launcher may need seconds to notice that a rank is gone, and
+/// more to end the others.
 const SOON: Duration = Duration::from_secs(15);
 
-/// What ranks get to start.
+/// Time limit for the start of ranks.
 const TO_START: Duration = Duration::from_secs(10);
 
-/// A rank that is killed in the middle of the `job`, a run that would go on for hours and write to `out`,
-/// ends the whole job: soon, with a word of the launcher's, and without an output file that looks as if the
-/// run had ended. So does the last rank, and so does the root, which writes the file. `name` begins the
-/// messages.
+/// Checks that the whole job ends when a rank is killed in the middle of it. The `job` is a run
+/// that would continue for hours and write to `out`. It must end soon, with a message of the
+/// launcher, and without an output file that looks complete. The last rank is killed, and in a
+/// second run the root, which writes the file. `name` begins the messages.
 ///
 /// # Panics
-/// It does not.
+/// If the job does not end in this way.
 pub fn ends_when_a_rank_is_killed(name: &str, job: &Job, out: &Path) {
     for victim in [0, job.ranks() - 1] {
         ends_when_killed(&format!("{name}, rank {victim} killed"), job, out, victim);
@@ -36,7 +37,7 @@ fn ends_when_killed(name: &str, job: &Job, out: &Path, victim: usize) {
             .map(|rank| wait_for_id(&folder.path().join(rank.to_string())))
             .collect::<Option<_>>()
             .unwrap_or_else(|| panic!("{name}: the ranks did not start within {TO_START:?}"));
-        // They have started; now they shall be in the middle of it.
+        // The ranks have started; this wait brings them to the middle of the run.
         thread::sleep(Duration::from_millis(300));
         killed = Instant::now();
         kill_process(ids[victim], Signal::KILL).expect("a process of ours can be killed");
@@ -49,7 +50,7 @@ fn ends_when_killed(name: &str, job: &Job, out: &Path, victim: usize) {
     assert!(!out.exists(), "{name}: the output of a run that never ended is there");
 }
 
-/// The process id in a file, as soon as it is there.
+/// Waits for the process id in a file. `None` if it does not appear in time.
 fn wait_for_id(path: &Path) -> Option<Pid> {
     let start = Instant::now();
     while start.elapsed() < TO_START {

@@ -1,4 +1,4 @@
-//! Tests from inside: of functions that all ranks call together.
+//! Tests from inside, for functions that all ranks call together.
 
 use std::env;
 use std::process::exit;
@@ -6,14 +6,15 @@ use std::process::exit;
 use super::{Ended, Job};
 use crate::watchdog::{TEST, WATCH};
 
-/// How long a part of a test may take.
+/// Time limit in seconds of a part of a test.
 const SECONDS: u64 = 20;
 
-/// Has this very test run on each number of ranks of `counts`, in turn; each rank comes here in its turn,
-/// does `part` and ends. What a test does before, all ranks do as well. Returns the last job.
+/// Runs the current test again on each number of ranks of `counts`, in turn. Each rank reaches this
+/// call in its turn, executes `part` and ends. All ranks also execute the code before this call.
+/// Returns the last job.
 ///
 /// # Panics
-/// A job failed or did not end, as for [`Job::succeed`], or this is no `watched::test`.
+/// If a job fails or does not end, as for [`Job::succeed`], or the test is not a `watched::test`.
 pub fn on_each(task: &str, counts: &[usize], part: impl FnOnce()) -> Ended {
     if env::var_os(WATCH).is_some() {
         part();

@@ -1,4 +1,4 @@
-//! Questions to a lab's own program on ranks, from outside: it is started with `mpiexec`.
+//! Questions to a lab's own program on ranks, from outside: the program is started with `mpiexec`.
 
 use std::path::PathBuf;
 
@@ -8,7 +8,7 @@ use super::job::count;
 use super::{Job, ends_when_a_rank_is_killed};
 use crate::official::{OFFICIAL_SHA256, sha256};
 
-/// One variant of a lab's program on ranks. What is wrong is said in the domain's words, by a panic.
+/// One variant of a lab's program on ranks. Errors are panics in the domain's words.
 #[derive(Clone)]
 pub struct OnRanks {
     task: &'static str,
@@ -18,15 +18,16 @@ pub struct OnRanks {
 }
 
 impl OnRanks {
-    /// Variant `variant` of `program` on `ranks` ranks, for task `task`.
+    /// Returns variant `variant` of `program` on `ranks` ranks, for task `task`.
     pub fn new(task: &'static str, program: &str, variant: &'static str, ranks: usize) -> Self {
         Self { task, program: program.into(), variant, ranks }
     }
 
-    /// The official run, n = 1000 and seed 1: byte for byte what the reference program writes.
+    /// Checks that the output of the official run, n = 1000 and seed 1, equals the reference
+    /// program's output byte for byte.
     ///
     /// # Panics
-    /// The bytes differ, or the job fails.
+    /// If the bytes differ, or the job fails.
     pub fn official_bytes(&self) {
         let folder = folder();
         let out = folder.path().join("out.txt");
@@ -42,16 +43,16 @@ impl OnRanks {
         }
     }
 
-    /// A rank that is killed in the middle of a run takes the job with it.
+    /// Checks that the job ends when a rank is killed in the middle of a run.
     ///
     /// # Panics
-    /// It does not, or a short run fails.
+    /// If the job does not end, or a short run fails.
     pub fn ends_when_a_rank_is_killed(&self) {
         let folder = folder();
-        // Only a program that works has a middle to be killed in.
+        // Only a correct program can be killed in the middle of a run.
         self.job().args(["--steps", "3"]).succeed();
         let out = folder.path().join("never-complete.txt");
-        // Its ranks have to start, to be killed and to be missed.
+        // The limit covers the start of the ranks, the kill, and its detection.
         let job = self.job().within(60).args(["--steps", "100000000", "-o"]).arg(&out);
         ends_when_a_rank_is_killed(&self.name(), &job, &out);
     }
@@ -60,7 +61,7 @@ impl OnRanks {
         Job::new(self.task, &self.program, self.ranks).args(["--variant", self.variant]).within(30)
     }
 
-    /// `task 5.8, variant through-root, 3 ranks`: how messages begin.
+    /// Returns the beginning of messages: `task 5.8, variant through-root, 3 ranks`.
     fn name(&self) -> String {
         format!("task {}, variant {}, {}", self.task, self.variant, count(self.ranks))
     }

@@ -1,8 +1,8 @@
-//! What a failed job has to say to a student.
+//! Messages of failed jobs for students.
 
 use std::time::Duration;
 
-/// Lines of Open MPI and of the test harness that hold one of these say nothing about the lab.
+/// Parts of lines of Open MPI and of the test harness that contain no information about the lab.
 const NOISE: [&str; 20] = [
     "-----------------",
     "MPI_ABORT was invoked on rank",
@@ -26,7 +26,7 @@ const NOISE: [&str; 20] = [
     "mpiexec noticed that process rank",
 ];
 
-/// What the libraries say, and what that means.
+/// Messages of the libraries, and their meanings.
 const MEANINGS: [(&str, &str); 3] = [
     (
         "Process received signal",
@@ -45,7 +45,7 @@ const MEANINGS: [(&str, &str); 3] = [
     ),
 ];
 
-/// Calls of MPI whose names hold one of these wait for a single message. Other calls wait for all ranks.
+/// Parts of the names of MPI calls that wait for a single message. Other calls wait for all ranks.
 const OF_ONE_MESSAGE: [&str; 4] = ["send", "recv", "probe", "wait"];
 
 const MISSING_CALL: &str = "Each rank waits in a call of MPI. So some rank waits for a call that another rank does not \
@@ -54,10 +54,12 @@ const MISSING_CALL: &str = "Each rank waits in a call of MPI. So some rank waits
 
 const NOT_KNOWN: &str = "A loop does not end, a list grows in each step, or this machine is busy.";
 
-/// Says why a job of so many ranks may have given no answer within `limit`, and what its ranks said.
+/// Explains why a job of `ranks` ranks may have given no answer within `limit`, and shows the
+/// ranks' messages.
 ///
-/// A call is missing only if all ranks have been waiting in calls for a quarter of the time, and not all in the same
-/// collective operation. On a busy machine right programs take too long as well.
+/// A call is missing only if all ranks have been waiting in calls for a quarter of the time, and
+/// not all in the same collective operation. On a busy machine correct programs may take too long
+/// as well.
 pub(super) fn of_no_answer(stderr: &str, ranks: usize, limit: Duration) -> String {
     let mut lines: Vec<&str> = stderr.lines().collect();
     lines.sort_unstable();
@@ -69,8 +71,8 @@ pub(super) fn of_no_answer(stderr: &str, ranks: usize, limit: Duration) -> Strin
     format!("{why}\n{}", lines.join("\n"))
 }
 
-/// The call with its location, and how many seconds a rank has waited in it, of a line such as
-/// `after 20 s rank 1 is in a run, in MPI_Recv (labs/lab5/src/root.rs, line 29) for 19 s`.
+/// Returns the call with its location, and the seconds that a rank has waited in it, from a line
+/// such as `after 20 s rank 1 is in a run, in MPI_Recv (labs/lab5/src/root.rs, line 29) for 19 s`.
 fn wait(line: &str) -> Option<(&str, u64)> {
     let (_, wait) = line.split_once(", in MPI_")?;
     let (call, seconds) = wait.strip_suffix(" s")?.rsplit_once(" for ")?;
@@ -82,12 +84,12 @@ fn is_of_all(call: &str) -> bool {
     !OF_ONE_MESSAGE.iter().any(|part| name.contains(part))
 }
 
-/// What ranks and launcher said, without noise.
+/// Returns the messages of ranks and launcher without noise.
 pub(super) fn of_a_failure(stderr: &str) -> String {
     let is_noise = |line: &&str| {
         line.is_empty() || is_frame(line) || NOISE.iter().any(|noise| line.contains(noise))
     };
-    // Open MPI begins a line with a machine and a process.
+    // Open MPI begins a line with the name of a machine and a process.
     let said = |line| str::split_once(line, "] *** ").map_or(line, |(_, said)| said);
     let mut lines: Vec<&str> = stderr.lines().filter(|line| !is_noise(line)).map(said).collect();
     let meanings = MEANINGS.iter().filter(|(words, _)| stderr.contains(words));
@@ -98,7 +100,8 @@ pub(super) fn of_a_failure(stderr: &str) -> String {
     lines.join("\n")
 }
 
-/// Whether a line is of a trace of Open MPI's, such as `[vm:11471] [ 5] /lib/libc.so.6(abort+0xd3)[0x7f22]`.
+/// Returns whether a line belongs to a backtrace of Open MPI, such as `[vm:11471] [ 5]
+/// /lib/libc.so.6(abort+0xd3)[0x7f22]`.
 fn is_frame(line: &str) -> bool {
     let Some((_, frame)) = line.split_once("] [") else { return false };
     frame.split_once(']').is_some_and(|(number, _)| number.trim().parse::<u32>().is_ok())

@@ -1,14 +1,15 @@
-//! When a distance crosses the cutoff or a coordinate a wall, within a step.
+//! Times at which a distance crosses the cutoff or a coordinate a wall, within a step.
 
-/// What is watched: a function that is at least 0 now, and its slope.
+/// A function that is at least 0 now, and its slope.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Watched {
     pub(super) value: f64,
     pub(super) slope: f64,
 }
 
-/// The first time in (0, h] at which a function falls through zero, if it does. `at` computes it
-/// anywhere in the step; the step is so short that its slope changes sign at most once.
+/// Returns the first time in (0, h] at which a function falls through zero. `None` if it does not.
+/// `at` evaluates the function anywhere in the step. The step is so short that the slope changes
+/// sign at most once.
 pub(super) fn first_fall(
     start: Watched,
     end: Watched,
@@ -21,9 +22,9 @@ pub(super) fn first_fall(
     let (low, high) = match (start.slope <= 0.0, end.slope < 0.0) {
         (_, true) if end.value >= 0.0 => return None,
         (true, true) => (0.0, h),
-        // It rises and then falls: the crossing lies behind the top.
+        // The function rises and then falls: the crossing is behind the maximum.
         (false, true) => (root(0.0, h, |t| -at(t).slope), h),
-        // It falls and then rises: it may dip below zero.
+        // The function falls and then rises: it may be below zero in between.
         (true, false) => {
             let bottom = root(0.0, h, |t| at(t).slope);
             if at(bottom).value >= 0.0 {
@@ -36,7 +37,7 @@ pub(super) fn first_fall(
     Some(root(low, high, |t| -at(t).value))
 }
 
-/// Where a function that is at most 0 at `low` and positive at `high` crosses zero: regula falsi
+/// Returns the zero of a function that is at most 0 at `low` and positive at `high`: regula falsi
 /// with the Illinois rule.
 fn root(mut low: f64, mut high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let (mut below, mut above) = (f(low), f(high));
@@ -49,7 +50,7 @@ fn root(mut low: f64, mut high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
         if high - low <= 1e-18 || middle <= low || middle >= high || above <= 0.0 {
             break;
         }
-        // Now and then a bisection, so that no shape can stall it.
+        // Occasional bisections ensure progress for every shape.
         let chord = low + (high - low) * (-below / (above - below));
         let guess = if round % 3 == 2 || chord <= low || chord >= high { middle } else { chord };
         let value = f(guess);
@@ -93,7 +94,7 @@ mod tests {
 
     #[test]
     fn a_value_that_rises_first_falls_later() {
-        // Rises from a rounding error below zero, then falls for good.
+        // The function rises from a rounding error below zero, then falls permanently.
         let at = |t: f64| Watched { value: t * (0.4 - t) - 1e-18, slope: 0.4 - 2.0 * t };
         let found = first_fall(at(0.0), at(1.0), 1.0, at).unwrap();
         assert!((found - 0.4).abs() < 1e-14, "{found}");

@@ -6,18 +6,18 @@
 
 use common::Vec2;
 
-/// Columns of the extrapolation; the order is twice as high.
+/// Number of columns of the extrapolation; the order is twice as high.
 const COLUMNS: usize = 9;
 
-/// Where and how fast particles are.
+/// Positions and velocities of particles.
 #[derive(Clone, Debug, Default)]
 pub(super) struct State {
     pub(super) at: Vec<Vec2>,
     pub(super) v: Vec<Vec2>,
 }
 
-/// Advances `start` by `h` under accelerations that `field` computes from positions. Returns the end
-/// and an estimate of its error, the greatest in any coordinate.
+/// Advances `start` by `h` under accelerations that `field` computes from positions. Returns the
+/// end and an estimate of its error, the greatest in any coordinate.
 pub(super) fn step(start: &State, h: f64, field: &impl Fn(&[Vec2], &mut [Vec2])) -> (State, f64) {
     let n = start.at.len();
     let mut first = vec![Vec2::ZERO; n];
@@ -56,7 +56,8 @@ pub(super) fn step(start: &State, h: f64, field: &impl Fn(&[Vec2], &mut [Vec2]))
     (end, error)
 }
 
-/// Störmer's rule with `substeps` substeps: displacements, then changes of velocity × h.
+/// Applies Störmer's rule with `substeps` substeps. Returns displacements, then changes of velocity
+/// × h.
 fn rule(
     start: &State,
     h: f64,
@@ -66,7 +67,7 @@ fn rule(
 ) -> Vec<Vec2> {
     let n = start.at.len();
     let part = h / substeps as f64;
-    // `kick` is how much the way of a substep exceeds the free flight's.
+    // `kick` is the excess of a substep's displacement over the free flight's.
     let mut kick: Vec<Vec2> = first.iter().map(|&a| (0.5 * part * part) * a).collect();
     let mut bend = kick.clone();
     let mut at = start.at.clone();

@@ -1,4 +1,4 @@
-//! A few particles that may touch each other, followed from event to event.
+//! A few particles that may be in contact, followed from event to event.
 
 use common::Vec2;
 use common::soft::{CUTOFF, MASS, MIN_R, Particle};
@@ -6,10 +6,11 @@ use common::soft::{CUTOFF, MASS, MIN_R, Particle};
 use super::event::{Watched, first_fall};
 use super::extrapolation::{State, step};
 
-/// A step that must be halved more often than this has met something that is not smooth.
+/// Greatest number of halvings of a step. A step that needs more has met a motion that is not
+/// smooth.
 const MOST_HALVINGS: u32 = 40;
 
-/// Particles of a group, its pairs and which of them touch.
+/// Particles of a group, its pairs, and the pairs in contact.
 pub(super) struct Group {
     size: f64,
     state: State,
@@ -17,12 +18,12 @@ pub(super) struct Group {
     touching: Vec<bool>,
 }
 
-/// Something whose fall through zero is an event.
+/// A quantity whose fall through zero is an event.
 #[derive(Clone, Copy, Debug)]
 enum Event {
-    /// The pair with this number comes into reach or leaves it.
+    /// The pair with this number comes within reach or leaves it.
     Pair(usize),
-    /// A particle meets the wall at 0 or at the far end, along x or y.
+    /// A particle reaches the wall at 0 or at the far end, along x or y.
     Wall { particle: usize, along_x: bool, far: bool },
 }
 
@@ -42,12 +43,12 @@ impl Group {
         Self { size, state, pairs, touching }
     }
 
-    /// Positions and velocities.
+    /// Returns positions and velocities.
     pub(super) fn particles(&self) -> impl Iterator<Item = (Vec2, Vec2)> {
         self.state.at.iter().copied().zip(self.state.v.iter().copied())
     }
 
-    /// Advances by `time`. Returns the greatest speed on the way.
+    /// Advances by `time`. Returns the greatest speed during this time.
     pub(super) fn advance(&mut self, time: f64, tolerance: f64) -> Result<f64, String> {
         let mut left = time;
         let mut fastest = self.fastest();
@@ -74,7 +75,7 @@ impl Group {
             }
             self.check_distances()?;
             fastest = fastest.max(self.fastest());
-            // What is left after the last step is exactly nothing, whatever rounding says.
+            // After the last step the remaining time is exactly zero, regardless of rounding.
             left = if h == left { 0.0 } else { left - h };
         }
         Ok(fastest)
@@ -88,8 +89,8 @@ impl Group {
         step(&self.state, h, &|at, a| self.accelerations(at, a))
     }
 
-    /// The force of the pairs that touch, by the same formula on both sides of the cutoff, so
-    /// that it is smooth until the event is found.
+    /// Computes the forces of the pairs in contact, by the same formula on both sides of the
+    /// cutoff, so that the force is smooth until the event is found.
     fn accelerations(&self, at: &[Vec2], a: &mut [Vec2]) {
         a.fill(Vec2::ZERO);
         for (&(i, j), _) in self.pairs.iter().zip(&self.touching).filter(|(_, touch)| **touch) {

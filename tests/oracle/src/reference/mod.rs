@@ -17,27 +17,28 @@ use common::soft::{CUTOFF, Particle, Scene};
 use crate::fold;
 use group::Group;
 
-/// How finely the reference is computed.
+/// Accuracy of the reference.
 #[derive(Clone, Copy, Debug)]
 pub struct Fineness {
     /// Length of a window and greatest length of a step.
     pub window: f64,
-    /// Error allowed in a step.
+    /// Allowed error of a step.
     pub tolerance: f64,
 }
 
 impl Fineness {
-    /// What the kit's tables use.
+    /// Accuracy of the kit's tables.
     pub const FINE: Self = Self { window: 2e-4, tolerance: 1e-16 };
-    /// Longer windows, other steps and a looser tolerance: how far it ends from [`Self::FINE`]
-    /// tells the error of both.
+    /// Accuracy with longer windows, different steps and a looser tolerance. The difference from
+    /// [`Self::FINE`] shows the error of both.
     pub const CHECK: Self = Self { window: 3.1e-4, tolerance: 1e-15 };
 }
 
-/// The exact motion of a scene for `time`, in id order.
+/// Returns the exact motion of a scene for `time`, in id order.
 ///
 /// # Errors
-/// Says which pair came closer than the model's least distance: nothing is smooth there.
+/// If a pair came closer than the model's least distance, where the motion is not smooth. The error
+/// names the pair.
 pub fn exact(scene: &Scene, time: f64, fineness: Fineness) -> Result<Vec<Particle>, String> {
     let mut particles = scene.particles().to_vec();
     let windows = (time / fineness.window).ceil().max(1.0);
@@ -54,7 +55,7 @@ fn window(
     length: f64,
     tolerance: f64,
 ) -> Result<(), String> {
-    // If a particle gets faster than this, it is noticed below.
+    // Particles that become faster than this are noticed below.
     let speeds: Vec<f64> = particles.iter().map(|p| p.vx.hypot(p.vy)).collect();
     let mut allowed = 1.25 * speeds.iter().copied().fold(0.0, f64::max) + 0.1;
     loop {
@@ -83,7 +84,7 @@ fn window(
     }
 }
 
-/// The groups of particles that pairs within `reach` link, each in ascending order.
+/// Returns the groups of particles linked by pairs within `reach`, each in ascending order.
 fn groups(particles: &[Particle], reach: f64) -> Vec<Vec<usize>> {
     let mut order: Vec<usize> = (0..particles.len()).collect();
     order.sort_by(|&a, &b| particles[a].x.total_cmp(&particles[b].x));

@@ -1,4 +1,4 @@
-//! Questions about long runs, in which chaos hides single particles.
+//! Questions about long runs, in which chaos hides errors of single particles.
 
 use common::soft::{
     Averages, CUTOFF, FrameFormat, FrameWriter, Particle, Scene, Simulation, Statistics,
@@ -10,8 +10,8 @@ use crate::official::{OFFICIAL_SHA256, sha256};
 use crate::{Ask, Model, energy, scenes};
 
 impl Runs {
-    /// Runs freely beside the model on the official scene: positions agree to 10⁻⁹ until step 200.
-    /// Later, chaos has doubled the last digit too often.
+    /// Asks for a free run on the official scene, compared with the model: positions agree to 10⁻⁹
+    /// until step 200. Later, chaos has doubled the last digit too often.
     pub fn free_run(&self, ask: &mut impl Ask) {
         let scene = scenes::official();
         let of_run = scene.clone();
@@ -28,8 +28,8 @@ impl Runs {
         );
     }
 
-    /// Writes the official run, n = 1000 and seed 1, in the official format: byte for byte what the
-    /// reference program writes.
+    /// Asks for the official run, n = 1000 and seed 1, in the official format. The output must
+    /// equal the reference program's byte for byte.
     pub fn official_bytes(&self, ask: &mut impl Ask) {
         let found = || self.run(official_digest);
         let question = format!(
@@ -48,8 +48,8 @@ impl Runs {
         });
     }
 
-    /// The statistics of the official scene's second half lie where those of correct programs do, and
-    /// its energy drifts no further than theirs.
+    /// Asks for the statistics of the second half of the official run, and for its energy drift.
+    /// Both must be in the ranges of correct programs.
     pub fn long_statistics(&self, ask: &mut impl Ask) {
         let name = self.name();
         let found = move |engine: &mut dyn Simulation| {
@@ -72,8 +72,8 @@ impl Runs {
         ask.judge(&question, || self.clone().statistics().run(found), right_averages);
     }
 
-    /// The statistics of each of `steps` steps are those of the model's state before the step: counts
-    /// exactly, distances to 10⁻¹².
+    /// Asks for the statistics of each of `steps` steps. They must be those of the model's state
+    /// before the step: counts exactly, distances to 10⁻¹².
     pub fn statistics_of_each_step(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
         let (of_run, name) = (scene.clone(), self.name());
         let found = move |engine: &mut dyn Simulation| {
@@ -118,7 +118,7 @@ fn statistics(engine: &dyn Simulation, name: &str) -> Statistics {
         .unwrap_or_else(|| panic!("{name}: no statistics, though they were asked for"))
 }
 
-/// Whether averages, and the energy at the end, are in the ranges of correct programs.
+/// Checks that averages, and the energy at the end, are in the ranges of correct programs.
 fn right_averages(found: &[f64]) -> Result<(), String> {
     let scene = scenes::official();
     let (averages, mut rest) = found.split_at_checked(3).ok_or("the run is not complete")?;
@@ -154,7 +154,7 @@ fn beside_the_model(scene: &Scene, states: &States) -> Result<(), String> {
     Ok(())
 }
 
-/// The digest of the official run's output, a number for each byte.
+/// Returns the digest of the official run's output, a number for each byte.
 fn official_digest(engine: &mut dyn Simulation) -> Vec<f64> {
     let scene = scenes::official();
     engine.load(&scene);
@@ -174,7 +174,7 @@ fn official_digest(engine: &mut dyn Simulation) -> Vec<f64> {
     (0..digest.len()).step_by(2).map(|at| f64::from(byte(at))).collect()
 }
 
-/// Whether dmin, davg and navg are those of the pairs of a state.
+/// Checks that dmin, davg and navg are those of the pairs of a state.
 fn right_statistics(found: &[f64], before: &[Particle]) -> Result<(), String> {
     let right = statistics_of(before);
     for (k, (what, expected)) in [
@@ -192,7 +192,7 @@ fn right_statistics(found: &[f64], before: &[Particle]) -> Result<(), String> {
     Ok(())
 }
 
-/// The model's statistics of each of `steps` steps of a scene.
+/// Returns the model's statistics of each of `steps` steps of a scene.
 pub fn statistics_of_run(scene: &Scene, steps: usize) -> Vec<Statistics> {
     let mut model = Model::new(scene);
     let mut all = Vec::new();
@@ -203,7 +203,7 @@ pub fn statistics_of_run(scene: &Scene, steps: usize) -> Vec<Statistics> {
     all
 }
 
-/// The statistics of the pairs of a state; pair tests are not counted.
+/// Returns the statistics of the pairs of a state; pair tests are not counted.
 fn statistics_of(particles: &[Particle]) -> Statistics {
     let mut seen = Statistics::default();
     for p in particles {

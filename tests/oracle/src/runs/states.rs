@@ -6,21 +6,21 @@ use crate::Model;
 use crate::bits::difference;
 use crate::compare::one_step;
 
-/// Some states of one number of particles, one behind another.
+/// Several states with the same number of particles, concatenated.
 pub struct States {
     particles: usize,
     numbers: Vec<f64>,
 }
 
 impl States {
-    /// One state.
+    /// Returns a single state.
     pub fn of(state: &[Particle]) -> Self {
         let mut states = Self { particles: state.len(), numbers: Vec::new() };
         states.add(state);
         states
     }
 
-    /// The states after each of `steps` steps of a scene, and before them the state as loaded if
+    /// Returns the states after each of `steps` steps of a scene, preceded by the loaded state if
     /// `loaded` is 1.
     pub fn of_run(engine: &mut dyn Simulation, scene: &Scene, steps: usize, loaded: usize) -> Self {
         engine.load(scene);
@@ -31,7 +31,7 @@ impl States {
         states
     }
 
-    /// The states after each of `steps` steps of the scene with `n` particles that the engine has loaded.
+    /// Returns the states after each of `steps` steps of the loaded scene with `n` particles.
     pub fn of_loaded(engine: &mut dyn Simulation, n: usize, steps: usize) -> Self {
         let mut states = Self { particles: n, numbers: Vec::new() };
         for _ in 0..steps {
@@ -41,14 +41,14 @@ impl States {
         states
     }
 
-    /// The state after `steps` steps of a scene in a row, without a look in between.
+    /// Returns the state after `steps` steps of a scene in a row, without a read in between.
     pub fn after_a_run(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Self {
         engine.load(scene);
         engine.run(steps as u64);
         Self::of(&read(engine, scene.len()))
     }
 
-    /// The state after `steps` steps of a scene, one by one.
+    /// Returns the state after `steps` single steps of a scene.
     pub fn of_end(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Self {
         engine.load(scene);
         (0..steps).for_each(|_| engine.step());
@@ -58,7 +58,7 @@ impl States {
     /// Takes `count` states off the front of `numbers`.
     ///
     /// # Errors
-    /// There are fewer numbers.
+    /// If there are too few numbers.
     pub fn split(numbers: &mut &[f64], particles: usize, count: usize) -> Result<Self, String> {
         let Some((own, rest)) = numbers.split_at_checked(4 * particles * count) else {
             return Err("the run is not complete".into());
@@ -67,33 +67,33 @@ impl States {
         Ok(Self { particles, numbers: own.to_vec() })
     }
 
-    /// The numbers of all states.
+    /// Returns the numbers of all states.
     pub fn numbers(self) -> Vec<f64> {
         self.numbers
     }
 
-    /// The number of states.
+    /// Returns the number of states.
     pub fn count(&self) -> usize {
         self.numbers.len() / (4 * self.particles)
     }
 
-    /// State number `index`.
+    /// Returns state number `index`.
     pub fn state(&self, index: usize) -> Vec<Particle> {
         let length = 4 * self.particles;
         let numbers = self.numbers[index * length..(index + 1) * length].chunks_exact(4);
         let particle = |(id, v): (usize, &[f64])| {
-            // What stands at another particle's place has no numbers.
+            // A particle at another particle's index was read as NaN.
             let id = if v[0].is_nan() { u32::MAX } else { id as u32 };
             Particle { x: v[0], y: v[1], vx: v[2], vy: v[3], id }
         };
         numbers.enumerate().map(particle).collect()
     }
 
-    /// Whether the states after each step have the bits of all pairs.
+    /// Checks that the states after each step have the bits of all pairs.
     ///
     /// # Errors
-    /// They do not: the first particle that is off. A pair that was missed says more than a digit
-    /// that is off, so a step that is wrong by more than rounding is explained.
+    /// If they differ: the first wrong particle. A step whose error exceeds rounding is explained,
+    /// because a missed pair is more informative than a wrong digit.
     pub fn bits_of_all_pairs(&self, scene: &Scene) -> Result<(), String> {
         let mut model = Model::new(scene);
         let mut before = scene.particles().to_vec();
@@ -110,10 +110,10 @@ impl States {
         Ok(())
     }
 
-    /// Whether every particle is at its place and inside a box of side `size`.
+    /// Checks that every particle is at its index and inside a box of side `size`.
     ///
     /// # Errors
-    /// One is not: the first of these.
+    /// If a particle is missing or outside: the first such particle.
     pub fn everyone_inside(&self, size: f64) -> Result<(), String> {
         let is_inside = |x: f64| (0.0..=size).contains(&x);
         for step in 1..=self.count() {
@@ -126,10 +126,11 @@ impl States {
         Ok(())
     }
 
-    /// Whether every step is the model's up to rounding, from where the program itself was before it.
+    /// Checks that every step agrees with the model up to rounding, starting from the program's own
+    /// state before the step.
     ///
     /// # Errors
-    /// A step is not: the step, the first particle that is off, and what explains it.
+    /// If a step disagrees: the step, the first wrong particle, and an explanation.
     pub fn follow_the_model(&self, scene: &Scene) -> Result<(), String> {
         let mut before = scene.particles().to_vec();
         for step in 1..=self.count() {
@@ -150,7 +151,7 @@ impl States {
     }
 }
 
-/// The state of an engine. What it does not write stays visibly wrong.
+/// Returns the state of an engine. Particles that the engine does not write stay visibly wrong.
 pub(crate) fn read(engine: &dyn Simulation, n: usize) -> Vec<Particle> {
     let nan = f64::NAN;
     let unwritten = Particle { x: nan, y: nan, vx: nan, vy: nan, id: u32::MAX };

@@ -1,4 +1,4 @@
-//! Questions to a program that gives the bits of all pairs on any number of threads.
+//! Questions to a program that produces the bits of all pairs on any number of threads.
 
 use super::Runs;
 use crate::{Ask, scenes};
@@ -6,7 +6,8 @@ use crate::{Ask, scenes};
 const THREADS: [usize; 5] = [1, 2, 3, 4, 8];
 
 impl Runs {
-    /// The bits of all pairs and their statistics on few threads and many, and no particle is lost.
+    /// Asks for the bits of all pairs and their statistics on few and many threads, and whether
+    /// particles are lost.
     pub fn bits_on_any_threads(&self, ask: &mut impl Ask) {
         for threads in THREADS {
             let runs = self.clone().threads(threads);
@@ -24,7 +25,8 @@ impl Runs {
         }
         self.same_bits_on_threads(ask, &scenes::dense_with_seed(7), 50, &THREADS);
         self.clone().threads(3).keeps_everyone(ask, &scenes::dense_with_seed(8), 1000);
-        // More threads than rows of bins, and more buffers than a loop over a few would read.
+        // 17 threads are more than the rows of bins, and their buffers are more than a loop over a
+        // few would read.
         self.clone().threads(17).bits_of_all_pairs(ask, &scenes::all_leave(), 20);
     }
 }
