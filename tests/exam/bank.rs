@@ -21,16 +21,16 @@ pub(crate) struct Question {
     /// Lab and number, such as `3.1`.
     pub(crate) id: String,
     pub(crate) points: u32,
-    /// The outcome that it tests.
+    /// Learning outcome that the question tests.
     pub(crate) outcome: String,
-    /// Where the book teaches it: a chapter's file, and the section's anchor.
+    /// Section of the book that teaches the answer: a chapter's file, and the section's anchor.
     pub(crate) page: String,
     pub(crate) anchor: String,
-    /// The numbers of the answer that are computed: those in bold.
+    /// Computed numbers of the answer: the numbers in bold.
     pub(crate) numbers: Vec<String>,
 }
 
-/// The questions about a lab.
+/// Returns the questions about a lab.
 pub(crate) fn read(kit: &Kit, lab: Lab) -> Result<Vec<Question>> {
     let text = read_text(&kit.path(format!("book/src/instructor/exam/lab{lab}.md")))?;
     let whole = |part: &str| question(part).with_context(|| part.to_owned());
@@ -54,14 +54,14 @@ fn question(text: &str) -> Option<Question> {
     })
 }
 
-/// The numbers of a text in bold, such as `(3, 4), −1.5` or `120,000`.
+/// Returns the numbers of a text in bold, such as `(3, 4), −1.5` or `120,000`.
 fn numbers(bold: &str) -> Vec<String> {
     let words = bold.split(|c: char| c.is_whitespace() || "()".contains(c));
     let plain = words.map(|word| word.trim_end_matches(',').replace(',', "").replace('−', "-"));
     plain.filter(|word| !word.is_empty()).collect()
 }
 
-/// The rows of a page's tables, without their headings.
+/// Returns the rows of a page's tables, without their headings.
 pub(crate) fn rows(page: &str) -> impl Iterator<Item = Vec<&str>> {
     let rows = page.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix(" |"));
     rows.map(|row| row.split(" | ").map(str::trim).collect())

@@ -1,5 +1,6 @@
-//! The exam questions are whole, their numbers computed, each outcome of the course has a task, a question of a
-//! chapter and an exam question, and the plans of the weeks say the hours of the chapters.
+//! Checks of the exam. The exam questions are complete and their numbers computed. Each learning
+//! outcome has a task, a question of a chapter and an exam question. The weekly plans list the
+//! hours of the chapters.
 
 mod bank;
 mod numbers;
@@ -20,7 +21,7 @@ fn questions(kit: &Kit, labs: &[Lab]) -> Vec<Question> {
     labs.iter().flat_map(|lab| bank::read(kit, *lab).unwrap()).collect()
 }
 
-/// What mdBook makes of a heading.
+/// Returns mdBook's anchor of a heading.
 fn anchor(heading: &str) -> String {
     let text = heading.trim_start_matches('#').trim().to_lowercase();
     let kept = text.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
@@ -50,7 +51,7 @@ fn numbers_in_answers_are_computed() {
     let mut computed = numbers::all();
     for Question { id, numbers, .. } in questions(&kit, &labs) {
         let values = computed.remove(&*id).unwrap_or_default();
-        // As many digits as the answer gives.
+        // The computed number is rounded to the digits of the answer.
         let digits = |text: &str| text.split_once('.').map_or(0, |(_, digits)| digits.len());
         let shown: Vec<String> = (numbers.iter().zip(&values))
             .map(|(text, value)| format!("{value:.*}", digits(text)))
@@ -61,7 +62,7 @@ fn numbers_in_answers_are_computed() {
     assert!(computed.is_empty(), "no question has these: {computed:?}");
 }
 
-/// `1.2–1.4, 2.1` is tasks 1.2, 1.3, 1.4 and 2.1.
+/// Expands a list of tasks: `1.2–1.4, 2.1` is tasks 1.2, 1.3, 1.4 and 2.1.
 fn each(list: &str) -> Vec<String> {
     let words = list.split(", ").filter(|word| word.contains('.'));
     let run = |word: &str| {
@@ -101,7 +102,7 @@ fn each_outcome_has_a_task_a_question_and_an_exam_question() {
     assert!(tasks.is_empty(), "tasks for no outcome: {tasks:?}");
 }
 
-/// A week's hours are those of the chapters that it begins and of its tasks.
+/// Checks that a week's hours are the hours of the chapters that begin in it and of its tasks.
 #[test]
 fn weeks_have_the_hours_of_their_chapters() {
     let (kit, _) = labs();

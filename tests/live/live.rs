@@ -1,7 +1,8 @@
-//! The book's live boxes against the kit: positions byte by byte, pair tests step by step.
+//! Comparison of the book's live boxes with the kit: positions byte by byte, pair tests step by
+//! step.
 //!
-//! The scripts run in node, or else in a headless Chromium; where there is neither, nothing is
-//! compared and a line says so.
+//! The scripts run in node, or else in a headless Chromium. If neither is installed, nothing is
+//! compared and a line reports this.
 
 use std::fmt::Write;
 use std::fs;
@@ -15,8 +16,8 @@ use solution1::{AllPairs, Tally};
 use solution2::Sorted;
 use solution3::rows_of_each;
 
-/// What the scripts answer to `ask`, an expression over the functions of asked.js; none if nothing
-/// here runs scripts.
+/// Returns the scripts' answer to `ask`, an expression over the functions of asked.js. `None` if
+/// scripts cannot be run here.
 fn scripts(ask: &str) -> Option<String> {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let live = here.join("../../book/src/live");
@@ -47,14 +48,14 @@ fn scripts(ask: &str) -> Option<String> {
     None
 }
 
-/// What a command prints; none if it is not here.
+/// Returns the output of a command. `None` if the command is not installed.
 fn output(command: &mut Command) -> Option<String> {
     let output = command.stderr(Stdio::inherit()).output().ok()?;
     assert!(output.status.success(), "{command:?} failed");
     Some(String::from_utf8(output.stdout).expect("numbers"))
 }
 
-/// `found` line by line as `expected`, or where not.
+/// Checks that `found` equals `expected` line by line, and shows the first difference.
 fn assert_same(found: Option<String>, expected: &str, what: &str) {
     let Some(found) = found else { return };
     for (line, (found, expected)) in found.lines().zip(expected.lines()).enumerate() {
@@ -63,7 +64,7 @@ fn assert_same(found: Option<String>, expected: &str, what: &str) {
     assert_eq!(found.lines().count(), expected.lines().count(), "{what}: lines");
 }
 
-/// Pair tests of each step, a line each, and the particles at the end.
+/// Returns the pair tests of each step, one per line, and the final particles.
 fn tests(mut engine: impl Simulation, n: u64, seed: u32, steps: u64) -> (String, Vec<Particle>) {
     engine.load(&Scene::official(n, seed).unwrap());
     let mut text = String::new();
@@ -76,7 +77,7 @@ fn tests(mut engine: impl Simulation, n: u64, seed: u32, steps: u64) -> (String,
     (text, particles)
 }
 
-/// The same with every bit of the particles.
+/// Returns the pair tests, and the final particles with every bit.
 fn tests_and_bits(engine: impl Simulation, n: u64, seed: u32, steps: u64) -> String {
     let (mut text, particles) = tests(engine, n, seed, steps);
     for Particle { x, y, vx, vy, .. } in particles {
@@ -126,7 +127,8 @@ fn bins_have_the_kits_bits_and_counts() {
     }
 }
 
-/// The kit sums in an order of its own, which counts do not show for some hundred steps.
+/// Compares the counts of lists. The kit sums in a different order, which does not affect counts
+/// for some hundred steps.
 #[test]
 fn lists_have_the_kits_counts() {
     for (skin, n, steps) in [(0.5, 1000, 300), (0.25, 300, 300), (0.6, 500, 300)] {
@@ -137,7 +139,7 @@ fn lists_have_the_kits_counts() {
     }
 }
 
-/// The list's box sums by number: it has the bits of all pairs.
+/// Compares the bits of all pairs with the list's box, which sums by number.
 #[test]
 fn a_list_misses_no_pair() {
     for skin in [0.1, 2.0] {
@@ -174,7 +176,7 @@ fn hard_discs_are_where_the_kit_has_them() {
     }
 }
 
-/// A movie asks only those in cells that are wide enough; it finds the same collisions.
+/// Compares the collisions with a movie that tests only pairs in sufficiently wide cells.
 #[test]
 fn cells_miss_no_collision() {
     let ask = "sameHits(200, 60, 1, 3, 30)";
@@ -195,14 +197,15 @@ fn rows_are_cut_as_the_labs_cut_them() {
         }
         assert_same(scripts(&ask), &expected, &format!("{rows} rows, {workers} workers"));
     }
-    // Block k starts at the first row before which at least k of 3 parts of the 12 particles lie.
+    // Block k starts at the first row before which there are at least k of 3 parts of the 12
+    // particles.
     assert_same(scripts("owners.balanced([5, 0, 1, 6], 3).join()"), "0,1,4,4", "equal numbers");
     assert_same(scripts("owners.balanced([0, 0], 2).join()"), "0,0,2", "no particles");
-    // One row in the middle: the blocks on both sides have copies of it, an empty one has none.
+    // One row in the middle: the blocks on both sides have copies of it, an empty block has none.
     assert_same(scripts("owners.copies([0, 1, 2, 2, 4], 1, 0, 2).join()"), "0,3", "ghosts");
 }
 
-/// One disc in a box of side 1 that hits the wall on its right half-way between two frames.
+/// Shows one disc in a box of side 1 that hits the wall on its right half-way between two frames.
 #[test]
 fn a_recorded_disc_turns_where_it_was_hit() {
     let words: [u16; 8] = [45_874, 32_767, 65_534, 32_767, 45_874, 32_767, 0, 32_767];

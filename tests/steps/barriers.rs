@@ -14,7 +14,8 @@ use crate::eight::{grid, numbers, particles};
 
 const MEMBERS: usize = 2;
 
-/// It does each part when the other has done it and waits, or has gone on without it.
+/// A member that does each part when the other member has done it and waits, or has continued
+/// without waiting.
 const LATE: usize = 1;
 
 #[test]
@@ -34,7 +35,7 @@ fn no_barrier_before_the_arrivals() {
     insta::assert_snapshot!(table);
 }
 
-/// Two steps of a team whose members run `take_steps`.
+/// Records two steps of a team whose members run `take_steps`.
 fn record(take_steps: fn(u64, &mut dyn FnMut(Part), &Barrier)) -> String {
     let team = Team::new();
     let barrier = Barrier::new(MEMBERS);
@@ -81,7 +82,7 @@ impl Team {
         team
     }
 
-    /// Does a part of a step, and says what that was.
+    /// Does a part of a step, and returns its description.
     fn part(&self, member: usize, part: Part) -> &'static str {
         match part {
             Part::Forces => {
@@ -118,13 +119,13 @@ impl Team {
         }
     }
 
-    /// The member that owns a row.
+    /// Returns the member that owns a row.
     fn owner(&self, row: usize) -> usize {
         let owner = (0..MEMBERS).find(|member| rows(&self.grid, *member).contains(&row));
         owner.expect("every row has an owner")
     }
 
-    /// Writes down what all have now, and which member waits.
+    /// Records the possessions of all members, and which member waits.
     fn note(&self, what: String, waiting: Option<usize>) {
         let members = (0..MEMBERS).map(|member| {
             let bins = self.bins[member].read();

@@ -35,7 +35,7 @@ fn change_buffers() {
     insta::assert_snapshot!(table);
 }
 
-/// What is in the bins of each worker, row by row.
+/// Lists the contents of each worker's bins, row by row.
 fn in_rows(bins: &mut VecBins, workers: &Workers) -> Vec<String> {
     let columns = bins.grid().columns();
     let own = own_bins(bins, workers);

@@ -1,9 +1,9 @@
-//! Makes an expression of each known-wrong body that is run here.
+//! Turns each known-wrong body that is run here into an expression.
 
 use std::path::Path;
 use std::{env, fs, io};
 
-/// The page and the heading of each program.
+/// Page and heading of each program.
 const BODIES: [(&str, &str); 2] =
     [("lab3.md", "no_barrier_before_the_arrivals"), ("lab4.md", "old_bin_first")];
 
@@ -20,7 +20,7 @@ fn main() -> io::Result<()> {
     Ok(())
 }
 
-/// The code of the program under a heading of a page.
+/// Returns the code of the program under a heading of a page.
 fn body<'a>(page: &'a str, name: &str) -> Option<&'a str> {
     let (_, section) = page.split_once(&format!("\n## {name}\n"))?;
     let (_, code) = section.split_once("```rust\n")?;

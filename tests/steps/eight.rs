@@ -1,16 +1,17 @@
-//! Eight particles in four rows of bins, two threads with two rows each.
+//! Eight particles in four rows of bins, and two threads with two rows each.
 
 use common::soft::{DT, Particle};
 use oracle::spaced;
 use solution2::Grid;
 
-/// The box: four bins along each side, of side 1.
+/// Returns the grid of the box: four bins along each side, of side 1.
 pub(crate) fn grid() -> Grid {
     Grid::with_bins_along(4.0, 4)
 }
 
-/// Particles 2r and 2r + 1 begin in row r. Particles 1 and 3 fly up and particle 4 flies down, a row
-/// in each step; all others rest. No two come near each other.
+/// Returns eight particles. Particles 2r and 2r + 1 begin in row r. Particles 1 and 3 fly up and
+/// particle 4 flies down, a row in each step; all others rest. All particles stay far from each
+/// other.
 pub(crate) fn particles() -> Vec<Particle> {
     let particle = |id: u32| {
         let rows_per_step = match id {
@@ -24,7 +25,7 @@ pub(crate) fn particles() -> Vec<Particle> {
     (0..8).map(particle).collect()
 }
 
-/// The numbers of particles.
+/// Returns the ids of particles.
 pub(crate) fn numbers<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> String {
     let mut ids: Vec<u32> = particles.into_iter().map(|p| p.id).collect();
     ids.sort_unstable();

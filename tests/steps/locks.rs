@@ -23,8 +23,9 @@ fn old_bin_first() {
     insta::assert_snapshot!(within("4.3", 20, || record(change_bin)));
 }
 
-/// Particle 30 goes from bin 3 to bin 7 on thread 0, and particle 70 from 7 to 3 on thread 1, which
-/// begins when thread 0 has its first lock. Ends early if both wait.
+/// Records two changes: particle 30 goes from bin 3 to bin 7 on thread 0, and particle 70 from 7 to
+/// 3 on thread 1. Thread 1 begins when thread 0 has its first lock. The recording ends early if
+/// both threads wait.
 fn record(change_bin: fn(&Regions, &mut Meter, Change)) -> String {
     let changes =
         [(30, 3, 7), (70, 7, 3)].map(|(particle, from, to)| Change { particle, from, to });
@@ -56,7 +57,7 @@ fn record(change_bin: fn(&Regions, &mut Meter, Change)) -> String {
     table.to_string()
 }
 
-/// The particles that the regions of both locks hold.
+/// Lists the particles in the regions of both locks.
 fn inside(regions: &mut Regions) -> Vec<String> {
     let each = regions.cut.bins_each;
     let bins = |(region, bins): (usize, &mut Vec<Bin>)| {
@@ -69,11 +70,11 @@ fn inside(regions: &mut Regions) -> Vec<String> {
 }
 
 thread_local! {
-    /// The number of this thread.
+    /// Number of this thread.
     static THREAD: Cell<usize> = const { Cell::new(0) };
 }
 
-/// Writes down what both threads do with the locks.
+/// Recorder of both threads' lock operations.
 struct Recorder {
     state: Mutex<State>,
     change: Condvar,
@@ -82,7 +83,7 @@ struct Recorder {
 struct State {
     threads: [Thread; 2],
     table: Columns,
-    /// Both wait: what comes now is the recorder's doing.
+    /// Whether both threads wait. The recorder then ends the deadlock itself.
     over: bool,
 }
 
@@ -90,7 +91,7 @@ struct State {
 struct Thread {
     has: Vec<usize>,
     asks_for: Option<usize>,
-    /// It has asked in vain, and asks again.
+    /// Whether the thread has requested a lock in vain, and requests it again.
     waits: bool,
 }
 
@@ -103,12 +104,12 @@ impl Default for Recorder {
 }
 
 impl Recorder {
-    /// Returns when the threads are as `reached` says.
+    /// Returns when `reached` accepts the threads.
     fn until(&self, mut reached: impl FnMut(&[Thread; 2]) -> bool) {
         self.change.wait_while(&mut self.state.lock(), |state| !reached(&state.threads));
     }
 
-    /// Changes what this thread does, and writes it down in the words that come back.
+    /// Changes this thread's state, and records the change with the returned description.
     fn note(&self, change: impl FnOnce(&mut Thread) -> String) -> MutexGuard<'_, State> {
         let mut state = self.state.lock();
         if !state.over {

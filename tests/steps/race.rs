@@ -1,9 +1,11 @@
-//! The program in C of the book's page on races: it is compiled and run where there is a compiler for it.
+//! The C program of the book's page on races. It is compiled and run if a suitable compiler is
+//! installed.
 
 use std::path::Path;
 use std::process::Command;
 
-/// What `rebin.c`, built with these flags, prints on `threads` threads. None where that cannot be built or run.
+/// Returns the output of `rebin.c`, built with these flags, on `threads` threads. `None` if the
+/// program cannot be built or run.
 fn printed(name: &str, flags: &[&str], threads: usize) -> Option<String> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     let program = folder.join(name);
@@ -12,7 +14,8 @@ fn printed(name: &str, flags: &[&str], threads: usize) -> Option<String> {
     compiler.args(["-Wall", "-Wextra", "-Werror", "-fopenmp"]).args(flags);
     let built = compiler.arg(source).arg("-o").arg(&program).output().ok()?;
     let errors = String::from_utf8_lossy(&built.stderr);
-    // A compiler without OpenMP or without the sanitizer says so; what it says of the source counts.
+    // A compiler without OpenMP or without the sanitizer reports this. Only errors in the source
+    // count.
     assert!(!errors.contains("rebin.c:"), "{errors}");
     let mut command = Command::new(program);
     let ended = command.env("OMP_NUM_THREADS", threads.to_string()).output().ok()?;
@@ -30,7 +33,8 @@ fn on_one_thread_no_particle_is_lost() {
 #[test]
 fn the_sanitizer_finds_the_race() {
     let flags = ["-g", "-O1", "-fsanitize=thread"];
-    // Some kernels lay out memory as the sanitizer cannot have it; it says so, and finds nothing.
+    // Some kernels use a memory layout that the sanitizer cannot handle. The sanitizer reports
+    // this, and finds nothing.
     if let Some(printed) = printed("rebin-watched", &flags, 2)
         && !printed.contains("unexpected memory mapping")
     {

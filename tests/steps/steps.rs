@@ -1,9 +1,8 @@
-//! What threads do and have, moment by moment: the runs that chapters 3 and 4 step through.
+//! The actions and possessions of threads, moment by moment: the runs of chapters 3 and 4.
 //!
-//! Each runs functions of the solutions on threads of their own, and is a snapshot that the book
-//! includes. Where a thread could be quick or slow, a recording lets one of them wait, so that it is
-//! the same in every run. (The runs of chapters 5 and 6 are with the graders, in tests/lab5.rs and
-//! tests/lab6.rs.)
+//! Each run executes functions of the solutions on separate threads, and is a snapshot that the
+//! book includes. Where a thread could be fast or slow, a recording delays one thread, so that
+//! every run is the same. (The runs of chapters 5 and 6 are in tests/lab5.rs and tests/lab6.rs.)
 
 mod barriers;
 mod buffers;

@@ -1,24 +1,24 @@
-//! The team of a program that is one process: itself.
+//! The team of a program that is a single process.
 
 use std::marker::PhantomData;
 use std::process::ExitCode;
 
-/// What carries out an order: one process, or the ranks of a job.
+/// The executor of an order: one process, or the ranks of a job.
 pub struct Team<'a>(PhantomData<&'a ()>);
 
 impl Team<'_> {
-    /// Whether this process talks to the grader.
+    /// Returns whether this process communicates with the grader.
     pub fn is_first(&self) -> bool {
         true
     }
 
-    /// What the first was told, told to all.
+    /// Returns the order that the first process received, on all processes.
     pub fn share(&self, told: String) -> String {
         told
     }
 }
 
-/// Brings the team together and has it do its work.
+/// Assembles the team and makes it do its work.
 pub fn gather(_workers: usize, work: impl FnOnce(&Team<'_>) -> ExitCode) -> ExitCode {
     work(&Team(PhantomData))
 }

@@ -1,12 +1,13 @@
-//! Hard discs, timed: so thin a gas that a disc meets about one other in 50 steps. Rounding grows
-//! a hundredfold in each collision; here it stays small, and results can be compared.
+//! Timed hard discs, in so sparse a gas that a disc meets about one other disc in 50 steps.
+//! Rounding errors grow a hundredfold in each collision; here they stay small, so results can be
+//! compared.
 
 use common::Variant;
 use common::hard::{Disc, RandomScene, Simulation};
 
 use crate::Order;
 
-/// Carries out an order with one of the programs; none if it is for another.
+/// Executes an order with one of the programs. `None` if the order is for a different program.
 pub fn run(order: &Order, programs: &[Variant<dyn Simulation>]) -> Option<Vec<f64>> {
     let variant = programs.iter().find(|variant| variant.name == order.variant)?;
     let config = variant.config().with_threads(order.threads);

@@ -1,9 +1,9 @@
-//! The program whose time is taken: `timed NONCE WORKERS`.
+//! The timed program: `timed NONCE WORKERS`.
 //!
-//! It says that it is there, waits for an order, and carries it out: it makes the scene, hands it
+//! It reports that it is ready, waits for an order, and executes it: it makes the scene, passes it
 //! to the lab, and sends all particles back. The grader's clock runs from the order to the last
-//! particle, so whatever is done in between is paid for, and nothing can be done before. Where
-//! workers are ranks, all of them are there before the first says so.
+//! particle, so all work in between is timed, and no work can be done before. If workers are ranks,
+//! all ranks are ready before the first rank reports this.
 
 #![allow(missing_docs)]
 
@@ -16,9 +16,9 @@ mod team;
 
 use team::Team;
 
-/// What to run.
+/// A request to run a program.
 pub struct Order {
-    /// Whether the serial program of the labs before, not this lab's.
+    /// Whether to run the serial program of the earlier labs instead of this lab's program.
     pub serial: bool,
     pub variant: String,
     pub threads: usize,
@@ -41,7 +41,7 @@ fn order(line: &str) -> Option<Order> {
 
 fn line() -> String {
     let mut line = String::new();
-    // A grader that closes the pipe wants no more.
+    // A grader that closes the pipe has no further orders.
     let _ = io::stdin().read_line(&mut line);
     line
 }
@@ -59,7 +59,7 @@ fn main() -> ExitCode {
     })
 }
 
-/// Carries out an order together with the rest of the team.
+/// Executes an order together with the rest of the team.
 fn timed(nonce: &str, team: &Team<'_>) -> io::Result<()> {
     if team.is_first() {
         println!("\n@{nonce} ready");
@@ -79,7 +79,7 @@ fn timed(nonce: &str, team: &Team<'_>) -> io::Result<()> {
     out.write_all(&bytes)?;
     out.flush()?;
     drop(out);
-    // The grader looks how much the processors did, as long as this process is there.
+    // The grader measures the processors' work while this process exists.
     line();
     Ok(())
 }

@@ -1,5 +1,5 @@
-//! A team of ranks: the program starts itself again under `mpiexec`, before any code of the lab has
-//! run, and no rank talks to the grader before all are there.
+//! A team of ranks. The program starts itself again under `mpiexec` before any code of the lab has
+//! run. Ranks do not communicate with the grader before all ranks are ready.
 
 use std::env;
 use std::process::ExitCode;
@@ -8,11 +8,11 @@ use common_mpi::as_rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// Says to a program that it is a rank of a job.
+/// Variable that marks a program as a rank of a job.
 const RANK_OF: &str = "TIMED_RANK_OF";
 
-/// What Open MPI needs to run without a home, and to leave a processor to a rank that has work. Messages
-/// go through shared memory.
+/// Settings that let Open MPI run without a home folder, and yield a processor to a rank that has
+/// work. Messages go through shared memory.
 const OPEN_MPI: [(&str, &str); 4] = [
     ("PMIX_MCA_gds", "hash"),
     ("OMPI_MCA_pml", "ob1"),
@@ -20,19 +20,19 @@ const OPEN_MPI: [(&str, &str); 4] = [
     ("OMPI_MCA_mpi_yield_when_idle", "1"),
 ];
 
-/// What the other ranks print would stand in the middle of what the first one sends.
+/// Shell command that silences the other ranks, whose output would be mixed with the first rank's.
 const SILENT: &str = "exec \"$0\" \"$@\" >/dev/null";
 
-/// What carries out an order: one process, or the ranks of a job.
+/// The executor of an order: one process, or the ranks of a job.
 pub struct Team<'a>(&'a SimpleCommunicator);
 
 impl Team<'_> {
-    /// Whether this process talks to the grader.
+    /// Returns whether this process communicates with the grader.
     pub fn is_first(&self) -> bool {
         self.0.rank() == 0
     }
 
-    /// What the first was told, told to all.
+    /// Returns the order that the first rank received, on all ranks.
     pub fn share(&self, told: String) -> String {
         let (root, mut bytes) = (self.0.process_at_rank(0), told.into_bytes());
         let mut length = bytes.len() as u64;
@@ -43,10 +43,10 @@ impl Team<'_> {
     }
 }
 
-/// Brings the team together and has it do its work.
+/// Assembles the team and makes it do its work.
 ///
 /// # Panics
-/// There is no `mpiexec`.
+/// If `mpiexec` is not installed.
 pub fn gather(workers: usize, work: impl FnOnce(&Team<'_>) -> ExitCode) -> ExitCode {
     if env::var_os(RANK_OF).is_some() {
         return as_rank(|world| {

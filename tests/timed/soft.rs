@@ -1,11 +1,11 @@
-//! Soft discs, timed: the official scene of a seed that was not known before.
+//! Timed soft discs: the official scene with a seed that was not known before.
 
 use common::Variant;
 use common::soft::{Particle, Scene, Simulation};
 
 use crate::Order;
 
-/// Carries out an order with one of the programs; none if it is for another.
+/// Executes an order with one of the programs. `None` if the order is for a different program.
 pub fn run(order: &Order, programs: &[Variant<dyn Simulation>]) -> Option<Vec<f64>> {
     let variant = programs.iter().find(|variant| variant.name == order.variant)?;
     let config = variant.config().with_threads(order.threads);

@@ -14,7 +14,7 @@ fn collisions() -> Vec<Numbers> {
     let (textbook, other) =
         ((10.0 - root) / 100.0, three_digits(0.0004 / three_digits(10.0 + root)));
 
-    // In their order; a wall is no disc.
+    // Candidates in their order. Walls are not listed, because only discs matter.
     let candidates: [&[usize]; 6] = [&[1, 2], &[0, 1], &[4], &[2, 3], &[3, 4], &[0]];
     let (mut free, mut taken) = ([true; 5], 0);
     for discs in candidates {
@@ -29,7 +29,8 @@ fn collisions() -> Vec<Numbers> {
     let pairs = |rows: std::ops::Range<usize>| rows.map(|row| 7 - row).sum::<usize>() as f64;
     let (first, second) = (pairs(0..4), pairs(4..8));
 
-    // When the last of two workers is done that take chunks of rows from a queue.
+    // Returns the time at which the later of two workers finishes, if they take chunks of rows from
+    // a queue.
     let done = |chunk: usize| {
         let mut busy = [0.0; 2];
         for start in (0..8).step_by(chunk) {

@@ -59,7 +59,7 @@ fn methods() -> Vec<Numbers> {
     ]
 }
 
-/// The first three chords, and the third without the rule. The low end, at 0, never moves.
+/// Returns the first three chords, and the third without the rule. The low end, at 0, never moves.
 fn illinois() -> Vec<f64> {
     let f = |t: f64| 1.0 / (t + 0.25) - 2.0;
     let chord = |low: f64, high: f64| high * low / (low - f(high));

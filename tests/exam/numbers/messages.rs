@@ -6,12 +6,12 @@ pub(super) fn numbers() -> Vec<Numbers> {
     [root(), neighbours(), workers(), strips()].concat()
 }
 
-/// Where blocks of rows begin, and where the last one ends.
+/// Returns the starts of blocks of rows, and the end of the last block.
 fn cuts(rows: usize, ranks: usize) -> Vec<usize> {
     (0..=ranks).map(|k| k * rows / ranks).collect()
 }
 
-/// How many particles each block has.
+/// Returns the number of particles in each block.
 fn held(rows: &[usize], cuts: &[usize]) -> Vec<usize> {
     cuts.windows(2).map(|ends| rows[ends[0]..ends[1]].iter().sum()).collect()
 }
@@ -21,7 +21,7 @@ fn root() -> Vec<Numbers> {
     let owner = |row: usize| ten.iter().rposition(|start| *start <= row).unwrap();
     let empty = cuts(3, 5).windows(2).filter(|ends| ends[0] == ends[1]).count();
     let counts = [3, 0, 2, 4];
-    // Rows 0 and 1 are rank 0's. A ghost goes to the ranks with an adjacent row.
+    // Rank 0 owns rows 0 and 1. A ghost goes to the ranks with an adjacent row.
     let rank = |row: usize| row / 2;
     let ghosts = |row: usize| {
         let adjoin = [row.checked_sub(1), Some(row + 1).filter(|row| *row < 6)];
@@ -94,7 +94,8 @@ fn workers() -> Vec<Numbers> {
     ]
 }
 
-/// Rounds of a chain of candidates: the one at index i is of discs i and i + 1, and earlier than those behind it.
+/// Returns the rounds of a chain of candidates. The candidate at index i has discs i and i + 1, and
+/// is earlier than the candidates after it.
 fn rounds(candidates: usize) -> usize {
     let mut open: Vec<usize> = (0..candidates).collect();
     let mut rounds = 0;

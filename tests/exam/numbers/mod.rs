@@ -1,4 +1,5 @@
-//! The numbers of the exam questions' answers, computed: for each question those in bold, in their order.
+//! Computed numbers of the exam questions' answers: for each question the numbers in bold, in their
+//! order.
 
 mod discs;
 mod engines;
@@ -19,7 +20,7 @@ pub(crate) fn all() -> BTreeMap<&'static str, Vec<f64>> {
         .collect()
 }
 
-/// To each number the sum of all before it.
+/// Returns for each number the sum of all numbers before it.
 fn starts(counts: &[usize]) -> Vec<usize> {
     let sum = |sum: &mut usize, count: &usize| Some(std::mem::replace(sum, *sum + count));
     counts.iter().scan(0, sum).collect()

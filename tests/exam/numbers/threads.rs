@@ -77,7 +77,7 @@ fn bins() -> Vec<Numbers> {
 fn buffers() -> Vec<Numbers> {
     let amdahl = |p: f64| 1.0 / (0.05 + 0.95 / p);
     let serial = |speed_up: f64, p: f64| (1.0 / speed_up - 1.0 / p) / (1.0 - 1.0 / p);
-    // Which thread has its turn: it reads, then writes.
+    // Each order determines which thread acts next: a thread first reads, then writes.
     let orders: Vec<_> = (0..16_u32).filter(|turns| turns.count_ones() == 2).collect();
     let total = |turns: u32| {
         let (mut total, mut read) = (5, [None; 2]);

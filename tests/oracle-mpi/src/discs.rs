@@ -1,5 +1,5 @@
-//! Questions about whole runs of a variant with hard discs on ranks: the lab's engine takes the
-//! steps, and a program that is known to be right judges what the root sees.
+//! Questions about whole runs of a variant with hard discs on ranks. The lab's engine takes the
+//! steps, and a program that is known to be correct judges the root's results.
 
 use common::hard::{RandomScene, Scene, Simulation};
 use common::{Config, Variant};
@@ -12,7 +12,7 @@ use crate::{Rank, on_each};
 /// A program for hard discs.
 type Discs = Variant<dyn Simulation>;
 
-/// Asks about runs of one variant of a lab on some numbers of ranks, on behalf of one task.
+/// Questions about runs of one variant of a lab on several numbers of ranks, on behalf of one task.
 #[derive(Clone)]
 pub struct DiscsOnRanks {
     task: &'static str,
@@ -23,10 +23,11 @@ pub struct DiscsOnRanks {
 }
 
 impl DiscsOnRanks {
-    /// Runs of `variant`, one of `variants`, on each of these numbers of ranks, for task `task`, such as `"8.7"`.
+    /// Returns runs of `variant`, one of `variants`, on each of these numbers of ranks, for task
+    /// `task`, such as `"8.7"`.
     ///
     /// # Panics
-    /// There is no such variant.
+    /// If the variant does not exist.
     pub fn new(
         task: &'static str,
         variants: &'static [Discs],
@@ -40,25 +41,25 @@ impl DiscsOnRanks {
         Self { task, variant, config, ranks: ranks.to_vec(), first: |_| {} }
     }
 
-    /// The same, which does this on every rank before each run.
+    /// Returns the same runs, with a call of `first` on every rank before each run.
     #[must_use]
     pub fn first(mut self, first: fn(&SimpleCommunicator)) -> Self {
         self.first = first;
         self
     }
 
-    /// The same with a parameter of the variant changed.
+    /// Returns the same runs with a parameter of the variant changed.
     ///
     /// # Panics
-    /// The variant has no such parameter.
+    /// If the variant does not have this parameter.
     #[must_use]
     pub fn set(mut self, parameter: &str, value: f64) -> Self {
         self.variant.set(&mut self.config, parameter, value).unwrap_or_else(|e| panic!("{e}"));
         self
     }
 
-    /// After every one of `steps` steps of each scene, which has a name, the bits are those of `right`, a
-    /// program of an earlier lab.
+    /// Asks whether the bits after every one of `steps` steps of each named scene are those of
+    /// `right`, a program of an earlier lab.
     pub fn bits_of(
         &self,
         ask: &mut impl Ask,
@@ -67,7 +68,7 @@ impl DiscsOnRanks {
         steps: usize,
     ) {
         on_each(ask, self.task, &self.ranks, &Random::new(0), |rank, _, ask| {
-            // One engine for all scenes: what it keeps from the scene before would show.
+            // All scenes use one engine, so that data left over from the previous scene is noticed.
             let mut engine = rank.call("building an engine", |world| Some(self.engine(world)));
             for (name, scene) in scenes {
                 let found = rank.call("a run", |_| {
@@ -87,7 +88,7 @@ impl DiscsOnRanks {
         });
     }
 
-    /// What the variant has counted in `steps` steps of a scene under each of these names.
+    /// Asks for the variant's counters with these names after `steps` steps of a scene.
     pub fn counters(
         &self,
         ask: &mut impl Ask,
@@ -107,7 +108,8 @@ impl DiscsOnRanks {
         });
     }
 
-    /// All ranks together have counted in `steps` steps of a scene what `right`, a program of an earlier lab, has.
+    /// Asks whether the totals of the counters over all ranks, after `steps` steps of a scene, are
+    /// those of `right`, a program of an earlier lab.
     pub fn counters_of(
         &self,
         ask: &mut impl Ask,
@@ -126,7 +128,7 @@ impl DiscsOnRanks {
         });
     }
 
-    /// What a rank holds in a long run does not grow with its steps.
+    /// Asks whether the memory of a rank in a long run is independent of the number of steps.
     pub fn keeps_its_memory(&self, ask: &mut impl Ask) {
         on_each(ask, self.task, &self.ranks, &Random::new(0), |rank, _, ask| {
             let scene = RandomScene::new(1000, 100.0, 1.0, 7).with_speeds(0.5, 3.0).draw();
@@ -143,16 +145,16 @@ impl DiscsOnRanks {
         });
     }
 
-    /// An engine of the variant, as `common` builds it, after what is done first.
+    /// Returns an engine of the variant, as `common` builds it, after the call of `first`.
     ///
     /// # Panics
-    /// It cannot be built.
+    /// If the engine cannot be built.
     pub fn engine(&self, world: &SimpleCommunicator) -> Box<dyn Simulation> {
         (self.first)(world);
         built(self.variant, &self.config)
     }
 
-    /// `task 8.7, variant master-workers, keep = 0, 3 ranks`: how questions begin.
+    /// Returns the beginning of questions: `task 8.7, variant master-workers, keep = 0, 3 ranks`.
     fn name(&self, rank: &Rank<'_>) -> String {
         let changed = self.variant.parameters.iter().filter_map(|parameter| {
             let value = self.config.parameter(parameter.name);
@@ -168,7 +170,7 @@ fn built(variant: &Discs, config: &Config) -> Box<dyn Simulation> {
     (variant.build)(config).unwrap_or_else(|e| panic!("{}: {e}", variant.name))
 }
 
-/// What an engine has counted in some steps under these names; NaN for what it does not count.
+/// Returns an engine's counters with these names after some steps; NaN for a missing counter.
 fn counted(engine: &mut dyn Simulation, scene: &Scene, steps: usize, names: &[&str]) -> Vec<f64> {
     engine.load(scene);
     (0..steps).for_each(|_| engine.step());
@@ -180,7 +182,7 @@ fn counted(engine: &mut dyn Simulation, scene: &Scene, steps: usize, names: &[&s
     names.iter().map(count).collect()
 }
 
-/// Compares the states after each step with those of `right`.
+/// Compares the states after each step with the states of `right`.
 fn same_bits(right: &Discs, scene: &Scene, found: &[f64], steps: usize) -> Result<(), String> {
     let mut engine = built(right, &right.config());
     let expected = of_each_step(&mut *engine, scene, steps);
@@ -190,7 +192,7 @@ fn same_bits(right: &Discs, scene: &Scene, found: &[f64], steps: usize) -> Resul
         (1..).zip(expected.iter().zip(split(found, scene.len(), steps)?))
     {
         if let Some(wrong) = difference(expected, &found) {
-            // What should have happened to a disc says more than a position.
+            // The expected event of a disc is more informative than a position.
             let wrong = one_step(&before, &found, scene).unwrap_or(wrong);
             return Err(format!("step {step}: {wrong}"));
         }

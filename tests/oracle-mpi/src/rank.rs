@@ -1,4 +1,4 @@
-//! One rank of a job, or the place of one where there is no job.
+//! One rank of a job, or its substitute if there is no job.
 
 use std::process::ExitCode;
 
@@ -9,14 +9,15 @@ use oracle::{Ask, Columns, Random, memory};
 
 /// A rank that answers questions.
 pub struct Rank<'a> {
-    /// Its number, from 0.
+    /// Number of the rank, from 0.
     pub number: usize,
-    /// How many ranks the job has.
+    /// Number of ranks of the job.
     pub ranks: usize,
     world: Option<&'a SimpleCommunicator>,
 }
 
-/// Has every rank ask `part`, in a job on each of these numbers of ranks. All ranks draw the same numbers.
+/// Makes every rank ask `part`, in a job on each of these numbers of ranks. All ranks draw the same
+/// random numbers.
 pub fn on_each<A: Ask>(
     ask: &mut A,
     task: &str,
@@ -38,31 +39,32 @@ pub fn on_each<A: Ask>(
 }
 
 impl Rank<'_> {
-    /// Whether it is the root, rank 0.
+    /// Returns whether the rank is the root, rank 0.
     pub fn is_root(&self) -> bool {
         self.number == 0
     }
 
-    /// `rank 1 of 3`.
+    /// Names the rank: `rank 1 of 3`.
     pub fn name(&self) -> String {
         format!("rank {} of {}", self.number, self.ranks)
     }
 
-    /// All ranks. Only for closures of answers.
+    /// Returns the communicator of all ranks. Only for closures of answers.
     ///
     /// # Panics
-    /// There is no job.
+    /// If there is no job.
     pub fn world(&self) -> &SimpleCommunicator {
         self.world.expect("answers are asked for in a job")
     }
 
-    /// Makes a call that all ranks make, or makes nothing where there is no job. `what` names it for the watch.
+    /// Makes a call that all ranks make. Without a job it returns the default. `what` names the
+    /// call for the watch.
     pub fn call<T: Default>(&self, what: &str, call: impl FnOnce(&SimpleCommunicator) -> T) -> T {
         self.world.map_or_else(T::default, |world| together(what, || call(world)))
     }
 
-    /// Asks whether the memory of this rank grows with the turns that all ranks take together. Each handles so many
-    /// `bytes`.
+    /// Asks whether the memory of this rank grows with the turns that all ranks take together. Each
+    /// turn handles `bytes` bytes.
     pub fn keeps_its_memory(
         &self,
         what: &str,
@@ -79,8 +81,9 @@ impl Rank<'_> {
         memory(&format!("{what} on {}", self.name()), (50, bytes), turns, ask);
     }
 
-    /// The table with a column for each rank of what this rank has in each row, by the row's name, on the
-    /// root; on other ranks, and where there is no job, an empty text. All ranks call it with the same rows.
+    /// Returns a table with a column for each rank on the root, and an empty text on other ranks or
+    /// without a job. `rows` contains the names and this rank's cells. All ranks must pass the same
+    /// names.
     pub fn columns(&self, rows: &[(&str, String)]) -> String {
         let Some(world) = self.world else { return String::new() };
         let mut table = Columns::new((0..self.ranks).map(|rank| format!("rank {rank}")));
@@ -91,9 +94,9 @@ impl Rank<'_> {
     }
 }
 
-/// The texts of all ranks, on the root.
+/// Gathers the texts of all ranks on the root.
 fn gathered(world: &SimpleCommunicator, text: &str) -> Vec<String> {
-    // Long enough for a cell of a table.
+    // This width is enough for a cell of a table.
     const WIDTH: usize = 200;
     let mut own = text.as_bytes().to_vec();
     own.resize(WIDTH, 0);

@@ -1,5 +1,5 @@
-//! Questions about whole runs of a variant on ranks: the lab's engine takes the steps, the model
-//! judges what the root sees.
+//! Questions about whole runs of a variant on ranks. The lab's engine takes the steps, and the
+//! model judges the root's results.
 
 use common::Variant;
 use common::soft::{Averages, Scene, Simulation, Statistics};
@@ -11,7 +11,7 @@ use crate::{Rank, on_each};
 mod counted;
 mod repeated;
 
-/// Asks about runs of one variant of a lab on some numbers of ranks, on behalf of one task.
+/// Questions about runs of one variant of a lab on several numbers of ranks, on behalf of one task.
 #[derive(Clone)]
 pub struct RunsOnRanks {
     task: &'static str,
@@ -24,10 +24,11 @@ pub struct RunsOnRanks {
 }
 
 impl RunsOnRanks {
-    /// Runs of `variant`, one of `variants`, on each of these numbers of ranks, for task `task`, such as `"5.8"`.
+    /// Returns runs of `variant`, one of `variants`, on each of these numbers of ranks, for task
+    /// `task`, such as `"5.8"`.
     ///
     /// # Panics
-    /// There is no such variant.
+    /// If the variant does not exist.
     pub fn new(
         task: &'static str,
         variants: &'static [Variant<dyn Simulation>],
@@ -42,52 +43,55 @@ impl RunsOnRanks {
         Self { task, variant, ranks, threads: 1, parameters, statistics: false, first: |_| {} }
     }
 
-    /// The same, which does this on every rank before each run.
+    /// Returns the same runs, with a call of `first` on every rank before each run.
     #[must_use]
     pub fn first(mut self, first: fn(&SimpleCommunicator)) -> Self {
         self.first = first;
         self
     }
 
-    /// The same with `threads` threads on each rank.
+    /// Returns the same runs with `threads` threads on each rank.
     #[must_use]
     pub fn threads(mut self, threads: usize) -> Self {
         self.threads = threads;
         self
     }
 
-    /// The same with a parameter of the variant changed.
+    /// Returns the same runs with a parameter of the variant changed.
     #[must_use]
     pub fn set(mut self, parameter: &'static str, value: f64) -> Self {
         self.parameters.push((parameter, value));
         self
     }
 
-    /// After every one of `steps` steps of each scene the bits are those of all pairs in ascending order.
+    /// Asks whether the bits after every one of `steps` steps of each scene are those of all pairs
+    /// in ascending order.
     pub fn bits_of_all_pairs(&self, ask: &mut impl Ask, all: &[Scene], steps: usize) {
         self.judged(ask, all, steps, "the bits of all pairs", |scene, states| {
             states.bits_of_all_pairs(scene)
         });
     }
 
-    /// Every one of `steps` steps of each scene is the model's up to rounding, from where the program itself was
-    /// before it.
+    /// Asks whether every one of `steps` steps of each scene agrees with the model up to rounding,
+    /// starting from the program's own state before the step.
     pub fn resynchronised(&self, ask: &mut impl Ask, all: &[Scene], steps: usize) {
         self.judged(ask, all, steps, "each step is the model's", |scene, states| {
             states.follow_the_model(scene)
         });
     }
 
-    /// The official run, n = 1000 and seed 1, has the bits of all pairs in its first 200 steps, and its output is
-    /// the reference program's: bits that agree so long leave no other digit in the output.
+    /// Asks whether the official run, n = 1000 and seed 1, has the bits of all pairs in its first
+    /// 200 steps. The output is then the reference program's, because bits that agree for so long
+    /// determine all digits of the output.
     pub fn official(&self, ask: &mut impl Ask) {
         self.bits_of_all_pairs(ask, &[scenes::official()], 200);
     }
 
-    /// The same on the counter scene of `n` particles, of which each rank makes its own share.
+    /// Asks whether the bits are those of all pairs in the counter scene of `n` particles, of which
+    /// each rank makes its own share.
     ///
     /// # Panics
-    /// There is no such scene.
+    /// If the scene does not exist.
     pub fn bits_in_a_counter_scene(&self, ask: &mut impl Ask, n: u64, steps: usize) {
         let scene = Scene::counter(n, 1).expect("the scene is sound");
         let count = scene.len();
@@ -102,7 +106,8 @@ impl RunsOnRanks {
         );
     }
 
-    /// absmin, absavg and neighbours per particle of `steps` steps of a scene are the model's.
+    /// Asks whether absmin, absavg and neighbours per particle of `steps` steps of a scene are the
+    /// model's.
     pub fn averages(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
         let counting = Self { statistics: true, ..self.clone() };
         on_each(ask, self.task, &self.ranks, &Random::new(0), |rank, _, ask| {
@@ -130,10 +135,10 @@ impl RunsOnRanks {
         });
     }
 
-    /// An engine of the variant, as `common` builds it.
+    /// Returns an engine of the variant, as `common` builds it.
     ///
     /// # Panics
-    /// It cannot be built.
+    /// If the engine cannot be built.
     pub fn engine(&self) -> Box<dyn Simulation> {
         let mut config = self.variant.config();
         config.threads = self.threads;
@@ -144,7 +149,7 @@ impl RunsOnRanks {
         (self.variant.build)(&config).unwrap_or_else(|e| panic!("{}: {e}", self.variant.name))
     }
 
-    /// `task 5.8, variant through-root, 3 ranks`: how questions begin.
+    /// Returns the beginning of questions: `task 5.8, variant through-root, 3 ranks`.
     fn name(&self, rank: &Rank<'_>) -> String {
         let threads = match self.threads {
             1 => String::new(),
@@ -163,7 +168,7 @@ impl RunsOnRanks {
         judge: impl Fn(&Scene, &States) -> Result<(), String>,
     ) {
         on_each(ask, self.task, &self.ranks, &Random::new(0), |rank, _, ask| {
-            // One engine for all scenes: what it keeps from the scene before would show.
+            // All scenes use one engine, so that data left over from the previous scene is noticed.
             let mut engine = rank.call("building an engine", |world| {
                 self.begin(world);
                 Some(self.engine())
@@ -188,8 +193,8 @@ impl RunsOnRanks {
         });
     }
 
-    /// Has all ranks do `run`, each with an engine of its own. The root answers with what came of it, and `verdict` is
-    /// told the number of ranks and this answer.
+    /// Makes all ranks execute `run`, each with its own engine. The root answers with the result.
+    /// `verdict` receives the number of ranks and this answer.
     fn answered(
         &self,
         ask: &mut impl Ask,

@@ -1,4 +1,5 @@
-//! Questions about whole runs of one variant: the lab's engine takes the steps, the model judges them.
+//! Questions about whole runs of one variant: the lab's engine takes the steps, and the model
+//! judges them.
 
 mod long;
 mod states;

@@ -1,41 +1,41 @@
-//! Scenes on which wrong programs show.
+//! Scenes that expose wrong programs.
 //!
-//! The official scene is nearly blind: nine particles in ten have no neighbour at all, and eight
-//! of 32 typical wrong programs pass the original checker on it. These are not.
+//! The official scene is nearly blind: nine out of ten particles have no neighbour, and eight of 32
+//! typical wrong programs pass the original checker on it. The scenes here are not blind.
 
 use common::soft::{CUTOFF, Particle, Scene};
 
 use crate::Random;
 
-/// Scene A: the official one, 1000 particles, seed 1.
+/// Returns scene A: the official scene with 1000 particles and seed 1.
 pub fn official() -> Scene {
     Scene::official(1000, 1).expect("the official scene is sound")
 }
 
-/// Scene B: 150 particles in a box of 10.3 cutoffs, 4.4 neighbours each, all in motion.
+/// Returns scene B: 150 particles in a box of 10.3 cutoffs, 4.4 neighbours each, all in motion.
 pub fn dense() -> Scene {
     dense_with_seed(1)
 }
 
-/// Other scenes like B.
+/// Returns a scene like B with a different seed.
 pub fn dense_with_seed(seed: u64) -> Scene {
     lattice_with_jitter(150, 10.3 * CUTOFF, 1.0, seed)
 }
 
-/// Two particles exactly a cutoff from a third, along x and along y, at rest.
+/// Returns two particles exactly a cutoff from a third, along x and along y, at rest.
 pub fn at_the_cutoff() -> Scene {
     let at = |x: f64, y: f64| Particle { x: x * CUTOFF, y: y * CUTOFF, ..Particle::default() };
     let particles = vec![at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
     Scene::new(2.0 * CUTOFF, particles).expect("all are in the box")
 }
 
-/// The example of chapters 5 and 6: a dozen particles in a box of side 6, which has six rows of
-/// bins of side 1, before a step and after it.
+/// Returns the example of chapters 5 and 6: a dozen particles before a step and after it. The box
+/// of side 6 has six rows of bins of side 1.
 ///
-/// Particles 2r and 2r + 1 begin in row r. With two rows to a rank, particle 1 changes its row
+/// Particles 2r and 2r + 1 begin in row r. With two rows per rank, particle 1 changes its row
 /// within the block, 3 and 8 cross to the next block, and 11 flies from the last row to the first.
 pub fn dozen() -> [Vec<Particle>; 2] {
-    // Positions. Particles that begin in one row of bins stand in one line.
+    // Positions. Particles that begin in the same row of bins share a line.
     #[rustfmt::skip]
     const BEFORE: [(f64, f64); 12] = [
         (4.3, 0.6), (1.4, 0.7),
@@ -60,18 +60,19 @@ pub fn dozen() -> [Vec<Particle>; 2] {
     })
 }
 
-/// `n` particles spread over a box of side `size`, no two at one position, with velocity components
-/// up to `speed`.
+/// Returns `n` particles spread over a box of side `size`, all at different positions, with
+/// velocity components up to `speed`.
 pub fn lattice_with_jitter(n: usize, size: f64, speed: f64, seed: u64) -> Scene {
     spread(&mut Random::new(seed), n, size, speed)
 }
 
-/// The same, drawn: a part of the box for each particle, in no order.
+/// Draws `n` particles spread over a box, in random order. Each particle has its own part of the
+/// box.
 pub fn spread(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
     let columns = (n as f64).sqrt().ceil() as usize;
     let pitch = size / columns as f64;
     let mut squares: Vec<usize> = (0..columns * columns).collect();
-    // Shuffled, so that ids say nothing about positions.
+    // The squares are shuffled, so that positions do not depend on ids.
     random.shuffle(&mut squares);
     let particles = squares.into_iter().take(n).map(|square| Particle {
         x: ((square % columns) as f64 + random.between(0.1, 0.9)) * pitch,
@@ -83,7 +84,7 @@ pub fn spread(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
     scene(size, particles.collect())
 }
 
-/// `n` particles anywhere in a box.
+/// Draws `n` particles anywhere in a box.
 pub fn anywhere(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
     let particles = (0..n).map(|_| Particle {
         x: random.between(0.0, size),
@@ -95,8 +96,8 @@ pub fn anywhere(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
     scene(size, particles.collect())
 }
 
-/// `n` particles at rest in a box with `along` bins along a wall, on walls, in corners, on edges of bins and
-/// anywhere; some stand where the one before stands.
+/// Draws `n` particles at rest in a box with `along` bins along a wall, on walls, in corners, on
+/// edges of bins and anywhere. Some particles have the position of the previous particle.
 pub fn on_edges(random: &mut Random, n: usize, size: f64, along: usize) -> Vec<Particle> {
     let mut particles: Vec<Particle> = Vec::with_capacity(n);
     for id in 0..n as u32 {
@@ -112,24 +113,25 @@ pub fn on_edges(random: &mut Random, n: usize, size: f64, along: usize) -> Vec<P
     particles
 }
 
-/// Scene C: a crowd, 200 particles anywhere in a box of 2.55 cutoffs, 60 neighbours each. Some
-/// stand so close that they are flung through the box many times in one step.
+/// Returns scene C: a crowd of 200 particles anywhere in a box of 2.55 cutoffs, 60 neighbours each.
+/// Some are so close that they are flung through the box many times in one step.
 pub fn crowd(seed: u64) -> Scene {
     anywhere(&mut Random::new(seed), 200, 2.55 * CUTOFF, 1.0)
 }
 
-/// A dense box in which nearly every particle changes its bin in every step: it goes two cutoffs a
-/// step.
+/// Returns a dense box in which nearly every particle changes its bin in every step, because it
+/// moves two cutoffs per step.
 pub fn all_leave() -> Scene {
     lattice_with_jitter(150, 10.3 * CUTOFF, 40.0, 5)
 }
 
-/// The dense box in a wide one, at its left wall and `y` above its bottom.
+/// Returns the dense box inside a wide box, at its left wall and `y` above its bottom.
 pub fn corner(y: f64) -> Scene {
     in_a_wide_box(|p| Particle { y: p.y + y, ..*p })
 }
 
-/// The dense box in a wide one, through which all particles fly from the bottom to the top.
+/// Returns the dense box inside a wide box, through which all particles fly from the bottom to the
+/// top.
 pub fn drifting() -> Scene {
     in_a_wide_box(|p| Particle { vy: 20.0, ..*p })
 }
@@ -138,19 +140,19 @@ fn in_a_wide_box(change: impl Fn(&Particle) -> Particle) -> Scene {
     scene(60.0 * CUTOFF, dense().particles().iter().map(change).collect())
 }
 
-/// 40 particles in one row of bins: other rows have none.
+/// Returns 40 particles in one row of bins. The other rows are empty.
 pub fn one_row() -> Scene {
     scene(0.4, (0..40).map(|k| at_rest(0.007 * f64::from(k), 0.2049)).collect())
 }
 
-/// Scenes D: pairs at 0.9995 cutoffs, alone, across every edge and corner of bins, in every
-/// direction, in a box of 30.55 cutoffs. Bins may be as wide as the cutoff or as wide as the box
-/// allows; other widths meet their edges here as well, at one pair or another.
+/// Returns scenes D: isolated pairs at 0.9995 cutoffs, across every edge and corner of bins, in
+/// every direction, in a box of 30.55 cutoffs. Bins may be as wide as the cutoff or as wide as the
+/// box allows. Bins of different widths have an edge at some pair as well.
 pub fn edges() -> Vec<Scene> {
     let size = 30.55 * CUTOFF;
     let half = 0.9995 * CUTOFF / 2.0;
     let diagonal = half / 2.0_f64.sqrt();
-    // A quarter of a bin beside the corner for pairs that cross one edge only.
+    // Pairs that cross only one edge are a quarter of a bin beside the corner.
     let directions = [
         (half, 0.0, 0.0, 0.25),
         (0.0, half, 0.25, 0.0),
@@ -160,7 +162,7 @@ pub fn edges() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for pitch in [CUTOFF, size / 30.0] {
         for (dx, dy, off_x, off_y) in directions {
-            // Every third edge, so that pairs do not meet: nine scenes cover all.
+            // Every third edge has pairs, so that pairs do not meet. Nine scenes cover all edges.
             for (first_column, first_row) in (0..9).map(|k| (k % 3, k / 3)) {
                 let mut particles = Vec::new();
                 for row in (first_row..=30).step_by(3) {
@@ -183,8 +185,8 @@ pub fn edges() -> Vec<Scene> {
     scenes
 }
 
-/// Scene E: pairs at 0, 0.003 and 0.005 cutoffs (below the least distance of the force), and one
-/// particle on each wall and corner.
+/// Returns scene E: pairs at 0, 0.003 and 0.005 cutoffs (below the least distance of the force),
+/// and one particle on each wall and corner.
 pub fn close_pairs() -> Scene {
     let size = 20.0 * CUTOFF;
     let mut particles = Vec::new();
@@ -201,8 +203,8 @@ pub fn close_pairs() -> Scene {
     scene(size, particles)
 }
 
-/// Scenes F: velocities of 900 and -750. A step takes them through the first box once or twice,
-/// through the second some twenty times.
+/// Returns scenes F: velocities of 900 and -750. A step takes the particles through the first box
+/// once or twice, and through the second about twenty times.
 pub fn fast() -> [Scene; 2] {
     [0.3, 2.3 * CUTOFF].map(|size| {
         let mut random = Random::new(6);
@@ -217,8 +219,8 @@ pub fn fast() -> [Scene; 2] {
     })
 }
 
-/// A crowd at rest in the middle of a box so large that no particle meets a wall: for forces and
-/// momentum. `n` particles within `extent` cutoffs.
+/// Returns a crowd of `n` particles at rest within `extent` cutoffs, for forces and momentum. The
+/// box is so large that particles do not reach a wall.
 pub fn cloud(n: usize, extent: f64, seed: u64) -> Scene {
     let mut random = Random::new(seed);
     let size = 1e4 * CUTOFF;

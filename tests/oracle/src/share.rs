@@ -1,30 +1,33 @@
-//! Whether threads share work: each does some of it, and none does much more than its part.
+//! Checks whether threads share work: each thread does some of it, and no thread does much more
+//! than its part.
 //!
-//! Which thread does how much of a loop depends on what else the machine has to do: a right program
-//! may leave nearly all of the work to one thread. So threads are held back here. The first thread
-//! that comes waits for the others. A thread that has done its part goes on when the others have done
-//! a third of the work. They can if the work is shared: of four threads one has done a fourth when it
-//! is held, and what it has begun, which nobody can take from it, is less than another fourth. So no
-//! right division of the work lets one thread do more than two thirds. This holds for blocks and for
-//! single items, fixed or from a queue. Of two and three threads only the coming is asked: half of
-//! the work and a part that is begun may be nearly all.
+//! The division of a loop depends on the load of the machine: a correct program may leave nearly
+//! all of the work to one thread. Therefore threads are delayed here. The first thread that arrives
+//! waits for the others. A thread that has done its part continues when the others have done a
+//! third of the work. They can do this if the work is shared: one of four threads has done a fourth
+//! when it is delayed, and the block that it has begun, which other threads cannot take over, is
+//! less than another fourth. So no correct division of the work lets one thread do more than two
+//! thirds. This holds for blocks and for single items, fixed or from a queue. With two or three
+//! threads only the arrival is checked, because half of the work and a block that has begun may be
+//! nearly all of the work.
 
 use std::sync::{Condvar, Mutex, MutexGuard};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 
-/// How long threads wait for others, all waits together: then it is clear that the others do not come.
+/// Total time that threads wait for others. After this time it is clear that the others do not
+/// come.
 const PATIENCE: Duration = Duration::from_secs(3);
 
-/// The work of some threads.
+/// Work that is shared by some threads.
 pub struct Share(Mutex<Work>, Condvar);
 
 struct Work {
-    /// The number of threads that share it.
+    /// Number of threads that share the work.
     threads: usize,
-    /// All units of it.
+    /// Number of units of work.
     total: u64,
-    /// For each thread the size of its pool, and the units that it has done.
+    /// For each thread, the size of its pool, and the units that it has done.
     done: Vec<(ThreadId, usize, u64)>,
     until: Option<Instant>,
 }
@@ -32,7 +35,7 @@ struct Work {
 impl Work {
     const NONE: Self = Self { threads: 0, total: 0, done: Vec::new(), until: None };
 
-    /// Whether a thread that has done so much is ahead of the others.
+    /// Returns whether a thread that has done `own` units is ahead of the others.
     fn is_ahead(&self, own: u64) -> bool {
         let others = self.done.iter().map(|(_, _, work)| work).sum::<u64>() - own;
         let has_its_part = own as f64 * self.threads as f64 > self.total as f64;
@@ -42,24 +45,25 @@ impl Work {
 }
 
 impl Share {
-    /// No work.
+    /// Returns a share without work.
     pub const fn new() -> Self {
         Self(Mutex::new(Work::NONE), Condvar::new())
     }
 
-    /// Does work of `total` units of which `threads` threads have a share. Returns two numbers for each
-    /// thread that did some of it: the size of the thread's pool, and the units that the thread did.
+    /// Executes work of `total` units that `threads` threads share. Returns two numbers for each
+    /// thread that did some of the work: the size of the thread's pool, and the units that the
+    /// thread did.
     pub fn record(&self, threads: usize, total: u64, work: impl FnOnce()) -> Vec<f64> {
         *self.lock() = Work { threads, total, ..Work::NONE };
         work();
         self.lock().done.iter().flat_map(|(_, pool, units)| [*pool as f64, *units as f64]).collect()
     }
 
-    /// Judges what [`record`](Self::record) returned.
+    /// Judges the result of [`record`](Self::record).
     ///
     /// # Errors
-    /// A thread did nothing, a thread is of another pool, or one of four or more threads did more than
-    /// two thirds of the work.
+    /// If a thread did nothing, a thread belongs to a different pool, or one of four or more
+    /// threads did more than two thirds of the work.
     pub fn judge(threads: usize, recorded: &[f64]) -> Result<(), String> {
         let (done, _) = recorded.as_chunks::<2>();
         if done.len() != threads {
@@ -76,9 +80,9 @@ impl Share {
         Ok(())
     }
 
-    /// Does work as [`record`](Self::record) does. Returns three numbers: how many threads did some of
-    /// it, how many of these are of a pool of `threads` threads, and 1 if one of four or more did more
-    /// than two thirds, else 0.
+    /// Executes work as [`record`](Self::record) does. Returns three numbers: the number of threads
+    /// that did some of the work, how many of these belong to a pool of `threads` threads, and 1 if
+    /// one of four or more threads did more than two thirds, otherwise 0.
     pub fn of(&self, threads: usize, total: u64, work: impl FnOnce()) -> Vec<f64> {
         let recorded = self.record(threads, total, work);
         let (done, _) = recorded.as_chunks::<2>();
@@ -89,7 +93,7 @@ impl Share {
         vec![done.len() as f64, pool as f64, much]
     }
 
-    /// Notes that this thread, of a pool of `pool` threads, does `units` of the work.
+    /// Records that this thread, of a pool of `pool` threads, does `units` of the work.
     pub fn does(&self, pool: usize, units: u64) {
         let me = thread::current().id();
         let mut work = self.lock();
@@ -127,7 +131,7 @@ mod tests {
 
     use super::Share;
 
-    /// What four threads do that take units from a queue, `chunks` of them at a time.
+    /// Judges four threads that take units from a queue, `chunks` of them at a time.
     fn from_a_queue(chunks: [u64; 4]) -> Result<(), String> {
         let (share, next) = (Share::new(), AtomicU64::new(0));
         let worker = |chunk: u64| {

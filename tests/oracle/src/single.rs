@@ -28,7 +28,7 @@ use common::soft::{CUTOFF, DT, MASS, MIN_R, Particle};
 
 use crate::allowed::Allowed;
 
-/// The greatest relative error of rounding once.
+/// Greatest relative error of a single rounding.
 const U: f64 = f32::EPSILON as f64 / 2.0;
 
 /// A program in single precision whose positions are offsets in bins of side `side`.
@@ -38,13 +38,14 @@ pub(crate) struct Single {
 }
 
 impl Single {
-    /// What a step to `end` may be off, if all particles were at `before`. `forces` is Σ|f|.
+    /// Returns the allowed errors of a step to `end`, if all particles were at `before`. `forces`
+    /// is Σ|f|.
     pub(crate) fn allowed(self, before: &[Particle], end: &Particle, forces: f64) -> Allowed {
         let own = before[end.id as usize];
         let (mut errors, mut count) = (0.0, 0.0);
         for other in before.iter().filter(|other| other.id != own.id) {
             let r = (other.x - own.x).hypot(other.y - own.y);
-            // Particles that rounding may take for neighbours.
+            // Particles that rounding may make neighbours.
             if r <= CUTOFF + U * (2.0 * self.side + 8.0 * CUTOFF) {
                 errors += self.error_of_pair(r);
                 count += 1.0;
@@ -64,7 +65,7 @@ impl Single {
         U * (2.0 * stiffness * vector + 17.0 * stiffness * r + 16.0 * force)
     }
 
-    /// Whether `loaded` is `given`, rounded.
+    /// Returns whether `loaded` is `given`, rounded.
     pub(crate) fn is_rounded(self, loaded: &Particle, given: &Particle) -> bool {
         let near = |found: f64, given: f64, limit: f64| (found - given).abs() <= limit;
         loaded.id == given.id

@@ -4,12 +4,12 @@ use std::fmt::{self, Display, Formatter};
 
 use crate::columns::spaced;
 
-/// A table with a heading for each column: the input of an example, and what the lab made of it.
-/// Columns of numbers are right-aligned.
+/// A table with a heading for each column: the input of an example, and the lab's results. Columns
+/// of numbers are right-aligned.
 pub struct Table(Vec<Vec<String>>);
 
 impl Table {
-    /// A table without rows.
+    /// Returns a table without rows.
     pub fn new<const N: usize>(headings: [&str; N]) -> Self {
         Self(vec![headings.map(String::from).to_vec()])
     }
@@ -44,15 +44,15 @@ impl Display for Table {
 }
 
 impl Table {
-    /// Whether every cell of a column is a number, or says that there is none.
+    /// Returns whether every cell of a column is a number, or a mark for a missing number.
     fn is_of_numbers(&self, column: usize) -> bool {
         let mut cells = self.0.iter().skip(1).filter_map(|row| row.get(column));
         cells.all(|cell| cell.parse::<f64>().is_ok() || ["none", "-"].contains(&&cell[..]))
     }
 }
 
-/// Numbers in ascending order, with a space between; `-` if there are none. For lists in which any
-/// order is right.
+/// Formats numbers in ascending order, separated by spaces; `-` if there are none. For lists in
+/// which the order does not matter.
 pub fn ascending<T: Display + Ord>(items: impl IntoIterator<Item = T>) -> String {
     let mut items: Vec<T> = items.into_iter().collect();
     items.sort_unstable();

@@ -1,4 +1,4 @@
-//! A test that hangs must say so.
+//! Time limits, so that a test that hangs reports this.
 
 use std::any::Any;
 use std::cell::RefCell;
@@ -9,21 +9,22 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
-/// What a test without a limit of its own may take.
+/// Time limit in seconds of a test without its own limit.
 const LIMIT: u64 = 120;
 
-/// Has each rank of a job say where it is after this number of seconds.
+/// Variable with the number of seconds after which each rank of a job reports its position.
 pub(crate) const WATCH: &str = "CUTOFF_WATCH";
 
 thread_local! {
-    /// The test whose body this thread runs.
+    /// Name of the test whose body this thread runs.
     pub(crate) static TEST: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// What in this process has a limit of its own, and runs now.
+/// Number of running parts of this process that have their own limits.
 static OWN_LIMITS: AtomicUsize = AtomicUsize::new(0);
 
-/// Alive while something has a limit of its own: meanwhile the time of whole tests stands still.
+/// A guard that exists while a part with its own limit runs. The time of whole tests is then
+/// stopped.
 pub(crate) struct OwnLimit(());
 
 impl OwnLimit {
@@ -39,20 +40,20 @@ impl Drop for OwnLimit {
     }
 }
 
-/// Whether this process is a rank of a job that a test started.
+/// Returns whether this process is a rank of a job that a test started.
 pub(crate) fn is_rank() -> bool {
     env::var_os(WATCH).is_some()
 }
 
-/// What runs on a thread of its own, and what it returns. In boxes, so that a test does not compile
-/// threads and channels anew.
+/// Work for a separate thread, and its result. Boxes avoid compiling threads and channels for every
+/// test.
 type Work = Box<dyn FnOnce() -> Box<dyn Any + Send> + Send>;
 
-/// Runs `work` and returns its result, or fails with the name of the task if that takes longer
-/// than `seconds`. A panic inside comes out as it was.
+/// Runs `work` and returns its result, or fails with the name of the task after `seconds`. A panic
+/// inside is passed on unchanged.
 ///
 /// # Panics
-/// `work` took too long or panicked.
+/// If `work` takes too long or panics.
 pub fn within<T: Send + 'static>(
     task: &str,
     seconds: u64,
@@ -66,12 +67,12 @@ fn within_boxed(task: &str, seconds: u64, work: Work) -> Box<dyn Any + Send> {
     watch(task, seconds, |done| done.recv_timeout(Duration::from_secs(seconds)), work)
 }
 
-/// The body of a test of this name, under a time limit.
+/// Runs the body of the test with this name, under a time limit.
 ///
 /// # Panics
-/// `body` took too long or panicked.
+/// If `body` takes too long or panics.
 pub fn watched(test: &str, body: impl FnOnce() + Send + 'static) {
-    // The test that started this one on ranks has a limit for it.
+    // The test that started this rank has a time limit for it.
     if is_rank() {
         return body();
     }
@@ -96,7 +97,7 @@ pub fn watched(test: &str, body: impl FnOnce() + Send + 'static) {
     watch(&task, LIMIT, ends, Box::new(work));
 }
 
-/// Runs `work` on a thread of its own until it `ends`.
+/// Runs `work` on a separate thread until it `ends`.
 fn watch(
     task: &str,
     seconds: u64,
@@ -108,7 +109,7 @@ fn watch(
     let worker = worker
         .spawn(move || {
             let result = work();
-            // The receiver is gone only if the time is up, and then nothing is received.
+            // The receiver is gone only after the time limit, when results are no longer needed.
             let _ = done.send(());
             result
         })

@@ -1,4 +1,4 @@
-//! Questions about what a run counts: messages, steps per list, cuts.
+//! Questions about the counters of a run: messages, steps per list, cuts.
 
 use common::soft::Scene;
 use oracle::Ask;
@@ -6,8 +6,8 @@ use oracle::Ask;
 use super::RunsOnRanks;
 
 impl RunsOnRanks {
-    /// The counters with these `names` after `steps` steps of a scene are as `verdict` wants them. It is told the
-    /// number of ranks and the counters; NaN stands for a counter that the variant does not have.
+    /// Asks for the counters with these `names` after `steps` steps of a scene. `verdict` receives
+    /// the number of ranks and the counters, NaN for a counter that the variant does not have.
     pub fn counters(
         &self,
         ask: &mut impl Ask,

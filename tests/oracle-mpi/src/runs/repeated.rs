@@ -1,4 +1,4 @@
-//! Questions about runs that must not differ in a bit.
+//! Questions about runs that must agree in every bit.
 
 use common::soft::{Scene, Simulation};
 use oracle::{Ask, Random, States, difference};
@@ -7,8 +7,9 @@ use super::RunsOnRanks;
 use crate::{Rank, on_each};
 
 impl RunsOnRanks {
-    /// Some runs of each scene have the same bits after every one of `steps` steps: a first one, a second one, one at
-    /// which nobody looks before its end, and one of each of `others`.
+    /// Asks whether several runs of each scene have the same bits after every one of `steps` steps:
+    /// a first run, a second run, a run that is read only at its end, and a run of each of
+    /// `others`.
     pub fn same_bits(&self, ask: &mut impl Ask, all: &[Scene], steps: usize, others: &[Self]) {
         on_each(ask, self.task, &self.ranks, &Random::new(0), |rank, _, ask| {
             for scene in all {
@@ -34,7 +35,7 @@ impl RunsOnRanks {
         });
     }
 
-    /// The states of all runs of a scene.
+    /// Returns the states of all runs of a scene.
     fn repeated(&self, rank: &Rank<'_>, scene: &Scene, steps: usize, others: &[Self]) -> Vec<f64> {
         let states = |engine: &mut dyn Simulation| States::of_run(engine, scene, steps, 0);
         rank.call("some runs", |world| {
@@ -50,7 +51,8 @@ impl RunsOnRanks {
     }
 }
 
-/// Whether the runs in `numbers` have the bits of the first of them; so many `others` are the last of these.
+/// Checks that the runs in `numbers` have the bits of the first run. The last `others` of them
+/// belong to other programs.
 fn equal_runs(
     mut numbers: &[f64],
     particles: usize,
@@ -71,7 +73,7 @@ fn equal_runs(
     Ok(())
 }
 
-/// Whether each state of a run has the bits of the first run's.
+/// Checks that each state of a run has the bits of the first run's state.
 fn same_states(first: &States, other: &States, whose: &str) -> Result<(), String> {
     for step in 0..first.count() {
         if let Some(words) = difference(&other.state(step), &first.state(step)) {
