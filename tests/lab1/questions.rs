@@ -38,7 +38,7 @@ fn neighbour(d: Vec2) -> String {
     format!("a neighbour at ({:?}, {:?}), {cutoffs:?} cutoffs away", d.x, d.y)
 }
 
-/// Asks for both forces of a pair, with particle and neighbour exchanged.
+/// Asks whether the forces on a particle and on its neighbour are opposite.
 pub(crate) fn opposite(random: &mut Random, ask: &mut impl Ask) {
     for _ in 0..10_000 {
         let mut along = || CUTOFF * random.between(-0.8, 0.8);

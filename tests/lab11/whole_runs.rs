@@ -58,8 +58,8 @@ pub(crate) fn counted(runs: &Runs, name: &'static str, scene: &Scene, steps: usi
     })
 }
 
-/// Checks that a state agrees with a neighbour list's state after `steps` steps, each divided into
-/// `divide`, up to a billionth of the box, or of 1 in a small box.
+/// Checks that a state agrees with the state of a neighbour list after `steps` steps. Each step is
+/// divided into `divide` parts. The tolerance is a billionth of the box, or of 1 in a small box.
 pub(crate) fn near_the_list(
     found: &[f64],
     scene: &Scene,
@@ -116,9 +116,9 @@ pub(crate) fn windows(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Returns a scene in which a particle is far from the wall at the start of the window, is
-/// reflected seven steps later, and only then comes within reach of particle 1, which is at rest. A
-/// crowd is elsewhere.
+/// Returns a scene in which a reflected particle comes within reach of particle 1, which is at
+/// rest. The reflected particle is far from the wall when the window begins, and reaches the wall
+/// seven steps later. A crowd is elsewhere.
 fn thrown_back() -> Scene {
     let wall = 60.0;
     let speed = 9.0_f64.hypot(7.0);

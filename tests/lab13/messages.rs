@@ -24,8 +24,8 @@ impl Letters {
     }
 }
 
-/// Asks about positions to partners in any order, from no partners to all other ranks: none, few
-/// and many positions, with different numbers in the two directions.
+/// Asks about exchanges of positions with any number of partners, in any order. The numbers of
+/// positions differ in the two directions: zero, few or many.
 pub(crate) fn exchanges(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "13.4", &[1, 2, 3, 5], random, |rank, random, ask| {
         for (most, furthest) in [(0, 1), (7, rank.ranks), (1000, 2), (300_000, rank.ranks)] {

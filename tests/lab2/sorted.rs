@@ -72,8 +72,9 @@ fn sort(
     }
 }
 
-/// Asks for the force on a particle by any number of candidates in several slices, in any order,
-/// with ids of any size, many within reach or exactly at the cutoff; finally without candidates.
+/// Asks for the force on a particle by any number of candidates, finally without candidates. The
+/// candidates are in several slices, in any order, with ids of any size. Many are within reach or
+/// exactly at the cutoff.
 pub(crate) fn sums(random: &mut Random, ask: &mut impl Ask) {
     let mut gather = Gather::default();
     let sizes: Vec<usize> = (0..12).flat_map(|_| random.sizes(1025)).chain([0]).collect();

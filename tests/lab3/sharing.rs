@@ -36,7 +36,7 @@ fn shared(ask: &mut impl Ask, doing: &str, threads: usize, units: usize, work: i
     });
 }
 
-/// An observer that counts which thread does the work of forces and additions.
+/// An observer that counts which thread computes the forces and the additions.
 #[derive(Clone, Default)]
 struct Visitor;
 

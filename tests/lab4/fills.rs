@@ -10,8 +10,8 @@ use solution2::{Grid, SortedBins};
 
 use super::bins::{filled, inside, places, regions_of};
 
-/// Asks for the contents of bins that `fill` refills after other particles: with particles on walls
-/// and edges of many bins, with many particles in a single bin, and with none.
+/// Asks for the contents of bins that `fill` refills after other particles. The new particles are
+/// on walls and edges of many bins, or many are in a single bin, or there are none.
 fn fills(random: &mut Random, ask: &mut impl Ask, fill: impl Fn(&mut Regions, &Grid, &[Particle])) {
     for n in [random.sizes(1025), vec![65_537, 3, 0]].concat() {
         let along = if n > 5000 { 1 } else { 1 + random.size(33) };

@@ -64,8 +64,9 @@ fn in_between(regions: &mut Regions, one: Change, other: Change, patience: Durat
     in_time.load(Ordering::SeqCst)
 }
 
-/// Asks about two changes from one bin to another, up and down: of the last particle of the bin,
-/// and of a particle that another thread moves between the lock requests of the first change.
+/// Asks about two changes from one bin to another, up and down. One change concerns the last
+/// particle of the bin. The other is of a particle that another thread moves between the lock
+/// requests of the first change.
 pub(crate) fn same_bins(random: &mut Random, ask: &mut impl Ask) {
     let low = random.below(6);
     let high = 6 + random.below(6);

@@ -214,7 +214,7 @@ fn exchange(world: &SimpleCommunicator, rank: usize) -> Vec<(&'static str, Strin
     let all_leavers = gather_rows(world, "leavers: Gather counts", &leavers, &mut rows);
     let all_copies = gather_rows(world, "copies: Gather counts", &copies, &mut rows);
     let arrived = scatter_rows(world, all_leavers, all_copies, &mut rows);
-    // The bins do not know the rank's rows, so old ghosts stay.
+    // These bins keep the old ghosts, because arrivals are only added.
     let mut stale = VecBins::new(grid());
     let arrivals: Vec<Particle> = arrived.iter().map(Particle::from).collect();
     bins.particles().chain(&arrivals).for_each(|p| stale.put(*p));

@@ -25,8 +25,8 @@ fn sums_of(list: &[Ghost]) -> Vec<f64> {
     digest(list.iter().map(|ghost| (ghost.x + 2.0 * ghost.y, ghost.id)))
 }
 
-/// Asks about lists to and from other ranks, in any order, neighbours or all ranks: empty, short,
-/// and longer than the library can buffer for a rank that sends before it receives.
+/// Asks about lists to and from other ranks, in any order, neighbours or all ranks. The lists are
+/// empty, short, or longer than the library can buffer for a rank that sends before it receives.
 pub(crate) fn exchanges(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "6.3", &[1, 2, 3, 5], random, |rank, random, ask| {
         for (most, furthest) in [(0, 1), (5, rank.ranks), (1000, 1), (200_000, rank.ranks)] {
@@ -82,9 +82,9 @@ fn exchange(
     );
 }
 
-/// Returns how often the work was done, how many messages were travelling at that time, the other
-/// calls before the work, and the calls after it that are not waits. `before` contains the calls
-/// before each work.
+/// Returns counts of the work, of the travelling messages, and of other calls before and after the
+/// work. Calls after the work are counted unless they are waits. `before` contains the calls before
+/// each work.
 fn counted(before: &[Vec<&str>], all: &[&str]) -> Vec<f64> {
     let first = before.first().map_or(&[][..], |calls| calls);
     let under_way = first.iter().rev().take_while(|call| begins(call)).count();

@@ -120,8 +120,8 @@ impl SharedList {
         (!self.has_ended.load(Relaxed)).then(|| of(OTHERS + self.others.fetch_add(1, Relaxed)))
     }
 
-    /// Returns the number of candidates that the other worker has appended, followed by the first
-    /// discs of the first `count` candidates in the list, in ascending order.
+    /// Returns the number of the other worker's candidates, followed by the first discs of the
+    /// list. The latter are the first discs of the first `count` candidates, in ascending order.
     fn numbers(&self, count: usize) -> Vec<f64> {
         let mut discs: Vec<u32> = self.list.first(count).map(|c| c.hit.first()).collect();
         discs.sort_unstable();

@@ -9,8 +9,8 @@ use oracle::hard::scenes;
 /// Returns the oracle's scenes, scenes that are hard for ranks, and random scenes.
 pub(crate) fn all_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {
     let mut all = scenes::all();
-    // All discs are in the lowest hundredth of the square, or on one line, which leaves strips
-    // without height.
+    // Two scenes are added: all discs in the lowest hundredth of the square, and all discs on one
+    // line, where strips have no height.
     let low: Vec<_> = (0..40).map(|k| (2.0 * f64::from(k) + 5.0, 1.0, 1.5, 0.2)).collect();
     all.push(("all in one strip", scenes::of(100.0, 1.0, &low)));
     let line: Vec<_> =

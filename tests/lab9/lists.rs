@@ -96,8 +96,8 @@ struct Grown {
 }
 
 impl Grown {
-    /// Returns lists that grow, that were longer before, and that exceed the device's memory: then
-    /// the memory suffices for parts of the rows, or not even for one row.
+    /// Returns lists that grow, that were longer before, and that exceed the device's memory. In
+    /// the last case the memory suffices for parts of the rows, or not even for one row.
     fn all(random: &mut Random) -> Vec<Self> {
         let [few, some, more] = [30, 700, 1100].map(|least| least + random.below(100));
         let room = 1024 + random.below(60) as u64;

@@ -1,5 +1,5 @@
-//! Questions about the numbers that a workgroup shares: is there a barrier between any two accesses
-//! of different invocations to the same number, if one of the accesses writes?
+//! Questions about barriers between accesses of different invocations to the same shared number. A
+//! barrier is needed between two such accesses if one of them writes.
 //!
 //! A device may run invocations in an order in which a missing barrier is harmless. Therefore the
 //! shared numbers are replaced by numbers that record their readers and writers since the last

@@ -176,7 +176,7 @@ fn hard_discs_are_where_the_kit_has_them() {
     }
 }
 
-/// Compares the collisions with a movie that tests only pairs in sufficiently wide cells.
+/// Compares the collisions with those of a movie that tests only pairs in sufficiently wide cells.
 #[test]
 fn cells_miss_no_collision() {
     let ask = "sameHits(200, 60, 1, 3, 30)";

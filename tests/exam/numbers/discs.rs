@@ -29,8 +29,8 @@ fn collisions() -> Vec<Numbers> {
     let pairs = |rows: std::ops::Range<usize>| rows.map(|row| 7 - row).sum::<usize>() as f64;
     let (first, second) = (pairs(0..4), pairs(4..8));
 
-    // Returns the time at which the later of two workers finishes, if they take chunks of rows from
-    // a queue.
+    // `done` computes the time at which the later of two workers finishes, if they take chunks of
+    // rows from a queue.
     let done = |chunk: usize| {
         let mut busy = [0.0; 2];
         for start in (0..8).step_by(chunk) {

@@ -2,11 +2,11 @@
 
 use std::fmt::{self, Display, Formatter};
 
-/// What threads or ranks do or have, side by side.
+/// States or actions of threads or ranks, side by side.
 ///
 /// The book steps through such a table row by row. A cell is a text, or numbers of particles with a
-/// bar between the parts of a buffer, those of ghosts in parentheses ([`spaced`]). The name of a row
-/// with other numbers has the word *count* or *displacements* in it.
+/// bar between the parts of a buffer and the numbers of ghosts in parentheses ([`spaced`]). The
+/// name of a row with different numbers contains the word *count* or *displacements*.
 pub struct Columns {
     heads: Vec<String>,
     rows: Vec<(String, Vec<String>)>,

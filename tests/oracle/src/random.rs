@@ -42,8 +42,8 @@ impl Random {
         SIZES[..fitting].get(any).copied().unwrap_or_else(|| self.below(most + 1))
     }
 
-    /// Draws a coordinate along a wall of length `size` with `along` bins: on the wall at either
-    /// end, on an edge between bins, next to an edge by a rounding, or anywhere.
+    /// Draws a coordinate along a wall of length `size` with `along` bins. The coordinate is on the
+    /// wall at either end, on an edge between bins, next to an edge by a rounding, or anywhere.
     pub fn coordinate(&mut self, size: f64, along: usize) -> f64 {
         let edge = self.below(along + 1) as f64 * (size / along as f64);
         let coordinate = match self.below(8) {

@@ -7,9 +7,9 @@ use super::RunsOnRanks;
 use crate::{Rank, on_each};
 
 impl RunsOnRanks {
-    /// Asks whether several runs of each scene have the same bits after every one of `steps` steps:
-    /// a first run, a second run, a run that is read only at its end, and a run of each of
-    /// `others`.
+    /// Asks whether several runs of each scene have the same bits after every one of `steps` steps.
+    /// The runs are a first run, a second run, a run that is read only at its end, and a run of
+    /// each of `others`.
     pub fn same_bits(&self, ask: &mut impl Ask, all: &[Scene], steps: usize, others: &[Self]) {
         on_each(ask, self.task, &self.ranks, &Random::new(0), |rank, _, ask| {
             for scene in all {

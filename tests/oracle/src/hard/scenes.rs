@@ -13,8 +13,8 @@ pub fn of(side: f64, radius: f64, discs: &[(f64, f64, f64, f64)]) -> Scene {
     Scene::new(side, radius, discs).expect("the test's scene is sound")
 }
 
-/// Returns `n` discs anywhere, possibly overlapping, that cover the part `fraction` of a square of
-/// side 100, with velocity components up to `speed` radii.
+/// Returns `n` discs anywhere in a square of side 100, possibly overlapping. The discs cover the
+/// part `fraction` of the square. Velocity components are up to `speed` radii.
 pub fn random(n: usize, fraction: f64, speed: f64, seed: u64) -> Scene {
     let side = 100.0;
     let radius = (fraction * side * side / (n as f64 * std::f64::consts::PI)).sqrt();
@@ -41,8 +41,9 @@ pub fn unseen(seed: u64) -> Scene {
     scaled(&self::random(n, fraction, 20.0, seed), random.between(0.5, 20.0))
 }
 
-/// Returns discs of radius 1 on some points of an integer lattice, with integer velocities:
-/// collisions at exactly the same time, at exactly λ = 0 and λ = 1, and discs at one position.
+/// Returns discs of radius 1 on some points of an integer lattice, with integer velocities. Such
+/// scenes have collisions at exactly the same time, at exactly λ = 0 and λ = 1, and discs at one
+/// position.
 pub fn lattice(seed: u64) -> Scene {
     let side = 24.0;
     let mut random = Random::new(seed);
@@ -79,8 +80,8 @@ pub fn mixed(seed: u64) -> Scene {
     of(side, radius, &discs)
 }
 
-/// Returns pairs that nearly miss each other: the path of the second disc passes the first at 2 r
-/// (1 − gap), for gaps from 1e-3 down to 1e-15, and at 2 r (1 + gap).
+/// Returns pairs that nearly miss each other. The path of the second disc passes the first at 2 r
+/// (1 − gap), for gaps from 1e-3 down to 1e-15, and outside at 2 r (1 + gap).
 pub fn grazing() -> Scene {
     let (side, radius) = (4000.0, 1.0);
     let mut discs = Vec::new();

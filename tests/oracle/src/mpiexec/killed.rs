@@ -18,8 +18,8 @@ const TO_START: Duration = Duration::from_secs(10);
 
 /// Checks that the whole job ends when a rank is killed in the middle of it. The `job` is a run
 /// that would continue for hours and write to `out`. It must end soon, with a message of the
-/// launcher, and without an output file that looks complete. The last rank is killed, and in a
-/// second run the root, which writes the file. `name` begins the messages.
+/// launcher, and without an output file that looks complete. The root, which writes the file, is
+/// killed in a first run, and the last rank in a second run. `name` begins the messages.
 ///
 /// # Panics
 /// If the job does not end in this way.

@@ -71,8 +71,10 @@ pub(super) fn of_no_answer(stderr: &str, ranks: usize, limit: Duration) -> Strin
     format!("{why}\n{}", lines.join("\n"))
 }
 
-/// Returns the call with its location, and the seconds that a rank has waited in it, from a line
-/// such as `after 20 s rank 1 is in a run, in MPI_Recv (labs/lab5/src/root.rs, line 29) for 19 s`.
+/// Returns the call with its location, and the seconds that a rank has waited in it.
+///
+/// A line is such as `after 20 s rank 1 is in a run, in MPI_Recv (labs/lab5/src/root.rs, line 29)
+/// for 19 s`.
 fn wait(line: &str) -> Option<(&str, u64)> {
     let (_, wait) = line.split_once(", in MPI_")?;
     let (call, seconds) = wait.strip_suffix(" s")?.rsplit_once(" for ")?;
