@@ -151,8 +151,8 @@ fn pairs_within(bodies: &Bodies, i: usize, range: Range<usize>, reach: f64) -> V
     near.flat_map(|j| [i as f64, j as f64]).collect()
 }
 
-/// Asks about arbitrary pairs, near or not, of particles that follow a first particle; sometimes
-/// with a reach equal to the distance of a pair.
+/// Asks about arbitrary pairs, near or not, of particles that follow a first particle. Sometimes
+/// the reach equals the distance of a pair.
 pub(crate) fn near(random: &mut Random, ask: &mut impl Ask) {
     for len in random.sizes(ROOM) {
         let unit = random.magnitude(1e-6, 1e6);

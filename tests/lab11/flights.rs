@@ -1,5 +1,5 @@
-//! Questions about single free flights with random inputs: their ends, the least distance of two
-//! particles, and the effect of a deviation or a wall.
+//! Questions about single free flights with random inputs. They concern the ends of flights, the
+//! least distance of two particles, and the effect of a deviation or a wall.
 
 use common::soft::DT;
 use lab11::{closest_squared, fly, meets_wall, too_far_off};
@@ -160,8 +160,8 @@ impl Flight {
     }
 }
 
-/// Draws a coordinate and a velocity along it: exactly at rest; towards a position near a wall,
-/// from near and far; and away from a wall. Either number may be NaN.
+/// Draws a coordinate and a velocity along it. The particle is exactly at rest, flies towards a
+/// position near a wall, from near or far, or flies away from a wall. Either number may be NaN.
 fn along(random: &mut Random, span: &Span) -> [f64; 2] {
     let size = span.size;
     let near = span.rounding();

@@ -32,8 +32,8 @@ fn first_greater(parent: &[u32]) -> f64 {
     greater.map_or(-1.0, |k| k as f64)
 }
 
-/// Draws numbers with their parents: two chains, parents anywhere before their children (some begin
-/// a group), or each number alone.
+/// Draws numbers with their parents. They form two chains, or have parents anywhere before them
+/// (some begin a group), or each number is alone.
 fn drawn(random: &mut Random, n: usize, kind: usize) -> Vec<u32> {
     let mut parent: Vec<u32> = (0..n as u32).collect();
     for (k, parent) in parent.iter_mut().enumerate().skip(1) {

@@ -1,5 +1,5 @@
-//! Questions about a sum by several threads: under a lock, with atomics (also while another thread
-//! interrupts), and in a fixed order.
+//! Questions about a sum by several threads. The additions are under a lock, with atomics (also
+//! while another thread interrupts), or in a fixed order.
 
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 use std::thread;

@@ -79,8 +79,8 @@ pub(crate) fn gatherings(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Returns the result of a call in which thread 1 of 3 panics with `words`: 0 for no panic, and 1
-/// for a panic with different words.
+/// Returns the result of a call in which thread 1 of 3 panics with `words`. The result is 0 for no
+/// panic, and 1 for a panic with different words.
 pub(crate) fn panics_with(words: u8) -> u8 {
     let work = |number| {
         if number == 1 {

@@ -7,8 +7,8 @@ use oracle::{Ask, Random, Table};
 use solution1::Tally;
 use solution2::{Grid, SortedBins};
 
-/// Returns three rows of bins that are a cutoff wide and high, and five particles: 0 and 1 in row
-/// 0, 2 and 3 in row 1, 4 in row 2.
+/// Returns three rows of bins that are a cutoff wide and high, with five particles. Particles 0 and
+/// 1 are in row 0, 2 and 3 in row 1, 4 in row 2.
 fn bins(rows: std::ops::Range<usize>) -> SortedBins {
     let places = [(1.5, 0.7), (2.1, 0.7), (0.9, 1.2), (2.5, 1.7), (2.5, 2.2)];
     let particle = |(id, (x, y)): (u32, (f64, f64))| Particle {

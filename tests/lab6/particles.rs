@@ -58,8 +58,9 @@ impl Left {
     }
 }
 
-/// Changes the number of rows of each rank so that the neighbours of `rank` are obvious: the ranks
-/// with adjacent numbers, or none. (Finding the neighbours in other cases is task 6.2.)
+/// Changes the number of rows of each rank so that the neighbours of `rank` are obvious. They are
+/// the ranks with adjacent numbers, or there are none. (Finding the neighbours in other cases is
+/// task 6.2.)
 fn some_rows_beside(random: &mut Random, rows: &mut [usize], rank: usize) -> [Option<usize>; 2] {
     let case = random.below(5);
     let mut some = |at: Option<usize>| {
@@ -116,8 +117,8 @@ fn with_ranks(far: &[(usize, Wire)]) -> Vec<f64> {
     far.iter().flat_map(|(rank, wire)| [vec![*rank as f64], numbers(&[*wire])].concat()).collect()
 }
 
-/// Asks for the part of a replayed scene that a rank keeps, and for the number of replays: many
-/// particles in few rows, and few particles in many.
+/// Asks for the part of a replayed scene that a rank keeps, and for the number of replays. The
+/// scene has many particles in few rows, or few particles in many rows.
 pub(crate) fn shares(random: &mut Random, ask: &mut impl Ask) {
     for n in [random.sizes(1025), vec![70_000, 1]].concat() {
         let most = [5, 300][random.below(2)];
@@ -140,8 +141,8 @@ pub(crate) fn large_scene(_: &mut Random, ask: &mut impl Ask) {
     ask.apart(|ask| ask.exact(question, || kept_of(ALL, ROWS), || whole([ALL / ROWS, 0])));
 }
 
-/// Returns the number of particles that the sixth rank keeps of `all` particles in as many rows as
-/// ranks, and the memory in bytes, 0 for little memory.
+/// Returns the number of particles that the sixth rank keeps, and the memory that it needs. The
+/// scene has `all` particles in as many rows as ranks. The memory is in bytes, 0 for little memory.
 fn kept_of(all: usize, rows: usize) -> Vec<f64> {
     let before = resident();
     let most = Cell::new(before);

@@ -96,8 +96,8 @@ fn threads_of(
     vec![found[0], found[2]]
 }
 
-/// Asks whether, with both loops shared, each row has its own team: the second worker of a row is
-/// not a thread of the team that shares the rows.
+/// Asks whether each row has its own team if both loops are shared. The second worker of a row must
+/// not be a thread of the team that shares the rows.
 pub(crate) fn fresh_teams(_: &mut Random, ask: &mut impl Ask) {
     let question = "both loops of 20 discs, on a team of 2 that waits for work: parts of the second worker of a row's \
                     team that a thread of that team did";

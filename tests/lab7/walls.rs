@@ -30,8 +30,8 @@ impl Room {
         Self { room, square: Square { side: (room + 2) as f64 * unit, radius: unit }, is_plain }
     }
 
-    /// Draws a position near a wall or far from it: at rest, just reaching the wall or just missing
-    /// it, or slightly outside, also at rest.
+    /// Draws a position near a wall or far from it. The disc is at rest, just reaches the wall,
+    /// just misses it, or is slightly outside, also at rest.
     fn along(&self, random: &mut Random) -> Along {
         let Self { room, square, is_plain } = *self;
         let unit = square.radius;

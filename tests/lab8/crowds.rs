@@ -32,7 +32,7 @@ fn drawn_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {
     ]
 }
 
-/// Returns a tower: each disc flies into the disc above it, across every cut; the lowest disc with
+/// Returns a tower. Each disc flies into the disc above it, across every cut. The lowest disc has
 /// speed 44 / `slow`.
 fn tower(slow: f64) -> Scene {
     let disc = |k: u32| Disc::new(50.0, 2.2 * f64::from(k) + 1.0, 0.0, f64::from(44 - k) / slow);

@@ -45,8 +45,9 @@ fn counts(random: &mut Random) -> [usize; 3] {
     [1, 2, 3 + random.below(4)]
 }
 
-/// Asks for the list that each rank receives from the master, and for the number of sends that the
-/// master begins before it waits for a send. A worker that is not ready must not delay the others.
+/// Asks for the list that each rank receives from the master, and for the number of begun sends.
+/// These are the sends that the master begins before it waits for a send. A worker that is not
+/// ready must not delay the others.
 pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
     let counts = counts(random);
     on_each(ask, "8.4", &counts, random, |rank, random, ask| {

@@ -67,7 +67,7 @@ pub(crate) fn shares_with_master(random: &mut Random, ask: &mut impl Ask) {
     shares(&master_workers(&[4]), random, ask);
 }
 
-/// Asks whether ranks share the search for pairs: three of four ranks are workers, or each rank has
+/// Asks whether ranks share the search for pairs. Three of four ranks are workers, or each rank has
 /// a strip with an equal number of discs.
 fn shares(runs: &DiscsOnRanks, random: &mut Random, ask: &mut impl Ask) {
     let scene = wide(random);

@@ -29,8 +29,8 @@ fn probe(
 }
 ";
 
-/// Asks about long and short distances, forwards and backwards, from the middle of a bin and from
-/// its edges, including distances that rounding loses.
+/// Asks about long and short distances from the middle of a bin and from its edges. The distances
+/// are forwards and backwards, and some are lost by rounding.
 pub(crate) fn carried(random: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.8") else { return };
     let edge = 1.0_f32.next_down();

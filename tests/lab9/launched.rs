@@ -161,8 +161,8 @@ fn storage(gpu: &Gpu, bytes: u64) -> wgpu::Buffer {
     gpu.storage("the probe's memory", bytes).expect("there is memory")
 }
 
-/// Returns 100 touching pairs, at angles of `turn`, that approach so slowly that single precision
-/// cannot distinguish this from separating.
+/// Returns 100 touching pairs, at angles of `turn`, that approach extremely slowly. Single
+/// precision cannot distinguish this approach from separating.
 pub(super) fn touching(mut turn: impl FnMut() -> f64) -> Scene {
     let radius = 0.01;
     let apart = 2.0 * radius * (1.0 - 1e-12);

@@ -15,8 +15,8 @@ use super::adapter::adapter;
 /// Number of barriers that are counted; a correct program needs fewer.
 const MEETINGS: u32 = 64;
 
-/// Factor of the barrier count in the code of a conflict: barriers before the conflict, times this
-/// factor, plus the index of the number.
+/// Factor of the barrier count in the code of a conflict. The code is the number of barriers before
+/// the conflict, times this factor, plus the index of the number.
 const PLACES: u32 = 1 << 16;
 
 /// A kernel that records accesses. An access is recorded as barriers times 65,536 plus the number

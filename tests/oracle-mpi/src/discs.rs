@@ -58,8 +58,8 @@ impl DiscsOnRanks {
         self
     }
 
-    /// Asks whether the bits after every one of `steps` steps of each named scene are those of
-    /// `right`, a program of an earlier lab.
+    /// Asks whether the bits after every one of `steps` steps of each scene are those of `right`.
+    /// `right` is a program of an earlier lab. Each scene has a name.
     pub fn bits_of(
         &self,
         ask: &mut impl Ask,
@@ -108,8 +108,8 @@ impl DiscsOnRanks {
         });
     }
 
-    /// Asks whether the totals of the counters over all ranks, after `steps` steps of a scene, are
-    /// those of `right`, a program of an earlier lab.
+    /// Asks whether the totals of the counters over all ranks are those of `right`, after `steps`
+    /// steps. `right` is a program of an earlier lab.
     pub fn counters_of(
         &self,
         ask: &mut impl Ask,

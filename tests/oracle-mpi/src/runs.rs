@@ -72,8 +72,8 @@ impl RunsOnRanks {
         });
     }
 
-    /// Asks whether every one of `steps` steps of each scene agrees with the model up to rounding,
-    /// starting from the program's own state before the step.
+    /// Asks whether every one of `steps` steps of each scene agrees with the model up to rounding.
+    /// The model starts from the program's own state before the step.
     pub fn resynchronised(&self, ask: &mut impl Ask, all: &[Scene], steps: usize) {
         self.judged(ask, all, steps, "each step is the model's", |scene, states| {
             states.follow_the_model(scene)
@@ -87,8 +87,8 @@ impl RunsOnRanks {
         self.bits_of_all_pairs(ask, &[scenes::official()], 200);
     }
 
-    /// Asks whether the bits are those of all pairs in the counter scene of `n` particles, of which
-    /// each rank makes its own share.
+    /// Asks whether the bits are those of all pairs in the counter scene of `n` particles. Each
+    /// rank makes its own share of the scene.
     ///
     /// # Panics
     /// If the scene does not exist.

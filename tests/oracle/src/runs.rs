@@ -19,7 +19,7 @@ use crate::{Ask, Model, memory, scenes, within};
 /// Time limit of every run in seconds. The failure names the task.
 const SECONDS: u64 = 120;
 
-/// Number of steps that are asked first in a longer run, so that a program that doubles particles
+/// Number of steps that are asked first in a longer run. A program that doubles particles then
 /// fails before memory is full.
 const FIRST: usize = 8;
 
@@ -129,8 +129,8 @@ impl Runs {
         self.resynchronised_on_each(ask, vec![scene.clone()], steps);
     }
 
-    /// Asks [`resynchronised`](Self::resynchronised) on many scenes with one engine, so that data
-    /// left over from the previous scene is noticed.
+    /// Asks [`resynchronised`](Self::resynchronised) on many scenes with one engine. Data left over
+    /// from the previous scene is noticed.
     pub fn resynchronised_on_each(&self, ask: &mut impl Ask, all: Vec<Scene>, steps: usize) {
         if steps > FIRST {
             self.steps_of_each(ask, all.clone(), FIRST);
@@ -231,8 +231,8 @@ impl Runs {
         );
     }
 
-    /// Asks whether the bits after `steps` steps are the same for each number of threads, and for a
-    /// second run with the same engine.
+    /// Asks whether the bits after `steps` steps are the same for each number of threads. A second
+    /// run with the same engine must also have the same bits.
     pub fn same_bits_on_threads(
         &self,
         ask: &mut impl Ask,

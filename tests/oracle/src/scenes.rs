@@ -60,8 +60,8 @@ pub fn dozen() -> [Vec<Particle>; 2] {
     })
 }
 
-/// Returns `n` particles spread over a box of side `size`, all at different positions, with
-/// velocity components up to `speed`.
+/// Returns `n` particles spread over a box of side `size`. All positions are different. Velocity
+/// components are up to `speed`.
 pub fn lattice_with_jitter(n: usize, size: f64, speed: f64, seed: u64) -> Scene {
     spread(&mut Random::new(seed), n, size, speed)
 }
@@ -145,9 +145,9 @@ pub fn one_row() -> Scene {
     scene(0.4, (0..40).map(|k| at_rest(0.007 * f64::from(k), 0.2049)).collect())
 }
 
-/// Returns scenes D: isolated pairs at 0.9995 cutoffs, across every edge and corner of bins, in
-/// every direction, in a box of 30.55 cutoffs. Bins may be as wide as the cutoff or as wide as the
-/// box allows. Bins of different widths have an edge at some pair as well.
+/// Returns scenes D: isolated pairs at 0.9995 cutoffs, across every edge and corner of bins. The
+/// pairs have every direction, in a box of 30.55 cutoffs. Bins may be as wide as the cutoff or as
+/// wide as the box allows. Bins of different widths have an edge at some pair as well.
 pub fn edges() -> Vec<Scene> {
     let size = 30.55 * CUTOFF;
     let half = 0.9995 * CUTOFF / 2.0;
@@ -185,8 +185,8 @@ pub fn edges() -> Vec<Scene> {
     scenes
 }
 
-/// Returns scene E: pairs at 0, 0.003 and 0.005 cutoffs (below the least distance of the force),
-/// and one particle on each wall and corner.
+/// Returns scene E: pairs at 0, 0.003 and 0.005 cutoffs, and one particle on each wall and corner.
+/// The distances are below the least distance of the force.
 pub fn close_pairs() -> Scene {
     let size = 20.0 * CUTOFF;
     let mut particles = Vec::new();

@@ -89,7 +89,7 @@ impl Group {
         step(&self.state, h, &|at, a| self.accelerations(at, a))
     }
 
-    /// Computes the forces of the pairs in contact, by the same formula on both sides of the
+    /// Computes the forces of the pairs in contact. The formula is the same on both sides of the
     /// cutoff, so that the force is smooth until the event is found.
     fn accelerations(&self, at: &[Vec2], a: &mut [Vec2]) {
         a.fill(Vec2::ZERO);
