@@ -92,7 +92,7 @@ oracle::questions! {
     }
 }
 
-/// Runs of a variant of this lab. On a fresh starter the todo of `task` comes first.
+/// Returns runs of a variant of this lab. An unsolved starter stops at the `todo!` of `task`.
 fn variant(task: &'static str, variant: &str) -> Runs {
     if task == "11.5" {
         meets_wall(&Span { steps: 8, dt: DT, size: 1.0 }, 0.5, 0.5, 1.0, 1.0);
@@ -102,13 +102,13 @@ fn variant(task: &'static str, variant: &str) -> Runs {
     Runs::new(task, VARIANTS, variant)
 }
 
-/// Runs of `planned` by its planner's choice, which is a list for most scenes. No thread is left out,
-/// however small the scene.
+/// Returns runs of `planned` by its planner's choice, which is a list for most scenes. All threads
+/// are used, however small the scene.
 fn by_choice(task: &'static str) -> Runs {
     variant(task, "planned").set("share", 1.0)
 }
 
-/// Runs of `planned` in windows of 6 steps.
+/// Returns runs of `planned` in windows of 6 steps.
 fn in_windows(task: &'static str) -> Runs {
     by_choice(task).set("window", 6.0)
 }

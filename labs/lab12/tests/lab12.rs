@@ -70,7 +70,7 @@ oracle::questions! {
     }
 }
 
-/// Runs of a variant of this lab.
+/// Returns runs of a variant of this lab.
 fn variant(task: &'static str, variant: &str) -> Runs {
     Runs::new(task, VARIANTS, variant)
 }
@@ -83,7 +83,7 @@ fn any_threads(_: &mut oracle::Random, ask: &mut impl Ask) {
     located.same_bits_on_threads(ask, &scenes::crowd(1), 3, &[1, 2, 4]);
 }
 
-/// The distance of the particle that is farthest from where it should be.
+/// Returns the greatest distance of a particle from its correct position.
 fn farthest(a: &[Particle], b: &[Particle]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a.x - b.x).hypot(a.y - b.y)).fold(0.0, f64::max)
 }

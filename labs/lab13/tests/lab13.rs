@@ -173,12 +173,13 @@ oracle::questions! {
     }
 }
 
-/// Runs on each of these numbers of ranks. On a fresh starter they meet task 13.6's todo first.
+/// Returns runs on each of these numbers of ranks. An unsolved starter stops at the `todo!` of task
+/// 13.6.
 fn strips(ranks: &[usize]) -> RunsOnRanks {
     RunsOnRanks::new("13.6", VARIANTS, "strips", ranks)
 }
 
-/// Runs with deep ghosts. On a fresh starter task 13.8's todo comes first.
+/// Returns runs with deep ghosts. An unsolved starter stops at the `todo!` of task 13.8.
 fn deep(ranks: &[usize]) -> RunsOnRanks {
     RunsOnRanks::new("13.8", VARIANTS, "strips-deep", ranks)
         .first(|_| _ = right_steps(&[0.0], CUTOFF))

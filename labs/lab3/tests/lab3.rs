@@ -163,8 +163,8 @@ oracle::questions! {
     }
 }
 
-// Each function of a task below calls the task's own code first. So the todo of a fresh starter that
-// stops it is the task's own.
+// Each function of a task below calls the task's own code first, so that an unsolved starter stops
+// at this task's `todo!`.
 
 fn reach_3_6() {
     sum_and_move::<common::soft::NoStatistics, Box<lab3::Worker<_>>>(&mut [], &mut bins::of_150());
@@ -190,7 +190,7 @@ fn fork_join(_: &mut Random, ask: &mut impl Ask) {
     Runs::new("3.7", VARIANTS, "fork-join").bits_on_any_threads(ask);
 }
 
-/// Runs of the variant `parallel-rebin`.
+/// Returns runs of the variant `parallel-rebin`.
 fn rebinning_by_all() -> Runs {
     take_arrivals(bins::of_150().grid(), 0, &mut [], std::iter::empty());
     Runs::new("3.8", VARIANTS, "parallel-rebin")
@@ -205,7 +205,7 @@ fn packed_workers(_: &mut Random, ask: &mut impl Ask) {
     packed.bits_of_all_pairs(ask, &scenes::dense(), 20);
 }
 
-/// Runs of the variant `team`.
+/// Returns runs of the variant `team`.
 fn of_a_team() -> Runs {
     on_threads(1, |_| ());
     Runs::new("3.11", VARIANTS, "team")

@@ -160,18 +160,18 @@ oracle::questions! {
     }
 }
 
-/// One bin in the box.
+/// Returns a grid of one bin.
 fn one_bin() -> Grid {
     Grid::with_bins_along(1.0, 1)
 }
 
-/// Asks a variant that gives the bits of all pairs, on any number of threads.
+/// Asks for the bits of all pairs from a variant, on any number of threads.
 fn ask_bits(ask: &mut impl Ask, task: &'static str, variant: &str) {
     Runs::new(task, VARIANTS, variant).bits_on_any_threads(ask);
 }
 
-// Each function of a task below calls the task's own code first. So the todo of a fresh starter that
-// stops it is the task's own.
+// Each function of a task below calls the task's own code first, so that an unsolved starter stops
+// at this task's `todo!`.
 
 fn global_lock(_: &mut Random, ask: &mut impl Ask) {
     move_own(&one_bin(), &mut [], &[], |_| ());
@@ -242,7 +242,7 @@ fn reach_4_11() {
     pairs_across(&lower, &upper, &mut [], &mut [], &mut NoStatistics);
 }
 
-/// Asks a variant with two-way forces, on any number of threads.
+/// Asks a variant with two-way forces for its steps, on any number of threads.
 fn ask_two_way(ask: &mut impl Ask, variant: &str) {
     for threads in [1, 2, 3, 4, 8, 15] {
         let runs = Runs::new("4.11", VARIANTS, variant).threads(threads);

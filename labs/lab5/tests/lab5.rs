@@ -108,7 +108,7 @@ fn many_leavers(_: &mut Random, ask: &mut impl Ask) {
     through_root(&[2]).bits_of_all_pairs(ask, &[scene], 3);
 }
 
-/// The lab's own program: the student's or the solution's.
+/// Runs the lab's own program, the student's or the solution's.
 fn program(_: &mut Random, ask: &mut impl Ask) {
     ask.in_tests_only(|| {
         let program = option_env!("CARGO_BIN_EXE_lab5").or(option_env!("CARGO_BIN_EXE_solution5"));
@@ -121,7 +121,7 @@ fn program(_: &mut Random, ask: &mut impl Ask) {
 
 fn dense_averages(_: &mut Random, ask: &mut impl Ask) {
     let runs = RunsOnRanks::new("5.9", VARIANTS, "through-root", &[1, 2, 4]);
-    // On a fresh starter this task's todo comes first.
+    // Calls this task's function first, so that an unsolved starter stops at this task's `todo!`.
     let runs = runs.first(|world| _ = lab5::reduce(world, &Statistics::default()));
     runs.averages(ask, &scenes::dense(), 20);
 }

@@ -108,7 +108,8 @@ oracle::questions! {
     }
 }
 
-/// Runs of a variant on each of these numbers of ranks. On a fresh starter the todo of this task comes first.
+/// Returns runs of a variant on each of these numbers of ranks. An unsolved starter stops at the
+/// `todo!` of this task.
 fn runs(variant: &str, ranks: &[usize]) -> RunsOnRanks {
     RunsOnRanks::new("6.7", VARIANTS, variant, ranks)
         .first(|_| _ = keep_share(&Grid::with_bins_along(1.0, 1), 1, 0, &|_| ()))
@@ -124,7 +125,7 @@ fn by_other_ways(ask: &mut impl Ask, variant: &str) {
 }
 
 fn few_rows(_: &mut Random, ask: &mut impl Ask) {
-    // Blocks of other ranks have rows and no particles, or no rows.
+    // Blocks of other ranks have rows without particles, or no rows.
     let all = [scenes::corner(0.0), scenes::corner(45.0 * CUTOFF), scenes::one_row()];
     halo(&[4, 5]).bits_of_all_pairs(ask, &all, 10);
 }
@@ -141,12 +142,13 @@ fn cut_again(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// As many rows for each of five ranks, and the rest for the last one.
+/// Returns the number of rows of each of five ranks: equal numbers, and the remainder for the last
+/// rank.
 fn with_remainder() -> RunsOnRanks {
     halo(&[5]).set("bin-size", 2.0).set("remainder-last", 1.0)
 }
 
-/// 24 rows are 4 for each rank, and 4 more for the last.
+/// Asks about 24 rows: 4 for each rank, and 4 more for the last.
 fn remainder_last(_: &mut Random, ask: &mut impl Ask) {
     let scene = Scene::official(500, 1).expect("500 particles are a scene");
     let names = ["particles, fullest rank"];
@@ -162,7 +164,7 @@ fn remainder_last(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The lab's own program: the student's or the solution's.
+/// Runs the lab's own program, the student's or the solution's.
 fn program(_: &mut Random, ask: &mut impl Ask) {
     ask.in_tests_only(|| {
         let program = option_env!("CARGO_BIN_EXE_lab6").or(option_env!("CARGO_BIN_EXE_solution6"));

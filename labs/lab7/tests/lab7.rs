@@ -184,14 +184,14 @@ oracle::questions! {
     }
 }
 
-/// Runs of the variant `sequential`.
+/// Returns runs of the variant `sequential`.
 fn sequential() -> Runs {
     Runs::new("7.7", VARIANTS, "sequential")
 }
 
-/// Runs of the variant `planned`.
+/// Returns runs of the variant `planned`.
 fn planned() -> Runs {
-    // On a fresh starter this task's todo comes first.
+    // Runs this task's function first, so that an unsolved starter stops at this task's `todo!`.
     let scene = one_disc();
     let square = Square::of(&scene);
     choose_windows(&Survey::of(scene.discs(), square), square, 1.0);
@@ -221,7 +221,8 @@ fn crafted(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// A step of one disc. On a fresh starter the task's todo comes first, and not one in the program.
+/// Asks for a step of one disc, so that an unsolved starter stops at the task's `todo!` and not at
+/// a `todo!` in the program.
 fn steps_alone(runs: &Runs) {
     runs.run(|engine| {
         engine.load(&one_disc());
@@ -236,7 +237,7 @@ fn bad_input(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// A list of all pairs would need more than the gigabyte that the program has.
+/// Checks that `sequential` fits into one gigabyte, which a list of all pairs exceeds.
 fn many_discs_of_sequential(_: &mut Random, ask: &mut impl Ask) {
     ask.in_tests_only(|| {
         steps_alone(&sequential());
@@ -244,7 +245,8 @@ fn many_discs_of_sequential(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// A byte for each pair would need more than the gigabyte; the report's programs crash at this N.
+/// Checks that `planned` fits into one gigabyte. A byte for each pair needs more, so the report's
+/// programs crash at this N.
 fn many_discs_of_planned(_: &mut Random, ask: &mut impl Ask) {
     ask.in_tests_only(|| {
         steps_alone(&planned());
@@ -258,7 +260,7 @@ fn same_bits(_: &mut Random, ask: &mut impl Ask) {
     for (name, scene) in scenes::all() {
         for variant in VARIANTS {
             let runs = Runs::new("7.14", VARIANTS, variant.name);
-            // A fresh team for each inner loop takes its time.
+            // Starting a fresh team for each inner loop is slow.
             let is_slow = variant.name.starts_with("nested") && scene.len() > 100;
             let threads = if is_slow { &[1, 2][..] } else { &[1, 2, 3, 4, 8] };
             let programs: Vec<Runs> = threads.iter().map(|&on| runs.clone().threads(on)).collect();
@@ -267,7 +269,8 @@ fn same_bits(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Discs that are the denser the further down they are, so that strips have rows of unequal number.
+/// Returns a scene whose density grows towards the bottom, so that strips differ in their numbers
+/// of rows.
 fn uneven(n: usize) -> Scene {
     let mut random = Random::new(716);
     let mut discs = Vec::new();
@@ -280,7 +283,7 @@ fn uneven(n: usize) -> Scene {
     scenes::of(1000.0, 1.0, &discs)
 }
 
-/// Enough discs for many strips, and for loops in several pieces.
+/// Asks for scenes with enough discs for many strips, and for loops in several pieces.
 fn strips(_: &mut Random, ask: &mut impl Ask) {
     planned();
     let first = Runs::new("7.14", VARIANTS, "sequential");

@@ -118,7 +118,7 @@ oracle::questions! {
     }
 }
 
-/// Whole runs of variants of hard discs.
+/// Asks for the bytes of whole runs of variants of hard discs.
 fn bytes(random: &mut Random, ask: &mut impl Ask, task: &'static str, variants: &[&'static str]) {
     for variant in variants {
         same_bytes(random, ask, task, variant);

@@ -1,4 +1,4 @@
-//! The worked examples: a scene that can be checked by hand, and what the lab makes of it.
+//! The worked examples: a scene that can be checked by hand, and the lab's results.
 
 use common::Vec2;
 use common::soft::{CUTOFF, Observer, Particle, Scene, Simulation};
@@ -8,12 +8,12 @@ use lab1::{
 };
 use oracle::{Ask, Count, Random, Table};
 
-/// A distance vector of length `r` cutoffs, in a direction that is no axis.
+/// Returns a distance vector of length `r` cutoffs that is not parallel to an axis.
 fn distance(r: f64) -> Vec2 {
     r * CUTOFF * Vec2::new(0.6, 0.8)
 }
 
-/// A particle at (x, y) cutoffs.
+/// Returns a particle at (x, y) cutoffs.
 fn at(x: f64, y: f64, vx: f64, vy: f64) -> Particle {
     Particle { x: x * CUTOFF, y: y * CUTOFF, vx, vy, id: 0 }
 }
@@ -24,7 +24,7 @@ pub(crate) fn force_table(_: &mut Random, ask: &mut impl Ask) {
         let number = |a: f64| format!("{:.6e}", a + 0.0);
         for r in [0.0, 0.003, 0.01, 0.1, 0.5, 0.9, 0.9995, 1.0005, 2.0] {
             match pair_acceleration(distance(r)) {
-                // Either zero will do.
+                // Negative zero becomes zero.
                 Some(a) => table.row([&r, &number(a.x), &number(a.y)]),
                 None => table.row([&r, &"none", &"none"]),
             }

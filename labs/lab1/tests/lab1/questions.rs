@@ -1,4 +1,4 @@
-//! Questions with drawn inputs, and what the model says to them.
+//! Questions with random inputs, and the model's answers.
 
 use common::Vec2;
 use common::soft::{CUTOFF, MASS, MIN_R, Observer, Particle, Scene, Simulation};
@@ -11,7 +11,8 @@ use oracle::{
     Ask, Count, Model, Near, Random, Runs, acceleration_of_pair, beside, fold, potential_of_pair,
 };
 
-/// Vectors along the axes and in any direction, of any length, and of those at which a formula changes.
+/// Draws vectors along the axes and in any direction, of any length, including the lengths at which
+/// a formula changes.
 fn distances(random: &mut Random) -> Vec<Vec2> {
     let mut all = vec![Vec2::ZERO];
     for length in [MIN_R, CUTOFF].into_iter().flat_map(beside) {
@@ -31,13 +32,13 @@ fn distances(random: &mut Random) -> Vec<Vec2> {
     all
 }
 
-/// Where a neighbour is.
+/// Describes the position of a neighbour.
 fn neighbour(d: Vec2) -> String {
     let cutoffs = d.norm_squared().sqrt() / CUTOFF;
     format!("a neighbour at ({:?}, {:?}), {cutoffs:?} cutoffs away", d.x, d.y)
 }
 
-/// Exchanges particle and neighbour.
+/// Asks whether the forces on a particle and on its neighbour are opposite.
 pub(crate) fn opposite(random: &mut Random, ask: &mut impl Ask) {
     for _ in 0..10_000 {
         let mut along = || CUTOFF * random.between(-0.8, 0.8);
@@ -48,7 +49,8 @@ pub(crate) fn opposite(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Whether the forces of a pair point away from each other, along the line between the two.
+/// Checks that the forces of a pair point away from each other, along the line between the
+/// particles.
 fn straight_away(d: Vec2, found: &[f64]) -> Result<(), String> {
     let &[x, y, back_x, back_y] = found else {
         let is_near = d.norm_squared() <= CUTOFF * CUTOFF;
@@ -69,7 +71,7 @@ fn straight_away(d: Vec2, found: &[f64]) -> Result<(), String> {
     Ok(())
 }
 
-/// The force of any neighbour, near or far.
+/// Asks for the force of any neighbour, near or far.
 pub(crate) fn forces(random: &mut Random, ask: &mut impl Ask) {
     for d in distances(random) {
         let found = || pair_acceleration(d).map_or(vec![], |a| vec![a.x, a.y]);
@@ -80,7 +82,8 @@ pub(crate) fn forces(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Any coordinate in any box: inside, on a wall or beside it, also after some reflections.
+/// Asks about any coordinate in any box: inside, on a wall or beside it, also after several
+/// reflections.
 pub(crate) fn bounces(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..4000 {
         let size = any_size(random, case);
@@ -94,7 +97,7 @@ pub(crate) fn bounces(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Coordinates at which a reflection changes nothing any more.
+/// Asks about coordinates so large that a reflection does not change them.
 pub(crate) fn far_outside(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..200 {
         let size = any_size(random, case);
@@ -106,7 +109,7 @@ pub(crate) fn far_outside(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// A power of two, which rounds nothing, or any number.
+/// Draws a power of two, which avoids rounding, or any number.
 fn any_size(random: &mut Random, case: usize) -> f64 {
     let of_two = 2_f64.powi(random.below(60) as i32 - 30);
     [of_two, random.magnitude(1e-9, 1e9)][case % 2]
@@ -114,7 +117,7 @@ fn any_size(random: &mut Random, case: usize) -> f64 {
 
 fn bounced(x: f64, size: f64, random: &mut Random, ask: &mut impl Ask) {
     let v = random.signed(1e-6, 1e6);
-    // Either zero will do.
+    // Negative zero becomes zero.
     let ends = |(x, v): (f64, f64)| vec![x + 0.0, v];
     let sizes = x / size;
     let on_a_wall = if sizes.fract() == 0.0 { "; it ends on a wall, which is inside" } else { "" };
@@ -123,7 +126,8 @@ fn bounced(x: f64, size: f64, random: &mut Random, ask: &mut impl Ask) {
     ask.exact(&question, || ends(bounce(x, v, size)), || ends(fold(x, v, size)));
 }
 
-/// A step of any number of particles, few or many in reach of each, and then of a few.
+/// Asks for a step of any number of particles, with few or many within reach of each, and finally
+/// of a few particles.
 pub(crate) fn steps(random: &mut Random, ask: &mut impl Ask) {
     let mut engine = AllPairs::<Count>::default();
     for n in [random.sizes(1025), vec![3, 1]].concat() {
@@ -159,7 +163,7 @@ fn step(engine: &mut AllPairs<Count>, n: usize, random: &mut Random, ask: &mut i
     });
 }
 
-/// A step of any number of particles: what the observer was told.
+/// Asks for the reports to the observer in a step of any number of particles.
 pub(crate) fn looks(random: &mut Random, ask: &mut impl Ask) {
     let mut engine = AllPairs::<Count>::default();
     for n in [random.sizes(1025), vec![3, 1]].concat().into_iter().filter(|&n| n > 0) {
@@ -171,12 +175,13 @@ pub(crate) fn looks(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// x y vx vy of each. Either zero will do for a position.
+/// Returns x, y, vx, vy of each particle. Negative zero as a position becomes zero.
 fn numbers(particles: &[Particle]) -> Vec<f64> {
     particles.iter().flat_map(|p| [p.x + 0.0, p.y + 0.0, p.vx, p.vy]).collect()
 }
 
-/// Whether so many pairs are all of n particles. A particle may look at itself or not.
+/// Checks that the number of pairs is right for n particles. A particle may be paired with itself
+/// or not.
 fn every_pair(n: f64, found: &[f64]) -> Result<(), String> {
     if [vec![n * n], vec![n * n - n]].iter().any(|right| right == found) {
         return Ok(());
@@ -194,9 +199,9 @@ pub(crate) fn at_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
     ask.exact(question, || vec![seen], || vec![4.0]);
 }
 
-/// Any number of pairs, at the cutoff or very near, and others at one position.
+/// Asks about any number of pairs, at the cutoff or very near, and others at one position.
 pub(crate) fn tallies(random: &mut Random, ask: &mut impl Ask) {
-    // No pair comes last: a fresh starter answers rightly there.
+    // The empty list comes last, because an unsolved starter answers it correctly.
     for n in random.sizes(70_000).into_iter().skip(1).chain([0]) {
         let (mut tally, mut distances, mut at_one_position) = (Tally::default(), Vec::new(), 0);
         for _ in 0..n {
@@ -221,7 +226,7 @@ pub(crate) fn tallies(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The potential of any pair.
+/// Asks for the potential of any pair.
 pub(crate) fn potentials(random: &mut Random, ask: &mut impl Ask) {
     for d in distances(random) {
         let question = format!("{}: the potential", neighbour(d));
@@ -236,7 +241,8 @@ pub(crate) fn potentials(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The energies and the momentum of any number of particles, slow and fast, some at one position.
+/// Asks for the energies and the momentum of any number of particles, slow and fast, some at one
+/// position.
 pub(crate) fn energies(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(65_537) {
         let size = CUTOFF * random.magnitude(0.5, 20.0);
@@ -278,7 +284,8 @@ pub(crate) fn energies(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Particles in a box of side `size`, slow and fast; some stand where the one before stands.
+/// Draws particles in a box of side `size`, slow and fast. Some have the position of the previous
+/// particle.
 fn moving(random: &mut Random, n: usize, size: f64, fastest: f64) -> Vec<Particle> {
     let mut particles: Vec<Particle> = Vec::with_capacity(n);
     for id in 0..n as u32 {
@@ -309,7 +316,7 @@ fn potential_of_all(particles: &[Particle]) -> f64 {
     vectors.map(|d| potential_of_pair(d.x, d.y)).sum()
 }
 
-/// Two particles that collide and part again.
+/// Asks about two particles that collide and separate.
 pub(crate) fn a_collision(_: &mut Random, ask: &mut impl Ask) {
     let highest = pair_potential(Vec2::new(MIN_R, 0.0));
     let question = "the potential at the least distance: above 90";

@@ -9,13 +9,14 @@ use super::forces::no_forces;
 use super::library::neighbour_list;
 use super::scenes::particles;
 
-/// Runs of the student's engine.
+/// Returns runs of the student's engine.
 fn serial() -> Runs {
     no_forces();
     Runs::new("10.6", VARIANTS, "serial-list")
 }
 
-/// In the first step one of two particles at rest is pushed away, so displacements begin to grow.
+/// Asks about two particles at rest, one of which is pushed away in the first step, so that
+/// displacements begin to grow.
 pub(crate) fn ages(_: &mut Random, ask: &mut impl Ask) {
     no_forces();
     let at = |x: f64| Particle { x, y: 0.5, ..Particle::default() };
@@ -34,8 +35,8 @@ pub(crate) fn ages(_: &mut Random, ask: &mut impl Ask) {
     ask.judge(question, || found, are_older);
 }
 
-/// Whether displacements have grown by as far as the fastest particle went after each move, and by
-/// what rounding may add.
+/// Checks that displacements grow by the distance that the fastest particle moves in each step, up
+/// to rounding.
 fn are_older(found: &[f64]) -> Result<(), String> {
     let mut gone = 0.0;
     for (step, &[moved, outer, inner]) in found.as_chunks::<3>().0.iter().enumerate() {
@@ -80,7 +81,8 @@ pub(crate) fn steps(_: &mut Random, ask: &mut impl Ask) {
     serial().forces(ask);
 }
 
-/// Crowds, a box with few neighbours, pairs over edges of cells, and a pile of particles.
+/// Asks about crowds, a box with few neighbours, pairs across edges of cells, and a pile of
+/// particles.
 pub(crate) fn drawn_boxes(random: &mut Random, ask: &mut impl Ask) {
     for runs in [serial(), serial().set("inner", 0.0)] {
         let n = 200 + random.below(200);
@@ -109,8 +111,9 @@ pub(crate) fn memory(_: &mut Random, ask: &mut impl Ask) {
     serial().keeps_its_memory(ask);
 }
 
-/// They fly 0.05 cutoffs in a step, so the list expires after ten steps; then they are closer than a
-/// cutoff. At first they are too far apart to be listed.
+/// Asks about two particles that fly 0.05 cutoffs in a step, so that the list expires after ten
+/// steps. At first they are too far apart to be listed; when the list expires they are closer than
+/// a cutoff.
 pub(crate) fn two_meet(_: &mut Random, ask: &mut impl Ask) {
     let at = |x: f64, vx: f64| Particle { x: x * CUTOFF, y: 0.05, vx, ..Particle::default() };
     let scene = Scene::new(0.1, vec![at(3.0, 1.0), at(3.0 + 1.985, -1.0)]).expect("a scene");
@@ -118,7 +121,8 @@ pub(crate) fn two_meet(_: &mut Random, ask: &mut impl Ask) {
     neighbour_list().set("skin", 0.97).resynchronised(ask, &scene, 40);
 }
 
-/// With so thin a skin both sort in each step, so they add in the same order.
+/// Asks for the bits of the library's engine. With a very thin skin both engines sort in each step,
+/// so they add in the same order.
 pub(crate) fn library_bits(_: &mut Random, ask: &mut impl Ask) {
     for scene in
         [scenes::official(), scenes::dense(), scenes::crowd(3), scenes::cloud(2500, 40.0, 4)]
@@ -143,7 +147,7 @@ fn end(runs: &Runs, scene: &Scene) -> Vec<f64> {
     runs.run(move |engine| States::of_end(engine, &scene, 50).numbers())
 }
 
-/// How long lists last with the cheapest skin.
+/// Asks how long lists last with the cheapest skin.
 pub(crate) fn a_list_lasts(_: &mut Random, ask: &mut impl Ask) {
     no_forces();
     let mut engine = Engine::<NoStatistics>::new(0.0, true);
@@ -164,7 +168,8 @@ pub(crate) fn a_list_lasts(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// With a skin that was asked for, the speeds say in which steps the list expires.
+/// Asks for the steps in which lists are rebuilt. With a given skin, the speeds determine the steps
+/// in which the list expires.
 pub(crate) fn rebuilds(random: &mut Random, ask: &mut impl Ask) {
     no_forces();
     for skin in [0.3, random.between(0.5, 2.0), 2.5] {

@@ -1,4 +1,4 @@
-//! The worked examples: a few particles that can be checked by hand, and what the lab makes of them.
+//! The worked examples: a few particles that can be checked by hand, and the lab's results.
 
 use std::f64::consts::PI;
 
@@ -31,7 +31,7 @@ pub(crate) fn drift_table(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Particles on a line at these places.
+/// Returns particles on a line at these positions.
 fn in_a_row(places: impl IntoIterator<Item = f64>) -> Bodies {
     let mut bodies = Bodies::default();
     for (id, x) in (0..).zip(places) {
@@ -40,7 +40,7 @@ fn in_a_row(places: impl IntoIterator<Item = f64>) -> Bodies {
     bodies
 }
 
-/// A dozen particles in a row, further and further apart.
+/// Shows the pairs of a dozen particles in a row whose distances increase.
 pub(crate) fn pairs_table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let bodies = in_a_row((0..12).map(|id| (0.3 + 0.05 * f64::from(id * id)) * CUTOFF));
@@ -83,7 +83,7 @@ pub(crate) fn skins_table(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Four particles from index 10 on.
+/// Shows the filter on four particles from index 10 on.
 pub(crate) fn filter_table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let bodies = in_a_row([0.0, 1.0, 3.0, 4.5]);
@@ -104,7 +104,8 @@ pub(crate) fn filter_table(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Five particles on a line, a skin of one cutoff: the list looks two cutoffs far.
+/// Shows the lists of five particles on a line with a skin of one cutoff: the list has a reach of
+/// two cutoffs.
 pub(crate) fn lists_table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let places = [1.0, 1.8, 2.6, 4.4, 6.9];
@@ -135,7 +136,7 @@ pub(crate) fn lists_table(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The pairs of a list by the numbers of the particles.
+/// Lists the pairs of a list by the ids of the particles.
 fn of_ids(engine: &Engine<NoStatistics>, list: &lab10::List) -> String {
     let ids = list.pairs.iter().map(|pair| {
         let mut ids = pair.map(|place| engine.bodies.id[place as usize]);
@@ -152,7 +153,7 @@ fn with_commas(pairs: impl Iterator<Item = String>) -> String {
     if pairs.is_empty() { "-".into() } else { pairs.join(", ") }
 }
 
-/// Four particles, of which one is alone.
+/// Shows the forces on four particles, of which the last is alone.
 pub(crate) fn forces_table(_: &mut Random, ask: &mut impl Ask) {
     no_forces();
     ask.example(|| {
@@ -170,7 +171,7 @@ pub(crate) fn forces_table(_: &mut Random, ask: &mut impl Ask) {
             for (id, (x, y)) in (0..).zip(places) {
                 let place = engine.bodies.id.iter().position(|&found| found == id);
                 let place = place.expect("every particle is there");
-                // Either zero will do.
+                // Negative zero becomes zero.
                 let [ax, ay] = [&engine.ax, &engine.ay].map(|a| format!("{:.1}", a[place] + 0.0));
                 table.row([&round, &id, &x, &y, &ax, &ay]);
             }
@@ -179,8 +180,8 @@ pub(crate) fn forces_table(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Two particles fly towards each other, each 0.05 cutoffs in a step. The list expires when both may have
-/// gone half of its skin.
+/// Shows two particles that fly towards each other, each by 0.05 cutoffs in a step. The list
+/// expires when each may have moved by half of the skin.
 pub(crate) fn steps_table(_: &mut Random, ask: &mut impl Ask) {
     no_forces();
     ask.example(|| {

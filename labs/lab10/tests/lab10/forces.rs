@@ -7,12 +7,13 @@ use oracle::{Ask, Near, Random, acceleration_of_pair};
 
 use super::scenes::Case;
 
-/// Stops a fresh starter at the todo of task 10.6.
+/// Computes forces without particles, so that an unsolved starter stops at the `todo!` of task
+/// 10.6.
 pub(crate) fn no_forces() {
     Engine::<NoStatistics>::new(1.0, true).accelerate();
 }
 
-/// The accelerations of any scene, computed twice.
+/// Asks for the accelerations of any scene, computed twice.
 pub(crate) fn accelerations(random: &mut Random, ask: &mut impl Ask) {
     no_forces();
     for case in Case::drawn(random) {
@@ -35,7 +36,7 @@ pub(crate) fn accelerations(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The accelerations along x by number of the particle, and those along y.
+/// Returns the accelerations along x by the particles' ids, followed by the accelerations along y.
 fn by_number(engine: &Engine<NoStatistics>) -> Vec<f64> {
     let n = engine.bodies.len();
     if engine.ax.len() != n || engine.ay.len() != n {

@@ -1,4 +1,4 @@
-//! Questions about the library's engine on the functions of tasks 10.1 to 10.4.
+//! Questions about the library's engine with the functions of tasks 10.1 to 10.4.
 
 use common::soft::{CUTOFF, NoStatistics, Particle, Scene, Simulation};
 use lab10::{Tasks, VARIANTS, filter};
@@ -6,8 +6,8 @@ use neighbour_list_core::kernels::ROOM;
 use neighbour_list_core::{Bodies, NeighbourList, Workers};
 use oracle::{Ask, Random, Runs, States, scenes};
 
-/// Runs of the library's engine on all threads, however small the scene. On a fresh starter the todo of
-/// task 10.4 comes first.
+/// Returns runs of the library's engine on all threads, for scenes of any size. An unsolved starter
+/// stops at the `todo!` of task 10.4.
 pub(crate) fn neighbour_list() -> Runs {
     filter(&[], Bodies::default().positions(), 1.0, &mut [[0; 2]; ROOM]);
     Runs::new("10.4", VARIANTS, "neighbour-list").set("share", 1.0)
@@ -74,7 +74,7 @@ pub(crate) fn in_a_row(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The state after so many steps in a row, and so many more.
+/// Returns the state after these numbers of steps, one run after the other.
 fn state_after(scene: &Scene, parts: &[u64]) -> Vec<f64> {
     let mut engine = NeighbourList::<NoStatistics, Tasks>::new(Workers::if_possible(2), 0.0, 1);
     engine.load(scene);
@@ -86,7 +86,8 @@ fn state_after(scene: &Scene, parts: &[u64]) -> Vec<f64> {
     States::of(&seen).numbers()
 }
 
-/// In a flat strip the row ahead of a particle ends several blocks behind its own.
+/// Asks about a flat strip, where the row ahead of a particle ends several blocks behind the
+/// particle's block.
 pub(crate) fn long_rows(random: &mut Random, ask: &mut impl Ask) {
     let particles = (0..9000).map(|k| Particle {
         x: (0.5 + 0.5 * f64::from(k % 3000)) * CUTOFF,
@@ -101,7 +102,7 @@ pub(crate) fn long_rows(random: &mut Random, ask: &mut impl Ask) {
     runs.same_bits_on_threads(ask, &scene, 4, &[1, 2, 3]);
 }
 
-/// Three of two thousand are too fast for a list that is made for the rest.
+/// Asks about two thousand particles, three of which are too fast for a list that suits the others.
 pub(crate) fn outliers(random: &mut Random, ask: &mut impl Ask) {
     let side = 100.0 * CUTOFF;
     let particles = (0..2000).map(|k| {
@@ -124,7 +125,8 @@ pub(crate) fn outliers(random: &mut Random, ask: &mut impl Ask) {
     neighbour_list().same_bits_on_threads(ask, &scene, 60, &[1, 2, 3]);
 }
 
-/// Pairs at rest push each other apart: soon all are faster than the list was made for.
+/// Asks about pairs at rest that push each other apart. Soon all particles are faster than the list
+/// expects.
 pub(crate) fn heating_up(_: &mut Random, ask: &mut impl Ask) {
     let at = |k: u32| Particle {
         x: (2.0 + 4.0 * f64::from(k / 2 % 50) + 0.9 * f64::from(k % 2)) * CUTOFF,

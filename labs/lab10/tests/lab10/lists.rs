@@ -9,7 +9,7 @@ use oracle::{Ask, Near, Random, whole};
 
 use super::scenes::{Case, flat, squared};
 
-/// The outer list of any scene, built twice, beside all pairs.
+/// Asks for the outer list of any scene, built twice, next to all pairs.
 pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {
     for case in Case::drawn(random) {
         let mut engine = Engine::<NoStatistics>::new(case.skin, true);
@@ -43,7 +43,7 @@ pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Particles in the sorted order, and pairs of places in this order.
+/// Particles in the sorted order, and pairs of positions in this order.
 struct Listed {
     bodies: Bodies,
     pairs: Vec<Pair>,
@@ -69,7 +69,7 @@ impl Listed {
         })
     }
 
-    /// Whether the pairs, in ascending order, are all that are within a reach, each once.
+    /// Checks that the pairs, in ascending order, are all pairs within a reach, each listed once.
     fn are_all_within(&self, reach: f64) -> Result<(), String> {
         let n = self.bodies.len() as u32;
         let all = (0..n).flat_map(|i| (i + 1..n).map(move |j| [i, j]));
@@ -98,7 +98,7 @@ impl Listed {
     }
 }
 
-/// The inner list of any scene, made twice, beside the pairs of the outer list.
+/// Asks for the inner list of any scene, made twice, next to the pairs of the outer list.
 pub(crate) fn inner_lists(random: &mut Random, ask: &mut impl Ask) {
     for case in Case::drawn(random) {
         let mut engine = Engine::<NoStatistics>::new(case.skin, true);
@@ -134,7 +134,7 @@ fn both_lists(engine: &Engine<NoStatistics>) -> Vec<f64> {
     [ids, vec![outer.len() as f64], flat(outer), flat(&engine.inner.pairs)].concat()
 }
 
-/// Whether the inner pairs are the outer pairs that are near, in their order.
+/// Checks that the inner pairs are the near pairs of the outer list, in the same order.
 fn are_the_near_ones(scene: &Scene, skin: f64, found: &[f64]) -> Result<(), String> {
     let (ids, rest) = found.split_at_checked(scene.len()).ok_or("particles are missing")?;
     let (count, pairs) = rest.split_first().ok_or("there are no lists")?;
@@ -164,13 +164,13 @@ fn are_the_near_ones(scene: &Scene, skin: f64, found: &[f64]) -> Result<(), Stri
 }
 
 impl Case {
-    /// What the skin of the inner list should be after a displacement.
+    /// Returns the correct skin of the inner list after a displacement.
     fn inner_skin(&self, displacement: f64) -> f64 {
         inner_skin(self.skin * CUTOFF, displacement, goes_in_a_step(&self.scene))
     }
 }
 
-/// How far the fastest particle goes in a step.
+/// Returns the distance that the fastest particle moves in a step.
 fn goes_in_a_step(scene: &Scene) -> f64 {
     Bodies::of(scene).fastest() * DT
 }
@@ -180,7 +180,8 @@ fn inner_skin(outer_skin: f64, outer_displacement: f64, goes: f64) -> f64 {
     lasting(outer_skin, goes).map_or(left, |steps| left.min(2.0 * (steps - 1.0) * goes))
 }
 
-/// Two that are a hair further apart than cutoff and skin: rounding may have put them there.
+/// Asks about two particles whose distance is slightly more than cutoff and skin, because rounding
+/// may have caused this.
 pub(crate) fn margins(random: &mut Random, ask: &mut impl Ask) {
     for _ in 0..20 {
         let skin = random.between(0.05, 3.0);
@@ -203,7 +204,7 @@ pub(crate) fn margins(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The skins of both lists, where no skin was asked for.
+/// Asks for the skins of both lists if no skin was requested.
 pub(crate) fn chosen_skins(random: &mut Random, ask: &mut impl Ask) {
     for case in Case::drawn(random) {
         let mut engine = Engine::<NoStatistics>::new(0.0, true);
@@ -215,7 +216,7 @@ pub(crate) fn chosen_skins(random: &mut Random, ask: &mut impl Ask) {
         engine.rebuild(AnyProcessor);
         let name =
             format!("{}, the fastest goes {:.4} cutoffs in a step", case.name(), goes / CUTOFF);
-        // A ratio: the right answer of `best_skin` is another task's.
+        // The question asks for a ratio, because another task checks the result of `best_skin`.
         let question = format!(
             "{name}: the skin of the outer list, over what `best_skin` gives for this density and displacement"
         );

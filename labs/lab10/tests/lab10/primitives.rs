@@ -10,7 +10,8 @@ use oracle::{Ask, Random, beside, truth};
 
 use super::scenes::{bodies, flat, particles, squared};
 
-/// Any number of particles, any step and box; sometimes one or all of them leave.
+/// Asks about moves of any number of particles, with any step and box. Sometimes one particle or
+/// all particles leave the box.
 pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
     for n in [random.sizes(4097), random.sizes(100)].concat() {
         let before = Move::drawn(random, n);
@@ -26,7 +27,8 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// One coordinate of some particles. Behind the velocities and accelerations are three more numbers.
+/// One coordinate of some particles. The velocities and accelerations have three extra numbers at
+/// the end.
 #[derive(Clone)]
 struct Move {
     dt: f64,
@@ -73,7 +75,7 @@ impl Move {
     }
 }
 
-/// A particle on a wall, or as little as possible beside it, among others well inside.
+/// Asks about a particle on a wall, or as close to it as possible, among others well inside.
 pub(crate) fn walls(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(64).into_iter().filter(|&n| n > 0) {
         let size = random.magnitude(1e-3, 1e3);
@@ -92,7 +94,7 @@ pub(crate) fn walls(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Any range of particles around one, and any distance.
+/// Asks for lists of any range of particles around one particle, at any distance.
 pub(crate) fn lists(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(1025) {
         let unit = random.magnitude(1e-6, 1e6);
@@ -119,7 +121,7 @@ pub(crate) fn lists(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Particles exactly at the reach, and as little as possible beside it.
+/// Asks about particles exactly at the reach, and as close to it as possible.
 pub(crate) fn reaches(random: &mut Random, ask: &mut impl Ask) {
     for unit in [1.0, random.magnitude(1e-9, 1e9)] {
         let reach = unit * 5.0;
@@ -149,7 +151,8 @@ fn pairs_within(bodies: &Bodies, i: usize, range: Range<usize>, reach: f64) -> V
     near.flat_map(|j| [i as f64, j as f64]).collect()
 }
 
-/// Any pairs, near or not, of particles that follow a first one; sometimes at the very distance of a pair.
+/// Asks about arbitrary pairs, near or not, of particles that follow a first particle. Sometimes
+/// the reach equals the distance of a pair.
 pub(crate) fn near(random: &mut Random, ask: &mut impl Ask) {
     for len in random.sizes(ROOM) {
         let unit = random.magnitude(1e-6, 1e6);

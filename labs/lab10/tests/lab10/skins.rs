@@ -7,7 +7,7 @@ use lab10::{best_skin, expired};
 use neighbour_list_core::{LISTED, REBUILD, TESTED};
 use oracle::{Ask, Random, truth};
 
-/// Displacements of half a skin, and as little as possible beside it.
+/// Asks about displacements of half a skin, and as close to it as possible.
 pub(crate) fn expiry(random: &mut Random, ask: &mut impl Ask) {
     for _ in 0..100 {
         let skin = random.magnitude(1e-9, 1e3);
@@ -25,7 +25,7 @@ pub(crate) fn expiry(random: &mut Random, ask: &mut impl Ask) {
     ask.exact(question, || vec![truth(expired(f64::INFINITY, 0.0))], || vec![1.0]);
 }
 
-/// Any density and any displacement, also none.
+/// Asks for the best skin at any density and any displacement, including zero.
 pub(crate) fn skins(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..100 {
         let density = if case < 99 { random.magnitude(1.0, 1e7) } else { 0.0 };
@@ -39,14 +39,14 @@ pub(crate) fn skins(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// What a step costs a particle.
+/// Cost of a step per particle.
 struct Cost {
     density: f64,
     displacement: f64,
 }
 
 impl Cost {
-    /// In nanoseconds, with a skin in cutoffs.
+    /// Returns the cost in nanoseconds for a skin in cutoffs.
     fn of(&self, skin: f64) -> f64 {
         let reach = CUTOFF + skin * CUTOFF;
         let listed = 0.5 * PI * reach * reach * self.density;
@@ -60,7 +60,7 @@ impl Cost {
             .map(|k| f64::from(k) * 0.05)
             .fold(0.05, |best, skin| if self.of(skin) < self.of(best) { skin } else { best });
         let &[skin] = found else { return Err("there is no answer".into()) };
-        // Two skins may cost the same but for rounding.
+        // The costs of two skins may differ only by rounding.
         let as_good = (self.of(skin) / self.of(least) - 1.0).abs() < 1e-9;
         if as_good || (skin - least).abs() < 1e-9 {
             return Ok(());

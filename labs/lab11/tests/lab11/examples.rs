@@ -1,4 +1,4 @@
-//! The worked examples: what can be checked by hand, and what the lab makes of it.
+//! The worked examples: cases that can be checked by hand, and the lab's results.
 
 use std::fmt::Display;
 
@@ -58,7 +58,7 @@ pub(crate) fn joined_pairs(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Items under one another's, in one line.
+/// Formats items in one line.
 fn line<T: Display>(items: impl IntoIterator<Item = T>) -> String {
     items.into_iter().map(|item| format!("{item:>3}")).collect()
 }
@@ -112,13 +112,13 @@ pub(crate) fn window_lengths(_: &mut Random, ask: &mut impl Ask) {
 }
 
 pub(crate) fn plans(_: &mut Random, ask: &mut impl Ask) {
-    // Task 11.6 is asked first.
+    // Calls task 11.6 first, so that an unsolved starter stops at the `todo!` of task 11.6.
     window_length(2000.0, 0.0);
     ask.example(|| {
         let official = common::soft::Scene::official(2000, 1).expect("the scene is sound");
         let mut table = Table::new(["neighbours", "planned", "substep"]);
         for neighbours in [0.01_f64, 0.03, 0.06, 0.1, 0.2, 0.6, 1.2, 5.0] {
-            // The official scene has 0.63 neighbours to a cutoff disc.
+            // In the official scene there are 0.63 neighbours within the cutoff.
             let stretch = (0.63 / neighbours).sqrt();
             let mut bodies = Bodies::of(&official);
             bodies.x.iter_mut().chain(&mut bodies.y).for_each(|x| *x *= stretch);

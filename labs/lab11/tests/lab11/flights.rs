@@ -1,12 +1,13 @@
-//! Questions about single free flights, with drawn inputs: where they lead, how near two particles
-//! come, and whether a deviation or a wall matters.
+//! Questions about single free flights with random inputs. They concern the ends of flights, the
+//! least distance of two particles, and the effect of a deviation or a wall.
 
 use common::soft::DT;
 use lab11::{closest_squared, fly, meets_wall, too_far_off};
 use oracle::{Ask, Near, Random, beside, flags};
 use windows::Span;
 
-/// Few and many particles, slow and fast, for no step and for many; more of either than 16 bits count.
+/// Asks for the flights of few and many particles, slow and fast, for no step and for many. Numbers
+/// of particles and of steps exceed 16 bits.
 pub(crate) fn flights(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(4097) {
         for steps in [0, 1, 2, 7, 48, 65, 257, random.below(300) as u32] {
@@ -33,17 +34,18 @@ fn flight(random: &mut Random, ask: &mut impl Ask, n: usize, steps: u32) {
 
 /// Two free flights.
 struct Approach {
-    /// From the first particle to the second, at first.
+    /// Initial vector (dx, dy) from the first particle to the second.
     dx: f64,
     dy: f64,
-    /// The velocity of the second as seen by the first.
+    /// Velocity (wx, wy) of the second particle relative to the first.
     wx: f64,
     wy: f64,
     span: f64,
 }
 
 impl Approach {
-    /// At rest to each other, side by side, head on, or not; they need some part of the time, or more.
+    /// Draws a relative velocity: zero, perpendicular, head-on or random. The closest approach
+    /// falls within the span or after it.
     fn drawn(random: &mut Random, case: usize) -> Self {
         let unit = random.magnitude(1e-12, 1e12);
         let span = random.magnitude(1e-9, 1e9);
@@ -66,18 +68,19 @@ impl Approach {
         let t = along.clamp(0.0, span);
         let [x, y] = [dx + t * wx, dy + t * wy];
         let right = x * x + y * y;
-        // Rounding moves each point a little; the least distance does not change with the moment.
+        // Rounding moves each point a little. Rounding the time of closest approach has no
+        // first-order effect on the distance.
         let gone = (dx * dx + dy * dy + t * t * moved).sqrt();
         Near { right, scale: 1e-2 * gone * right.sqrt() + 1e-17 * gone * gone }
     }
 }
 
-/// A vector of about this size, sometimes along an axis.
+/// Draws a vector of about this size, sometimes along an axis.
 fn vector(random: &mut Random, size: f64) -> [f64; 2] {
     [0; 2].map(|_| if random.below(6) == 0 { 0.0 } else { size * random.signed(1e-2, 1.0) })
 }
 
-/// Pairs of particles that are near or far, and slow or fast for the time that they have.
+/// Asks about pairs of particles that are near or far, and slow or fast relative to the time span.
 pub(crate) fn approaches(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..4000 {
         let approach = Approach::drawn(random, case);
@@ -91,7 +94,8 @@ pub(crate) fn approaches(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Off by half the margin exactly, by a hair more or less, and by anything.
+/// Asks about deviations of exactly half the margin, slightly more, slightly less, and arbitrary
+/// ones.
 pub(crate) fn margins(random: &mut Random, ask: &mut impl Ask) {
     for _ in 0..1000 {
         let margin = random.magnitude(1e-15, 1e12);
@@ -121,7 +125,7 @@ struct Flight {
 enum Stays {
     Yes,
     No,
-    /// Rounding may decide.
+    /// The answer depends on rounding.
     Open,
 }
 
@@ -135,7 +139,7 @@ impl Flight {
         Self { span, x, y, vx, vy }
     }
 
-    /// Whether a coordinate stays away from both walls.
+    /// Returns whether a coordinate stays away from both walls.
     fn stays(&self, x: f64, v: f64) -> Stays {
         let size = self.span.size;
         let end = x + v * f64::from(self.span.steps) * self.span.dt;
@@ -156,8 +160,8 @@ impl Flight {
     }
 }
 
-/// A coordinate and a velocity along it: at rest, to the bit; to a position near a wall, from near and
-/// far; and away from a wall. Either may be no number.
+/// Draws a coordinate and a velocity along it. The particle is exactly at rest, flies towards a
+/// position near a wall, from near or far, or flies away from a wall. Either number may be NaN.
 fn along(random: &mut Random, span: &Span) -> [f64; 2] {
     let size = span.size;
     let near = span.rounding();
@@ -178,7 +182,8 @@ fn along(random: &mut Random, span: &Span) -> [f64; 2] {
     }
 }
 
-/// Windows of any length that end far from walls, beside them, or exactly as near as rounding goes.
+/// Asks about windows of any length that end far from walls, beside them, or at a limit that
+/// rounding decides.
 pub(crate) fn walls(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..6000 {
         let flight = Flight::drawn(random, case);

@@ -1,9 +1,9 @@
-//! Questions about groups: the root of a number, and pairs that join their groups.
+//! Questions about groups: the root of a number, and pairs that join groups.
 
 use lab11::{join, root};
 use oracle::{Ask, Random, within};
 
-/// How many parents a number has above it.
+/// Returns the number of ancestors of number `k`.
 fn links(parent: &[u32], mut k: usize) -> usize {
     let mut links = 0;
     while parent[k] as usize != k && links <= parent.len() {
@@ -13,7 +13,7 @@ fn links(parent: &[u32], mut k: usize) -> usize {
     links
 }
 
-/// The root of each number, where no parent is greater than its child.
+/// Returns the root of each number. No parent may be greater than its child.
 fn roots_of(parent: &[u32]) -> Vec<u32> {
     let mut roots = parent.to_vec();
     for k in 0..roots.len() {
@@ -26,14 +26,14 @@ fn numbers(all: Vec<u32>) -> Vec<f64> {
     all.into_iter().map(f64::from).collect()
 }
 
-/// The first number whose parent is greater, or -1.
+/// Returns the first number whose parent is greater, or -1.
 fn first_greater(parent: &[u32]) -> f64 {
     let greater = parent.iter().zip(0..).position(|(parent, k)| *parent > k);
     greater.map_or(-1.0, |k| k as f64)
 }
 
-/// Numbers with their parents: two chains, parents anywhere before their children, some of which begin a
-/// group, or each alone.
+/// Draws numbers with their parents. They form two chains, or have parents anywhere before them
+/// (some begin a group), or each number is alone.
 fn drawn(random: &mut Random, n: usize, kind: usize) -> Vec<u32> {
     let mut parent: Vec<u32> = (0..n as u32).collect();
     for (k, parent) in parent.iter_mut().enumerate().skip(1) {
@@ -94,7 +94,7 @@ pub(crate) fn long_chain(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// A program that goes through all numbers at each pair does not come to an end.
+/// Asks about many pairs. A program that goes through all numbers for each pair does not finish.
 pub(crate) fn many_joins(_: &mut Random, ask: &mut impl Ask) {
     let root_of_the_last = || {
         let mut parent: Vec<u32> = (0..1_000_000).collect();
@@ -105,7 +105,7 @@ pub(crate) fn many_joins(_: &mut Random, ask: &mut impl Ask) {
     ask.exact(question, || within("11.3", 30, root_of_the_last), || vec![0.0]);
 }
 
-/// The least number of the group of each, after these pairs.
+/// Returns the least number of each number's group, after these pairs are joined.
 fn least_of_groups(n: usize, pairs: &[[usize; 2]]) -> Vec<f64> {
     let mut least: Vec<usize> = (0..n).collect();
     for &[a, b] in pairs {
@@ -115,7 +115,7 @@ fn least_of_groups(n: usize, pairs: &[[usize; 2]]) -> Vec<f64> {
     least.into_iter().map(|k| k as f64).collect()
 }
 
-/// Pairs in any order, also of one group or of one number.
+/// Asks about pairs in any order, including pairs within a group and pairs of a number with itself.
 pub(crate) fn joins(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(4097).into_iter().chain([70_000]).filter(|&n| n > 0) {
         let mut parent: Vec<u32> = (0..n as u32).collect();

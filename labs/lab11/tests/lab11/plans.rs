@@ -1,4 +1,4 @@
-//! Questions about what the planner decides.
+//! Questions about the planner's decisions.
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -11,7 +11,7 @@ use windows::{Strategy, plan};
 use super::variant;
 use super::whole_runs::counted;
 
-/// Thin and dense, slow and fast: from windows of one step to the longest.
+/// Asks for the lengths of windows: sparse and dense, slow and fast, from one step to the maximum.
 pub(crate) fn lengths(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..3000 {
         let mut density = random.magnitude(1e-6, 1e12);
@@ -32,7 +32,7 @@ pub(crate) fn lengths(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Whether a window has the right number of steps. Rounding may decide between two.
+/// Checks that a window has the correct number of steps. Rounding may decide between two numbers.
 fn right_length(found: &[f64], density: f64, speed: f64) -> Result<(), String> {
     let most = 0.14 / (2.0 * CUTOFF * SQRT_2 * speed * DT * density);
     let length = |steps: f64| steps.floor().clamp(1.0, f64::from(LONGEST));
@@ -43,7 +43,8 @@ fn right_length(found: &[f64], density: f64, speed: f64) -> Result<(), String> {
     Err(format!("     found: {found:?}\n  expected: {}", right[0]))
 }
 
-/// Particles three cutoffs apart: none has another in its cell, and yet soon they meet.
+/// Asks about particles three cutoffs apart. Their cells contain no other particles, and yet they
+/// meet soon.
 pub(crate) fn a_crystal(_: &mut Random, ask: &mut impl Ask) {
     let mut crystal = Bodies::default();
     for id in 0..2500 {
@@ -76,7 +77,7 @@ fn opens_windows(bodies: &Bodies) -> bool {
     plan::<Tasks>(bodies, 0, 1).strategy != Strategy::List
 }
 
-/// Two threads for 3,999 particles would have fewer than 2,000 each.
+/// Asks about 3,999 particles: two threads would have fewer than 2,000 particles each.
 pub(crate) fn threads_that_pay(_: &mut Random, ask: &mut impl Ask) {
     for (n, threads) in [(3999, 8), (4000, 8), (10_000, 3)] {
         let question = format!("{n} particles, {threads} threads: how many threads work");
@@ -92,7 +93,7 @@ pub(crate) fn threads_that_pay(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// On a list all particles move at each step.
+/// Checks that all particles move at each step if the planner chooses a list.
 pub(crate) fn steps_on_a_list(ask: &mut impl Ask) {
     let touched = "particles touched per particle and step";
     let question = format!("variant planned, official scene, 600 steps: {touched}");

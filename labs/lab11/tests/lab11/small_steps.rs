@@ -1,4 +1,5 @@
-//! Questions about `substep`: small steps for particles in groups are small steps for all.
+//! Questions about `substep`: small steps for particles in groups must equal small steps for all
+//! particles.
 
 use common::soft::Scene;
 use oracle::{Ask, Random, scenes};
@@ -14,7 +15,8 @@ pub(crate) fn small_steps(_: &mut Random, ask: &mut impl Ask) {
     ask.judge(&question, found, |found| near_the_list(found, &scene, 100, 10));
 }
 
-/// The small steps for all begin, before each step, where the program itself was.
+/// Asks for small steps of all particles. Before each step the comparison starts from the program's
+/// own state.
 pub(crate) fn small_steps_anywhere(_: &mut Random, ask: &mut impl Ask) {
     let mut all = scenes::edges();
     all.extend([scenes::official(), scenes::close_pairs()]);
@@ -30,7 +32,7 @@ pub(crate) fn small_steps_anywhere(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Whether each of several steps is ten small ones for all.
+/// Checks that each of several steps equals ten small steps of all particles.
 fn each_step(found: &[f64], scene: &Scene) -> Result<(), String> {
     let mut before = scene.clone();
     let states = found.chunks(4 * scene.len());
@@ -44,7 +46,7 @@ fn each_step(found: &[f64], scene: &Scene) -> Result<(), String> {
     Ok(())
 }
 
-/// Particles that overlap push each other far, out of any margin.
+/// Asks about overlapping particles that push each other far, beyond any margin.
 pub(crate) fn bent_paths(_: &mut Random, ask: &mut impl Ask) {
     let scene = scattered(1200, 0.6, 3);
     let substep = variant("11.6", "substep");

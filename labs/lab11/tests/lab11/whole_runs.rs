@@ -6,25 +6,25 @@ use oracle::{Ask, Random, Runs, scenes};
 
 use super::{by_choice, variant};
 
-/// The particles of an engine.
+/// Returns the particles of an engine.
 fn particles(engine: &dyn Simulation, n: usize) -> Vec<Particle> {
     let mut particles = vec![Particle::default(); n];
     engine.read(0, &mut particles);
     particles
 }
 
-/// x, y, vx, vy of each.
+/// Returns x, y, vx, vy of each particle.
 pub(crate) fn numbers(particles: &[Particle]) -> Vec<f64> {
     particles.iter().flat_map(|p| [p.x, p.y, p.vx, p.vy]).collect()
 }
 
-/// The particles of such numbers.
+/// Returns the particles that these numbers represent.
 pub(crate) fn of_numbers(numbers: &[f64]) -> Vec<Particle> {
     let (all, _) = numbers.as_chunks();
     (0..).zip(all).map(|(id, &[x, y, vx, vy])| Particle { x, y, vx, vy, id }).collect()
 }
 
-/// The state after each of `steps` steps, one behind another.
+/// Returns the concatenated states after each of `steps` steps.
 pub(crate) fn states(runs: &Runs, scene: &Scene, steps: usize) -> Vec<f64> {
     let scene = scene.clone();
     runs.run(move |engine| {
@@ -37,7 +37,7 @@ pub(crate) fn states(runs: &Runs, scene: &Scene, steps: usize) -> Vec<f64> {
     })
 }
 
-/// The state after `steps` steps, one by one.
+/// Returns the state after `steps` single steps.
 pub(crate) fn end(runs: &Runs, scene: &Scene, steps: usize) -> Vec<f64> {
     let scene = scene.clone();
     runs.run(move |engine| {
@@ -47,7 +47,7 @@ pub(crate) fn end(runs: &Runs, scene: &Scene, steps: usize) -> Vec<f64> {
     })
 }
 
-/// What an engine counted under this name after `steps` steps.
+/// Returns an engine's counter with this name after `steps` steps.
 pub(crate) fn counted(runs: &Runs, name: &'static str, scene: &Scene, steps: usize) -> f64 {
     let scene = scene.clone();
     runs.run(move |engine| {
@@ -58,8 +58,8 @@ pub(crate) fn counted(runs: &Runs, name: &'static str, scene: &Scene, steps: usi
     })
 }
 
-/// Whether a state is that of a neighbour list after `steps` steps, each divided into `divide`, up
-/// to a billionth of the box, or of 1 in a small box.
+/// Checks that a state agrees with the state of a neighbour list after `steps` steps. Each step is
+/// divided into `divide` parts. The tolerance is a billionth of the box, or of 1 in a small box.
 pub(crate) fn near_the_list(
     found: &[f64],
     scene: &Scene,
@@ -86,7 +86,8 @@ pub(crate) fn near_the_list(
     Ok(())
 }
 
-/// As dense as the official scene and in no order, but no two closer than `least` cutoffs.
+/// Returns a scene as dense as the official scene, in random order, with distances of at least
+/// `least` cutoffs.
 pub(crate) fn scattered(n: usize, least: f64, seed: u64) -> Scene {
     let mut random = Random::new(seed);
     let size = (0.0005 * n as f64).sqrt();
@@ -115,8 +116,9 @@ pub(crate) fn windows(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// A particle that is far from the wall when the window begins, is thrown back seven steps later,
-/// and only so comes into reach of particle 1, which waits there. A crowd is elsewhere.
+/// Returns a scene in which a reflected particle comes within reach of particle 1, which is at
+/// rest. The reflected particle is far from the wall when the window begins, and reaches the wall
+/// seven steps later. A crowd is elsewhere.
 fn thrown_back() -> Scene {
     let wall = 60.0;
     let speed = 9.0_f64.hypot(7.0);
@@ -163,7 +165,7 @@ pub(crate) fn redone(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Every step is the model's, on scenes of all kinds and this number of crowds.
+/// Checks that every step agrees with the model, on scenes of all kinds and on `crowds` crowds.
 pub(crate) fn follows_the_model(ask: &mut impl Ask, planned: Runs, crowds: u64) {
     planned.resynchronised(ask, &scenes::official(), 100);
     planned.resynchronised(ask, &scenes::dense(), 20);
@@ -209,7 +211,7 @@ pub(crate) fn steps_in_a_row(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The states after 1, 7, 1 and 11 steps in a row, one behind another.
+/// Returns the concatenated states after runs of 1, 7, 1 and 11 steps.
 fn in_a_row(runs: &Runs, scene: &Scene) -> Vec<f64> {
     let scene = scene.clone();
     runs.clone().threads(2).run(move |engine| {

@@ -1,4 +1,4 @@
-//! The worked examples: what can be checked by hand, and what the lab makes of it.
+//! The worked examples: cases that can be checked by hand, and the lab's results.
 
 use common::Vec2;
 use common::soft::{CUTOFF, DT, MASS};
@@ -9,7 +9,7 @@ use oracle::{Ask, Random, Table};
 use super::farthest;
 use super::whole_runs::{end_of, in_contact};
 
-/// Writes down drifts and kicks, and how far they have come.
+/// A system that records drifts and kicks, and their sums so far.
 struct Diary {
     table: Table,
     composition: &'static str,
@@ -76,7 +76,7 @@ pub(crate) fn four_looks(_: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn errors(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let scene = in_contact();
-        // Task 12.2 is asked first.
+        // Calls task 12.2 first, so that an unsolved starter stops at the `todo!` of task 12.2.
         let finest = end_of("rk4", 256.0, &scene, 1);
         let mut table = Table::new(["error in cutoffs", "2 parts", "4 parts", "8 parts", "order"]);
         for variant in ["euler", "velocity-verlet", "pefrl", "rk4"] {
@@ -107,20 +107,20 @@ pub(crate) fn falling_numbers(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Two particles that meet head on, from where they come into reach.
+/// Two particles that collide head-on, from the moment at which they come within reach.
 struct HeadOn {
-    /// Their relative speed at first.
+    /// Initial relative speed.
     speed: f64,
 }
 
-/// How far apart two particles are, and how fast the distance grows.
+/// The distance of two particles, and its rate of growth.
 struct Gap {
     distance: f64,
     growth: f64,
 }
 
 impl HeadOn {
-    /// After a time `t`, by many short steps.
+    /// Returns the gap after a time `t`, computed with many short steps.
     fn after(&self, t: f64) -> Gap {
         let steps = 10_000;
         let dt = t / f64::from(steps);
@@ -128,7 +128,7 @@ impl HeadOn {
         for _ in 0..steps {
             gap.distance += 0.5 * dt * gap.growth;
             let r = gap.distance;
-            // Each of the two is pushed.
+            // Both particles are pushed.
             gap.growth += if r < CUTOFF { 2.0 * dt * (CUTOFF / r - 1.0) / (r * MASS) } else { 0.0 };
             gap.distance += 0.5 * dt * gap.growth;
         }
@@ -178,7 +178,7 @@ pub(crate) fn watched_numbers(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Value and slope. Of either zero the positive one.
+/// Formats value and slope. Negative zero becomes zero.
 fn shown(at: Watched) -> String {
     format!("{}, {}", at.value + 0.0, at.slope + 0.0)
 }

@@ -1,4 +1,5 @@
-//! Questions about what falls through zero within a step, and when.
+//! Questions about numbers that fall through zero within a step, and about the times of their
+//! falls.
 
 use integrators::Watched;
 use lab12::first_fall;
@@ -6,14 +7,14 @@ use oracle::{Ask, Random};
 
 use super::moments::Search;
 
-/// The numbers from which the parabolas of a case are made, as parts of a step.
+/// Random numbers from which the parabolas of a case are made, as parts of a step.
 struct Draw {
-    /// A time within the step, and one before it.
+    /// A time within the step, and a time before it.
     s: f64,
     before: f64,
     gap: f64,
     dip: f64,
-    /// How late an event was seen: within rounding.
+    /// Delay, within rounding, with which an event is noticed.
     late: f64,
 }
 
@@ -30,13 +31,13 @@ impl Draw {
     }
 }
 
-/// A kind of number, and the parabola c + d s + e s² that it is.
+/// A kind of number: its name, and its parabola c + d s + e s².
 type Kind = (&'static str, fn(&Draw) -> [f64; 3]);
 
-/// Its end is known not to be below zero, so that nobody needs to look between.
+/// Name of a number whose end is not below zero, so that it need not be evaluated within the step.
 const NOT_FAR_ENOUGH: &str = "falls, not far enough";
 
-/// Numbers of which both ends of a step tell all.
+/// Numbers whose falls can be decided from the two ends of a step.
 const TOLD_BY_THE_ENDS: [Kind; 8] = [
     (NOT_FAR_ENOUGH, |d| [1.0 + d.gap, -1.0, 0.0]),
     ("rises", |d| [d.gap, d.s, 0.0]),
@@ -48,7 +49,7 @@ const TOLD_BY_THE_ENDS: [Kind; 8] = [
     ("stays above zero by a hair", |d| [1e-9 + d.gap, -1e-12, 0.0]),
 ];
 
-/// Numbers that one has to look at between the ends.
+/// Numbers that must be evaluated within the step.
 const TOLD_INSIDE: [Kind; 15] = [
     ("falls", |d| [d.s, -1.0, 0.0]),
     ("dips below zero and comes back", |d| [d.before * d.s, -d.before - d.s, 1.0]),
@@ -68,7 +69,7 @@ const TOLD_INSIDE: [Kind; 15] = [
 ];
 
 /// A number that changes along a parabola, in any units. A bend moves everything but both ends to
-/// earlier times, so that no parabola goes through it.
+/// earlier times, so that the curve is not a parabola.
 struct Number {
     kind: &'static str,
     parabola: [f64; 3],
@@ -98,7 +99,7 @@ impl Number {
         )
     }
 
-    /// The number at a time `t`.
+    /// Returns the number at a time `t`.
     fn at(&self, t: f64) -> Watched {
         let [c, d, e] = self.parabola;
         let t = t / self.h;
@@ -119,13 +120,14 @@ impl Number {
         numbers
     }
 
-    /// When it falls, as a part of the step.
+    /// Returns the time of the fall, as a part of the step. `None` if the number does not fall.
     fn right(&self) -> Option<f64> {
         let [c, d, e] = self.parabola;
         if c <= 0.0 && d < 0.0 {
             return Some(0.0);
         }
-        // It falls at the lesser zero of a parabola that opens upwards, at the greater of another.
+        // The number falls at the lesser zero of a parabola that opens upwards, and at the greater
+        // zero of a parabola that opens downwards.
         let root = (d * d - 4.0 * c * e).max(0.0).sqrt();
         let s = if e == 0.0 { -c / d } else { (-d - root) / (2.0 * e) };
         let falls = if e == 0.0 { d < 0.0 } else { e < 0.0 || root > 0.0 };
@@ -141,7 +143,7 @@ impl Number {
             return Err(format!("{looks} looks, more than are needed"));
         }
         let right = self.right();
-        // A number that begins with a fall falls at 0 itself.
+        // A number that begins with a fall falls at exactly 0.
         let most = if right == Some(0.0) && self.parabola[1] != 0.0 { 0.0 } else { 1e-11 };
         match (fall, right) {
             ([], None) => Ok(()),
@@ -162,7 +164,7 @@ pub(crate) fn told_by_the_ends(random: &mut Random, ask: &mut impl Ask) {
     falls(random, ask, &TOLD_BY_THE_ENDS);
 }
 
-/// Every other one is bent.
+/// Asks about numbers that must be evaluated within the step. Every second number is bent.
 pub(crate) fn told_inside(random: &mut Random, ask: &mut impl Ask) {
     falls(random, ask, &TOLD_INSIDE);
 }

@@ -1,11 +1,12 @@
-//! Questions about compositions and about Runge-Kutta, with drawn inputs.
+//! Questions about compositions and about Runge-Kutta methods, with random inputs.
 
 use common::Vec2;
 use integrators::State;
 use lab12::{CHI, Composition, LAMBDA, Motion, XI, slopes};
 use oracle::{Ask, Near, Random, whole};
 
-/// Writes down the drifts (0) and kicks (1) that are asked of it; one for no time is none.
+/// A record of the requested drifts (0) and kicks (1). Drifts and kicks of zero duration are not
+/// recorded.
 #[derive(Default)]
 struct Record(Vec<f64>);
 
@@ -19,7 +20,8 @@ impl Motion for Record {
     }
 }
 
-/// Few and many drifts and kicks, back in time too, some for no time, no two alike.
+/// Asks about few and many drifts and kicks, also back in time, some of zero duration, all
+/// different.
 pub(crate) fn steps(random: &mut Random, ask: &mut impl Ask) {
     for kicks in random.sizes(33).into_iter().flat_map(|kicks| [kicks; 8]) {
         let drifts = fractions(random, kicks + 1);
@@ -38,13 +40,13 @@ pub(crate) fn steps(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Fractions of a step, some of them 0.
+/// Draws fractions of a step, some of them 0.
 fn fractions(random: &mut Random, n: usize) -> Vec<f64> {
     let fraction = |_| if random.below(5) == 0 { 0.0 } else { random.signed(1e-6, 1e3) };
     (0..n).map(fraction).collect()
 }
 
-/// What a [`Record`] should contain.
+/// Returns the correct content of a [`Record`].
 fn by_turns(composition: &Composition, dt: f64) -> Vec<Near> {
     let mut all = Vec::new();
     for (k, &drift) in composition.drifts.iter().enumerate() {
@@ -55,7 +57,7 @@ fn by_turns(composition: &Composition, dt: f64) -> Vec<Near> {
     all.into_iter().filter(|[_, time]| *time != 0.0).flatten().map(near).collect()
 }
 
-/// The numbers of drifts and kicks, then both.
+/// Returns the numbers of drifts and kicks, followed by their fractions.
 fn numbers(Composition { drifts, kicks }: Composition) -> Vec<f64> {
     [whole([drifts.len(), kicks.len()]), drifts, kicks].concat()
 }
@@ -73,7 +75,7 @@ pub(crate) fn pefrl(_: &mut Random, ask: &mut impl Ask) {
     ask.judge(question, || numbers(Composition::pefrl()), is_pefrl);
 }
 
-/// Whether a composition has PEFRL's numbers, is the same backwards, and adds up to a step.
+/// Checks that a composition has PEFRL's numbers, is symmetric, and adds up to a step.
 fn is_pefrl(found: &[f64]) -> Result<(), String> {
     let Some(([5.0, 4.0], fractions)) = found.split_first_chunk() else {
         return Err(format!("it has not 5 drifts and 4 kicks: {found:?}"));
@@ -94,13 +96,13 @@ fn is_pefrl(found: &[f64]) -> Result<(), String> {
     Ok(())
 }
 
-/// Particles in a ring. Each is pulled by its own position, by the next one, and by something that
-/// is always there.
+/// Particles in a ring. Each particle is pulled by its own position, by the next particle, and by a
+/// constant.
 struct Ring {
     start: State,
     pull: Vec<f64>,
     h: f64,
-    /// The size of positions.
+    /// Magnitude of positions.
     unit: f64,
 }
 
@@ -122,7 +124,7 @@ impl Ring {
         }
     }
 
-    /// Takes the four looks.
+    /// Returns the four correct evaluations.
     fn right(&self) -> Looks {
         let n = self.pull.len();
         let zero = vec![Vec2::ZERO; n];
@@ -139,19 +141,19 @@ impl Ring {
     }
 }
 
-/// Vectors of no particular direction.
+/// Draws vectors in any direction.
 fn vectors(random: &mut Random, n: usize, size: f64) -> Vec<Vec2> {
     let vector = |_| size * Vec2::new(random.signed(0.1, 1.0), random.signed(0.1, 1.0));
     (0..n).map(vector).collect()
 }
 
-/// Where a Runge-Kutta step looks, and the weighted sum of its slopes.
+/// The positions that a Runge-Kutta step evaluates, and the weighted sum of its slopes.
 struct Looks {
     at: Vec<Vec<Vec2>>,
     sum: State,
 }
 
-/// None, few and many particles in a ring.
+/// Asks for Runge-Kutta steps of no, few and many particles in a ring.
 pub(crate) fn runge_kutta(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(4097).into_iter().chain([70_000]) {
         let ring = Ring::drawn(random, n);

@@ -1,13 +1,13 @@
-//! Questions about the moment at which a number falls through zero.
+//! Questions about the time at which a number falls through zero.
 
 use common::soft::DT;
 use lab12::crossing;
 use oracle::{Ask, Random, truth};
 
-/// A search that looks so often does not end.
+/// Number of evaluations after which a search is considered endless.
 const WITHOUT_END: usize = 10_000;
 
-/// The answer to a search: the moment, and how often and where the number was looked at.
+/// The answer to a search: the time, and the number and places of evaluations.
 pub(crate) struct Search {
     looks: usize,
     outside: usize,
@@ -18,14 +18,14 @@ impl Search {
         Self { looks: 0, outside: 0 }
     }
 
-    /// Counts a look at the moment `t` of a stretch from `low` to `high`.
+    /// Counts an evaluation at the time `t` of an interval from `low` to `high`.
     pub(crate) fn look(&mut self, t: f64, low: f64, high: f64) {
         self.looks += 1;
         assert!(self.looks < WITHOUT_END, "{WITHOUT_END} looks, and no end");
         self.outside += usize::from(!(low..=high).contains(&t));
     }
 
-    /// The number of looks, and how many of these were outside the stretch.
+    /// Returns the number of evaluations, and the number of evaluations outside the interval.
     pub(crate) fn numbers(&self) -> Vec<f64> {
         vec![self.looks as f64, self.outside as f64]
     }
@@ -36,9 +36,9 @@ struct Falling {
     kind: usize,
     low: f64,
     high: f64,
-    /// Where it falls, as a part of the stretch.
+    /// Position of the zero, as a part of the interval.
     root: f64,
-    /// The power of a curve.
+    /// Exponent of the curve.
     power: f64,
     size: f64,
 }
@@ -62,11 +62,11 @@ impl Falling {
         let power = random.between(2.0, 9.0);
         let size = random.magnitude(1e-250, 1e250);
         let falling = Self { kind: case % 5, low, high: low + stretch, root, power, size };
-        // As it can be told from a time.
+        // Rounds the root as a time is rounded.
         Self { root: falling.part(low + root * (falling.high - low)), ..falling }
     }
 
-    /// A time, as a part of the stretch.
+    /// Returns a time as a part of the interval.
     fn part(&self, t: f64) -> f64 {
         (t - self.low) / (self.high - self.low)
     }
@@ -84,12 +84,13 @@ impl Falling {
         self.size * value
     }
 
-    /// Whether the ends of the stretch are as a search needs them.
+    /// Returns whether the ends of the interval are valid for a search.
     fn falls(&self) -> bool {
         self.value(self.low) >= 0.0 && self.value(self.high) < 0.0
     }
 
-    /// Looks for the moment: as a part of the stretch, the number there, and the looks.
+    /// Searches the zero. Returns the time as a part of the interval, the number at this time, and
+    /// the evaluations.
     fn search(&self) -> Vec<f64> {
         let mut search = Search::new();
         let moment = crossing(self.low, self.high, &mut |t| {
@@ -121,7 +122,8 @@ impl Falling {
     }
 }
 
-/// Numbers that fall steeply at first or at last, from zero itself, early and late, in any units.
+/// Asks about numbers that fall steeply at the beginning or at the end, from exactly zero, early
+/// and late, in any units.
 pub(crate) fn crossings(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..3000 {
         let falling = Falling::drawn(random, case);
@@ -138,7 +140,7 @@ pub(crate) fn crossings(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Lines so near to zero that a product of two numbers may be 0.
+/// Asks about lines so near to zero that a product of two numbers may be 0.
 pub(crate) fn faint_crossings(_: &mut Random, ask: &mut impl Ask) {
     for size in [1e-300, 1e-308, 1e-315, 1e-320] {
         for root in [0.25, 0.75] {

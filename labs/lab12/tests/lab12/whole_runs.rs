@@ -1,4 +1,5 @@
-//! Questions about whole runs: how far they are from the exact motion, and of which order they are.
+//! Questions about whole runs: their deviations from the exact motion, and their orders of
+//! convergence.
 
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use integrators::Watched;
@@ -8,14 +9,14 @@ use oracle::{Ask, Random};
 
 use super::{farthest, variant};
 
-/// A starter meets the todo of task 12.4 here, before that of any other task.
+/// Calls task 12.4, so that an unsolved starter stops at the `todo!` of task 12.4.
 pub(crate) fn starts_with_the_fall() {
     let falling = Watched { value: 0.0, slope: -1.0 };
     first_fall(falling, falling, 1.0, &mut |_| falling);
 }
 
-/// Two particles, 0.8 cutoffs apart, that approach so slowly that they stay in contact through an
-/// official step.
+/// Returns two particles, 0.8 cutoffs apart, that approach so slowly that they stay in contact
+/// through an official step.
 pub(crate) fn in_contact() -> Scene {
     let at = |side: f64| Particle {
         x: 0.05 + 0.4 * side * CUTOFF,
@@ -26,7 +27,8 @@ pub(crate) fn in_contact() -> Scene {
     Scene::new(0.1, vec![at(-1.0), at(1.0)]).expect("the scene is sound")
 }
 
-/// The particles after `steps` official steps of a variant, each in so many parts.
+/// Returns the particles after `steps` official steps of a variant, each divided into `parts`
+/// parts.
 pub(crate) fn end_of(name: &str, parts: f64, scene: &Scene, steps: usize) -> Vec<Particle> {
     let task = match name {
         "rk4" => "12.2",
@@ -43,13 +45,13 @@ pub(crate) fn end_of(name: &str, parts: f64, scene: &Scene, steps: usize) -> Vec
     })
 }
 
-/// x and y of each.
+/// Returns x and y of each particle.
 fn positions(particles: &[Particle]) -> Vec<f64> {
     particles.iter().flat_map(|p| [p.x, p.y]).collect()
 }
 
-/// How far each of several runs is from the exact motion after `steps` official steps. Each run
-/// answers with the positions of all particles.
+/// Returns the deviation of each of several runs from the exact motion after `steps` official
+/// steps. Each run answers with the positions of all particles.
 fn errors(found: &[f64], scene: &Scene, steps: u32) -> Result<Vec<f64>, String> {
     let right = exact(scene, f64::from(steps) * DT, Fineness::FINE)?;
     let runs = found.chunks(2 * scene.len());
@@ -95,8 +97,8 @@ pub(crate) fn order(_: &mut Random, ask: &mut impl Ask) {
     order_in_contact(ask, "rk4", 4.0);
 }
 
-/// Two particles come together from outside the cutoff, one of them past a wall: an event
-/// that is not located reduces the order of convergence.
+/// Asks about two particles that come together from outside the cutoff, one of them after a
+/// reflection. An event that is not located reduces the order of convergence.
 pub(crate) fn across_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
     starts_with_the_fall();
     let particles = vec![

@@ -6,13 +6,13 @@ use neighbour_list::kernels::Positions;
 use oracle::{Ask, Columns, Random, scenes, spaced};
 use strips::Strips;
 
-/// The dozen particles on three ranks, two rows of bins to each.
+/// The dozen particles on three ranks. Each rank has two rows of bins.
 struct Dozen {
     particles: Vec<Particle>,
     strips: Strips,
 }
 
-/// How wide its ghosts are.
+/// Width of the ghost layers.
 const WIDTH: f64 = 1.2;
 
 impl Dozen {
@@ -20,14 +20,14 @@ impl Dozen {
         self.particles.iter().filter(|p| self.strips.owner(p.y) == rank).copied().collect()
     }
 
-    /// What a rank sends to another.
+    /// Returns the particles that a rank sends to another rank.
     fn sent(&self, from: usize, to: usize) -> Vec<Particle> {
         let own = self.own(from);
         let y: Vec<f64> = own.iter().map(|p| p.y).collect();
         choose(&y, &self.strips.strip(to), WIDTH).iter().map(|index| own[*index as usize]).collect()
     }
 
-    /// The pairs of a rank's particles and its ghosts from another.
+    /// Lists the pairs of a rank's particles and its ghosts from another rank.
     fn pairs(&self, rank: usize, other: usize) -> String {
         let own = self.sent(rank, other);
         let ghosts = self.sent(other, rank);
@@ -45,7 +45,7 @@ impl Dozen {
         spaced(ids)
     }
 
-    /// The own particles of a rank, and behind them in parentheses its ghosts.
+    /// Lists a rank's own particles, followed by its ghosts in parentheses.
     fn with_ghosts(&self, rank: usize) -> String {
         let from = beside(rank).into_iter().flatten();
         let ghosts: Vec<Particle> = from.flat_map(|other| self.sent(other, rank)).collect();
@@ -53,7 +53,7 @@ impl Dozen {
     }
 }
 
-/// The ranks before and after one of three.
+/// Returns the ranks before and after one of three ranks.
 fn beside(rank: usize) -> [Option<usize>; 2] {
     [rank.checked_sub(1), Some(rank + 1).filter(|rank| *rank < 3)]
 }

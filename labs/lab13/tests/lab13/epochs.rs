@@ -1,4 +1,4 @@
-//! Questions about the steps of an epoch: how many are right, on one rank and on all.
+//! Questions about the number of correct steps of an epoch, on one rank and on all ranks.
 
 use common::soft::CUTOFF;
 use common_mpi::calls_made;
@@ -6,12 +6,13 @@ use lab13::{confirm, right_steps};
 use oracle::{Ask, Random, no_other_calls};
 use oracle_mpi::on_each;
 
-/// How deep ghosts must be for so many steps with these moves.
+/// Returns the depth of ghosts that `steps` steps with these moves need.
 fn needed(moves: &[f64], steps: usize) -> f64 {
     CUTOFF * steps as f64 + 2.0 * moves[..steps - 1].iter().sum::<f64>()
 }
 
-/// Few and many steps, and ghosts as deep as makes some of them right: a hair more or less.
+/// Asks for the correct steps among few and many. The depth of the ghosts suffices for some of the
+/// steps, narrowly or not quite.
 pub(crate) fn right_steps_of_epochs(random: &mut Random, ask: &mut impl Ask) {
     let sizes = random.sizes(257).into_iter().filter(|&taken| taken > 0);
     for taken in sizes.flat_map(|taken| [taken; 20]) {
@@ -31,7 +32,8 @@ pub(crate) fn right_steps_of_epochs(random: &mut Random, ask: &mut impl Ask) {
     );
 }
 
-/// A depth that is a hair more than some steps need, a hair less than one step more needs, or between the two.
+/// Draws a depth slightly more than some steps need, slightly less than one more step needs, or
+/// between the two.
 fn some_depth(random: &mut Random, moves: &[f64]) -> f64 {
     let steps = 1 + random.below(moves.len());
     let hair = 1.0 + 3e-13;
@@ -41,12 +43,13 @@ fn some_depth(random: &mut Random, moves: &[f64]) -> f64 {
     [least * hair, next / hair, least + more * (next - least)][random.below(3)]
 }
 
-/// How many steps are right: the first always is.
+/// Returns the number of correct steps. The first step is always correct.
 fn right_of(moves: &[f64], width: f64) -> usize {
     (1..=moves.len()).take_while(|&k| k == 1 || needed(moves, k) <= width).count()
 }
 
-/// What all ranks say: how many steps are right on all of them, and the greatest of each number.
+/// Asks for the agreement of all ranks: the number of steps that are correct on all ranks, and the
+/// maximum of each number.
 pub(crate) fn confirmations(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "13.8", &[1, 2, 3, 5], random, |rank, random, ask| {
         for _ in 0..60 {

@@ -1,4 +1,4 @@
-//! The worked examples of functions that need no other rank.
+//! The worked examples of functions that do not need other ranks.
 
 use std::f64::consts::PI;
 
@@ -9,15 +9,15 @@ use lab13::{
 use oracle::{Ask, Random, Table, spaced};
 use strips::{Outlook, Scenery, Strips};
 
-/// How far the fastest particle goes in a step, in cutoffs, in two tables.
+/// Displacements of the fastest particle in a step, in cutoffs, in two tables.
 const SPEEDS: [f64; 5] = [0.01, 0.05, 0.1, 1.0, 45.0];
 
-/// The first and the last strip have no outer edge.
+/// Returns strips with these inner edges. The first and the last strip have no outer edge.
 fn strips(between: &[f64]) -> Strips {
     Strips { edges: [&[f64::NEG_INFINITY][..], between, &[f64::INFINITY]].concat() }
 }
 
-/// A length in cutoffs.
+/// Formats a length in cutoffs.
 fn cutoffs(length: f64) -> String {
     format!("{:.2}", length / CUTOFF)
 }
@@ -30,7 +30,7 @@ pub(crate) fn depths_of_ghosts(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| by_hand("depth", deep_width));
 }
 
-/// The width or depth of ghosts for a few steps.
+/// Shows the width or depth of ghosts for a few steps.
 fn by_hand(what: &str, width: fn(f64, u32) -> f64) -> String {
     let mut table =
         Table::new(["fastest in a step / cutoff", "steps", &format!("{what} / cutoff")]);

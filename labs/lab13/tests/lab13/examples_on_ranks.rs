@@ -7,7 +7,8 @@ use mpi::topology::SimpleCommunicator;
 use oracle::{Ask, Random, begins_send, spaced};
 use oracle_mpi::on_each;
 
-/// Ranks 0 and 2 are partners of rank 1, which names rank 2 first.
+/// Shows the positions that travel between ranks. Ranks 0 and 2 are partners of rank 1, which names
+/// rank 2 first.
 pub(crate) fn positions_travel(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "13.4", &[3], random, |rank, _, ask| {
         let partners = [vec![1], vec![2, 0], vec![1]];
@@ -16,7 +17,7 @@ pub(crate) fn positions_travel(random: &mut Random, ask: &mut impl Ask) {
             vec![vec![0.5, 1.9], vec![0.1, 1.1, 0.6, 1.2]],
             vec![vec![]],
         ];
-        // A length is known since the list was made.
+        // The lengths are known since the list was made.
         let received = [vec![vec![0.0; 4]], vec![vec![], vec![0.0; 4]], vec![vec![0.0; 2]]];
         let own = rank.number;
         let rows = rank.call("exchange_positions", |world| {
@@ -29,7 +30,7 @@ pub(crate) fn positions_travel(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The rows of a rank's column.
+/// Returns the rows of a rank's column.
 fn exchange(
     world: &SimpleCommunicator,
     partners: &[i32],
@@ -48,7 +49,7 @@ fn exchange(
     ]
 }
 
-/// How many of the calls before the first move are such ones.
+/// Counts the calls before the first move that `is_one` accepts.
 fn count(calls: &[Vec<&str>], is_one: fn(&str) -> bool) -> String {
     let before = calls.first().map_or(&[][..], |calls| calls);
     before.iter().filter(|call| is_one(call)).count().to_string()
@@ -59,7 +60,8 @@ fn by_rank(partners: &[i32], lists: &[Vec<f64>]) -> String {
     all.map(|(rank, list)| format!("{rank}: {}", spaced(list))).collect::<Vec<_>>().join("|")
 }
 
-/// Ghosts are two cutoffs wide, so a particle may go half a cutoff.
+/// Shows that one rank's decision suffices. Ghosts are two cutoffs wide, so a particle may move
+/// half a cutoff.
 pub(crate) fn one_decides(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "13.6", &[3], random, |rank, _, ask| {
         let all = [
@@ -89,8 +91,8 @@ fn yes(is: bool) -> String {
     if is { "yes" } else { "no" }.into()
 }
 
-/// Four steps, and behind them two numbers for the next epoch. With a depth of 5.5 cutoffs each rank alone
-/// would find four steps right.
+/// Shows the agreement on four steps, followed by two numbers for the next epoch. With a depth of
+/// 5.5 cutoffs each rank alone would find four steps correct.
 pub(crate) fn confirmed(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "13.8", &[3], random, |rank, _, ask| {
         let moves = [[0.1, 0.1, 0.1, 0.1], [0.5, 0.1, 0.1, 0.1], [0.1, 0.4, 0.1, 0.8]][rank.number];

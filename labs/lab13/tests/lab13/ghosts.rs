@@ -1,4 +1,4 @@
-//! Questions about who needs ghosts of whom, and which particles are ghosts.
+//! Questions about partners for ghosts, and about the particles that become ghosts.
 
 use std::ops::Range;
 
@@ -6,17 +6,18 @@ use lab13::{choose, partners};
 use oracle::{Ask, Random, beside};
 use strips::Strips;
 
-/// A power of two, small or large. Whole numbers times a power of two make sums without rounding: there "at" is at.
+/// Draws a power of two, small or large. Integers times a power of two have exact sums, so that a
+/// position exactly at a limit can be drawn.
 pub(crate) fn unit(random: &mut Random) -> f64 {
     random.magnitude(1e-9, 1e9).log2().round().exp2()
 }
 
-/// High, low and empty strips, between edges that are whole numbers of units.
+/// Draws high, low and empty strips between edges that are integer multiples of the unit.
 fn some_strips(random: &mut Random, ranks: usize, unit: f64) -> Strips {
     let mut edges: Vec<f64> =
         (1..ranks).map(|_| (1 + random.below(2 * ranks)) as f64 * unit).collect();
     edges.sort_by(f64::total_cmp);
-    // Some have no rows below or above.
+    // Some ranks at the ends have no rows.
     let ends = random.below(3).min(ranks - 1);
     let low = vec![f64::NEG_INFINITY; if ends == 1 { 2 } else { 1 }];
     let high = vec![f64::INFINITY; if ends == 2 { 2 } else { 1 }];
@@ -24,7 +25,8 @@ fn some_strips(random: &mut Random, ranks: usize, unit: f64) -> Strips {
     Strips { edges: [low, edges, high].concat() }
 }
 
-/// The partners of ranks: of edges exactly as far apart as the width, and a hair more or less.
+/// Asks for the partners of ranks. The distances of edges are exactly the width, or slightly more
+/// or less.
 pub(crate) fn partners_of_ranks(random: &mut Random, ask: &mut impl Ask) {
     let sizes = random.sizes(257).into_iter().filter(|&ranks| ranks > 0);
     for ranks in sizes.flat_map(|ranks| [ranks; 6]) {
@@ -61,7 +63,7 @@ struct Beside {
     width: f64,
     /// Whether the particles are below the strip.
     is_below: bool,
-    /// As far from the strip as ghosts are wide.
+    /// The position whose distance from the strip is the width of the ghosts.
     at: f64,
 }
 
@@ -83,7 +85,7 @@ impl Beside {
         Self { strip, ..all }
     }
 
-    /// Inside the width, at it, a hair further, or far.
+    /// Draws a position within the width, exactly at the width, slightly further, or far away.
     fn particle(&self, random: &mut Random, unit: f64) -> f64 {
         let far = random.magnitude(1e-12, 50.0) * unit;
         let inwards = if self.is_below { 1.0 } else { -1.0 };
@@ -101,7 +103,7 @@ impl Beside {
     }
 }
 
-/// Few and many particles before and after a strip.
+/// Asks which of few and many particles before and after a strip are ghosts.
 pub(crate) fn chosen(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(65_537).into_iter().flat_map(|n| [n, n]).chain([70_000]) {
         let all = Beside::drawn(random, n);

@@ -1,10 +1,10 @@
-//! Questions about what a step costs a rank and each of its rows.
+//! Questions about the cost of a step for a rank and for each of its rows.
 
 use lab13::{MOVED, load, weigh_rows};
 use neighbour_list::LISTED;
 use oracle::{Ask, Random};
 
-/// Of particles, pairs or the particles of a row.
+/// Draws a number of particles, of pairs, or of a row's particles.
 fn count(random: &mut Random) -> u64 {
     match random.below(4) {
         0 => 0,
@@ -25,7 +25,7 @@ pub(crate) fn loads(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Few and many rows, in which a product needs more than 64 bits.
+/// Asks for the shares of few and many rows. A product needs more than 64 bits.
 pub(crate) fn shares(random: &mut Random, ask: &mut impl Ask) {
     for rows in random.sizes(4097).into_iter().flat_map(|rows| [rows; 5]) {
         let counts: Vec<u64> = (0..rows).map(|_| count(random)).collect();
@@ -43,7 +43,7 @@ pub(crate) fn shares(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Two halves of each: a floating-point number has 53 bits.
+/// Returns two halves of each share, because a floating-point number has only 53 bits.
 fn halves(shares: Vec<u64>) -> Vec<f64> {
     let halves = |share: u64| [(share >> 32) as f64, f64::from(share as u32)];
     shares.into_iter().flat_map(halves).collect()

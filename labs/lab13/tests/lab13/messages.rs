@@ -1,4 +1,4 @@
-//! Questions about positions that travel between ranks, and about the decision for new lists.
+//! Questions about positions that travel between ranks, and about the decision to rebuild lists.
 
 use common::soft::CUTOFF;
 use common_mpi::calls_made;
@@ -6,11 +6,11 @@ use lab13::{exchange_positions, must_renew};
 use oracle::{Ask, Random, begins_send, digest, no_other_calls, others_within, truth};
 use oracle_mpi::{Rank, on_each};
 
-/// The positions that travel between ranks.
+/// Positions that travel between ranks.
 struct Letters {
-    /// How many go from rank to rank, `[from][to]`.
+    /// Number of positions from rank to rank, `[from][to]`.
     lengths: Vec<Vec<usize>>,
-    /// The ranks with which this one exchanges positions.
+    /// Ranks with which this rank exchanges positions.
     partners: Vec<usize>,
 }
 
@@ -24,7 +24,8 @@ impl Letters {
     }
 }
 
-/// Positions to partners in any order, from none to all other ranks: none, few and many, and not as many each way.
+/// Asks about exchanges of positions with any number of partners, in any order. The numbers of
+/// positions differ in the two directions: zero, few or many.
 pub(crate) fn exchanges(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "13.4", &[1, 2, 3, 5], random, |rank, random, ask| {
         for (most, furthest) in [(0, 1), (7, rank.ranks), (1000, 2), (300_000, rank.ranks)] {
@@ -67,7 +68,7 @@ fn exchange(rank: &Rank<'_>, letters: &Letters, most: usize, ask: &mut impl Ask)
     );
 }
 
-/// How many calls begin a receive, how many begin a send, and how many do neither.
+/// Returns the numbers of calls that begin a receive, that begin a send, and of all other calls.
 fn made(calls: &[&str]) -> Vec<f64> {
     let receives = calls.iter().filter(|call| **call == "MPI_Irecv").count();
     let sends = calls.iter().filter(|call| begins_send(call)).count();
@@ -90,15 +91,15 @@ fn keeps_its_memory(rank: &Rank<'_>, ask: &mut impl Ask) {
     rank.keeps_its_memory("exchange_positions", 4000 * size_of::<f64>(), turn, ask);
 }
 
-/// What each rank says before a step.
+/// A rank's report before a step.
 #[derive(Clone, Copy, Debug)]
 struct Word {
     list_has_expired: bool,
     moved: f64,
 }
 
-/// Whether lists are rebuilt: where one rank has to, because of its list or of a particle that has gone half of what
-/// there is between cutoff and width, a hair more or less.
+/// Asks whether lists are rebuilt. One rank requires this because of its list, or because a
+/// particle has moved half the difference of width and cutoff, or slightly more or less.
 pub(crate) fn renewals(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "13.6", &[1, 2, 3, 5], random, |rank, random, ask| {
         for _ in 0..60 {
@@ -130,7 +131,7 @@ fn some_words(random: &mut Random, ranks: usize, width: f64) -> Vec<Word> {
     words
 }
 
-/// Asks what the ranks decide.
+/// Asks for the decision of the ranks.
 fn renewal(rank: &Rank<'_>, words: &[Word], width: f64, ask: &mut impl Ask) {
     let Word { list_has_expired, moved } = words[rank.number];
     let found = rank.call("must_renew", |world| must_renew(world, list_has_expired, moved, width));

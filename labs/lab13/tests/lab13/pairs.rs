@@ -1,4 +1,4 @@
-//! Questions about pairs of an own particle and a ghost.
+//! Questions about pairs of a rank's own particle and a ghost.
 
 use lab13::pairs_across;
 use neighbour_list::kernels::{Pair, Positions};
@@ -6,14 +6,15 @@ use oracle::{Ask, Random, beside, truth, within};
 
 use super::ghosts::unit;
 
-/// Particles of one side of a border.
+/// Particles on one side of a border.
 struct Side {
     x: Vec<f64>,
     y: Vec<f64>,
 }
 
 impl Side {
-    /// `n` particles in whole numbers of units, so that some are exactly at reach, anywhere, or all at one position.
+    /// Draws `n` particles at integer multiples of the unit: some exactly at the reach, anywhere,
+    /// or all at one position.
     fn drawn(random: &mut Random, n: usize, case: usize, unit: f64) -> Self {
         let mut axis = || (0..n).map(|_| coordinate(random, case, unit)).collect();
         Self { x: axis(), y: axis() }
@@ -24,7 +25,7 @@ impl Side {
     }
 }
 
-/// The side of the box in a case, in units.
+/// Returns the side of the box in a case, in units.
 fn side(case: usize) -> usize {
     [3, 12, 60][case % 3]
 }
@@ -37,11 +38,11 @@ fn coordinate(random: &mut Random, case: usize, unit: f64) -> f64 {
     }
 }
 
-/// Few and many on both sides.
+/// Asks for the pairs of few and many particles on both sides.
 pub(crate) fn pairs(random: &mut Random, ask: &mut impl Ask) {
     let few = random.sizes(257).into_iter().flat_map(|n| [(n, 7), (7, n), (n, n)]);
     for (case, (own, ghosts)) in few.chain([(1, 70_000), (70_000, 1)]).enumerate() {
-        // Of very many none may be out of reach: all are at one position.
+        // If there are very many particles, all are at one position, so that all are within reach.
         let case = if own.max(ghosts) > 1000 { 3 } else { case };
         let unit = unit(random);
         let own = Side::drawn(random, own, case, unit);
@@ -87,7 +88,7 @@ fn right_pairs(own: &Side, ghosts: &Side, reach: f64) -> Vec<f64> {
     right
 }
 
-/// Who looks at every pair does not come to an end.
+/// Asks about half a million particles. A program that tests every pair does not finish.
 pub(crate) fn half_a_million(_: &mut Random, ask: &mut impl Ask) {
     ask.exact(
         "500,000 particles in a row, and a ghost at the position of each: the number of pairs, and how many of them are \

@@ -8,7 +8,7 @@ use oracle_mpi::RunsOnRanks;
 
 use super::{deep, strips};
 
-/// Runs of a variant on some numbers of ranks.
+/// A function that returns runs of a variant on some numbers of ranks.
 type On = fn(&[usize]) -> RunsOnRanks;
 
 pub(crate) fn dense_box(on: On, ask: &mut impl Ask) {
@@ -34,12 +34,12 @@ pub(crate) fn few_rows(on: On, ask: &mut impl Ask) {
 }
 
 pub(crate) fn empty_ranks(on: On, ask: &mut impl Ask) {
-    // Other ranks have rows and no particles, or no rows.
+    // Other ranks have rows without particles, or no rows.
     let all = [scenes::corner(0.0), scenes::corner(45.0 * CUTOFF), scenes::one_row()];
     on(&[4, 5]).resynchronised(ask, &all, 20);
 }
 
-/// Strips are cut again with every list.
+/// Returns runs that cut the strips again with every list.
 pub(crate) fn often_cut(on: On) -> RunsOnRanks {
     on(&[3]).set("rebalance", 1.0)
 }
@@ -52,8 +52,8 @@ pub(crate) fn cut_again(on: On, ask: &mut impl Ask) {
     });
 }
 
-/// A pair so close that it flies apart at once, among particles at rest: through several strips before any list
-/// expects it.
+/// Asks about a pair so close that it flies apart at once, among particles at rest. It crosses
+/// several strips before any list expects it.
 pub(crate) fn become_fast(on: On, ask: &mut impl Ask) {
     let size = 60.0 * CUTOFF;
     let mut particles = scenes::lattice_with_jitter(600, size, 0.01, 5).particles().to_vec();
@@ -63,8 +63,8 @@ pub(crate) fn become_fast(on: On, ask: &mut impl Ask) {
     on(&[2, 5]).resynchronised(ask, &[scene(size, particles)], 20);
 }
 
-/// With a skin of 1 c a list lasts until a particle has flown c/2. These two start 2.05 c apart on two ranks, and
-/// touch after both have flown 0.525 c.
+/// Asks about two particles that start 2.05 c apart on two ranks, and touch after both have moved
+/// 0.525 c. With a skin of 1 c a list lasts until a particle has moved c/2.
 pub(crate) fn meeting(on: On, ask: &mut impl Ask) {
     let at = |y: f64, vy: f64| Particle { x: 0.05, y, vy, ..Particle::default() };
     let two = scene(0.1, vec![at(0.03, 1.0), at(0.0505, -1.0)]);
@@ -77,7 +77,8 @@ pub(crate) fn threads(ask: &mut impl Ask) {
     strips(&[2]).same_bits(ask, &[counter(1000, 2)], 30, &others);
 }
 
-/// One message of positions and one word in a step; what a list costs is spread over its steps.
+/// Checks that a step needs one message of positions and one reduction. The cost of a list is
+/// spread over its steps.
 pub(crate) fn few_messages(ask: &mut impl Ask) {
     let names = ["steps per list", "messages per step, busiest rank"];
     let scene = counter(20_000, 1);
@@ -87,7 +88,8 @@ pub(crate) fn few_messages(ask: &mut impl Ask) {
     });
 }
 
-/// A message to each partner and a word of all ranks, for all steps of an epoch; no particle is kicked.
+/// Checks that an epoch needs a message to each partner and one reduction for all its steps. No
+/// particle is kicked.
 pub(crate) fn few_messages_of_epochs(ask: &mut impl Ask) {
     let names = ["steps per epoch", "messages per step, busiest rank", "epochs taken again"];
     deep(&[2, 3]).counters(ask, &counter(20_000, 1), 100, &names, |ranks, found| {
@@ -109,12 +111,13 @@ pub(crate) fn taken_again(ask: &mut impl Ask) {
     });
 }
 
-/// Where the particle that is kicked is after five steps.
+/// Position of the kicked particle after five steps.
 const END: [f64; 2] = [0.302, 0.264_778_803];
 
-/// Two particles at one position, in strip 1 of two, feel no force. Their speeds differ by next to nothing; so in
-/// step 2 they are apart by next to nothing, and in step 3 a push takes each eight cutoffs. One flies across the
-/// border, to a particle that is at rest there.
+/// Returns a scene with two particles at one position, in strip 1 of two, without a force. Their
+/// speeds differ minimally, so in step 2 their distance is tiny, and in step 3 a push moves each
+/// particle by eight cutoffs. One of them crosses the border and reaches a particle that is at rest
+/// there.
 pub(crate) fn a_kick() -> Scene {
     let size = 60.0 * CUTOFF;
     let x = 30.2 * CUTOFF;
@@ -124,12 +127,12 @@ pub(crate) fn a_kick() -> Scene {
     let one = Particle { x, y, ..Particle::default() };
     particles.push(Particle { vy: -1.28e-9, ..one });
     particles.push(one);
-    // It ends 0.4 cutoffs beside this one.
+    // The kicked particle ends 0.4 cutoffs beside this particle.
     particles.push(Particle { x: END[0] + 0.4 * CUTOFF, y: END[1], ..Particle::default() });
     scene(size, particles)
 }
 
-/// The lab's own program: the student's or the solution's.
+/// Runs the lab's own program, the student's or the solution's.
 pub(crate) fn program(task: &'static str, variant: &'static str, ask: &mut impl Ask) {
     ask.in_tests_only(|| {
         let program =
@@ -142,7 +145,7 @@ pub(crate) fn program(task: &'static str, variant: &'static str, ask: &mut impl 
     });
 }
 
-/// The same with deep ghosts. On a fresh starter task 13.8's todo comes first.
+/// Runs the program with deep ghosts. An unsolved starter stops at the `todo!` of task 13.8.
 pub(crate) fn program_of_epochs(ask: &mut impl Ask) {
     ask.in_tests_only(|| _ = right_steps(&[0.0], CUTOFF));
     program("13.8", "strips-deep", ask);

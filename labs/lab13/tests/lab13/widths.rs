@@ -1,11 +1,13 @@
-//! Questions about the width and the depth of ghosts, and about the number of steps for which they are chosen.
+//! Questions about the width and the depth of ghosts, and about the number of steps for which they
+//! last.
 
 use common::soft::CUTOFF;
 use lab13::{ACROSS, GHOST, RENEWAL, STEP, WAIT, best_depth, best_steps, deep_width, ghost_width};
 use oracle::{Ask, Near, Random, rounded};
 use strips::{Outlook, Scenery};
 
-/// How wide, or how `deep`, ghosts must be, for few and many steps, at rest, slow and fast.
+/// Asks for the width of ghosts, or the depth if `deep`, for few and many steps, at rest, slow and
+/// fast.
 pub(crate) fn widths(random: &mut Random, ask: &mut impl Ask, deep: bool) {
     for steps in random.sizes(70_000).into_iter().filter(|&steps| steps > 0) {
         for fastest in [0.0, random.magnitude(1e-15, 1e9), CUTOFF * random.magnitude(1e-3, 1e3)] {
@@ -27,10 +29,10 @@ pub(crate) fn widths(random: &mut Random, ask: &mut impl Ask, deep: bool) {
     }
 }
 
-/// So high that the cutoff does not count beside it, and that all costs are exact.
+/// A height at which the cutoff is negligible and all costs are exact.
 const HUGE: f64 = (1_u64 << 60) as f64;
 
-/// For how many steps ghosts last.
+/// Asks for the number of steps for which ghosts last.
 pub(crate) fn cheapest_steps(random: &mut Random, ask: &mut impl Ask) {
     let even = Scenery { fastest: HUGE, density: 0.0, height: HUGE, most: 3 };
     ask.exact(
@@ -55,14 +57,14 @@ pub(crate) fn cheapest_steps(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// What a step costs for each particle, with ghosts that last for so many steps.
+/// Returns the cost of a step per particle if ghosts last for `steps` steps.
 fn cost_of_list(Scenery { fastest, density, height, .. }: Scenery, steps: u32) -> f64 {
     let width = CUTOFF + 2.0 * f64::from(steps - 1) * fastest;
     let pairs = 2.0 * 2.0 / 3.0 * density * width * width * width / height;
     RENEWAL / f64::from(steps) + GHOST * 2.0 * width / height + ACROSS * pairs
 }
 
-/// For how many steps no message is sent.
+/// Asks for the number of steps without messages.
 pub(crate) fn cheapest_epochs(random: &mut Random, ask: &mut impl Ask) {
     let even = Outlook { fastest: HUGE / 4.0, height: HUGE, particles: 1000.0, most: 3 };
     ask.exact(
@@ -85,7 +87,7 @@ pub(crate) fn cheapest_epochs(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// What a step costs for each particle, in epochs of so many steps.
+/// Returns the cost of a step per particle in epochs of `steps` steps.
 fn cost_of_epoch(Outlook { fastest, height, particles, .. }: Outlook, steps: u32) -> f64 {
     let m = f64::from(steps);
     let depth = m * CUTOFF + 2.0 * (m - 1.0) * fastest;
@@ -93,7 +95,7 @@ fn cost_of_epoch(Outlook { fastest, height, particles, .. }: Outlook, steps: u32
     particle + 2.0 * depth / height * particle + WAIT / (particles * m)
 }
 
-/// Whether no number from 1 to `most` is cheaper than the one that was found.
+/// Checks that no number from 1 to `most` is cheaper than the answer.
 fn cheapest(found: &[f64], most: u32, cost: impl Fn(u32) -> f64) -> Result<(), String> {
     let &[found] = found else { return Err("it is not a number".into()) };
     if !(1..=most).any(|steps| f64::from(steps) == found) {

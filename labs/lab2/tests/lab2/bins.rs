@@ -7,7 +7,7 @@ use oracle::{Ask, Count, Near, Random, acceleration_of_pair, whole};
 
 use super::particles::{Binned, binned, ids, in_any_order, inside, particles_of};
 
-/// Bins that are filled again and again, with more and at last with less.
+/// Asks for bins that are refilled repeatedly, with more particles and finally with fewer.
 pub(crate) fn refills(random: &mut Random, ask: &mut impl Ask) {
     for (along, most) in [(1, 65_537), (2, 4097), (5, 257), (300, 1025)] {
         let mut bins = VecBins::new(Grid::with_bins_along(1.0, along));
@@ -18,7 +18,7 @@ pub(crate) fn refills(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Bins that are filled again with `n` particles, and one more.
+/// Asks for bins that are refilled with `n` particles, and then receive one more particle.
 fn refill(bins: &mut VecBins, n: usize, random: &mut Random, ask: &mut impl Ask) {
     let along = bins.grid().rows();
     let all = binned(random, along, &(0..along), n + 1);
@@ -46,13 +46,13 @@ fn refill(bins: &mut VecBins, n: usize, random: &mut Random, ask: &mut impl Ask)
     });
 }
 
-/// The bin and the number of each particle.
+/// Returns the bin and the number of each particle.
 fn in_bin(bin: usize, ids: Vec<f64>) -> impl Iterator<Item = f64> {
     ids.into_iter().flat_map(move |id| [bin as f64, id])
 }
 
-/// The force on some of the particles. Beyond the nine bins around one of them the others are decoys, in
-/// reach of it: a program that looks at them finds another force.
+/// Asks for the force on some of the particles. All particles outside the nine bins around the
+/// particle are decoys within its reach, so a program that includes them finds a different force.
 pub(crate) fn nine_bins(random: &mut Random, ask: &mut impl Ask) {
     for (along, most) in [(1, 1025), (2, 4097), (3, 1025), (7, 1025), (300, 257)] {
         for n in random.sizes(most).into_iter().filter(|&n| n > 0) {
@@ -64,7 +64,7 @@ pub(crate) fn nine_bins(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// A coordinate in a box of side `side`.
+/// Scales a coordinate to a box of side `side`.
 fn scaled(x: f64, side: f64, on_the_wall: bool) -> f64 {
     if on_the_wall { side } else { x * side }
 }
@@ -77,7 +77,7 @@ struct Crowd {
 }
 
 impl Crowd {
-    /// `n` particles. Some of those next to a far wall are on it.
+    /// Draws `n` particles. Some of the particles next to a far wall are on it.
     fn drawn(random: &mut Random, along: usize, n: usize) -> Self {
         let side = 1.02 * along as f64 * CUTOFF;
         let mut all = binned(random, along, &(0..along), n);
@@ -89,14 +89,14 @@ impl Crowd {
         Self { along, side, all }
     }
 
-    /// Whether two bins are the same or touch.
+    /// Returns whether two bins are the same or touch.
     fn touch(&self, a: usize, b: usize) -> bool {
         let far_up = (a / self.along).abs_diff(b / self.along);
         let far_right = (a % self.along).abs_diff(b % self.along);
         far_up.max(far_right) <= 1
     }
 
-    /// Bins in which `own` has all particles around it, and further away only decoys.
+    /// Returns bins in which `own` has all particles around it, and only decoys further away.
     fn bins(&self, own: Binned) -> VecBins {
         let p = own.particle;
         let mut bins = VecBins::new(Grid::with_bins_along(self.side, self.along));
@@ -134,7 +134,7 @@ impl Crowd {
         ask.exact(&question, looked_at, || whole([self.around(own).count()]));
     }
 
-    /// The particles in the nine bins around `own`, itself among them.
+    /// Returns the particles in the nine bins around `own`, including `own`.
     fn around(&self, own: Binned) -> impl Iterator<Item = &Binned> {
         self.all.iter().filter(move |one| self.touch(own.bin, one.bin))
     }
@@ -152,12 +152,13 @@ impl Crowd {
     }
 }
 
-/// Each particle of a bin has stayed, or has left its row, or its column, or both.
+/// Asks for the particles that leave a bin. Each particle has stayed, or has left its row, its
+/// column, or both.
 pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..800 {
         let along = if case < 100 { 4 } else { [4, 300][case % 2] };
         let bin = random.below(along * along);
-        // In the last case all leave.
+        // In the last case all particles leave.
         let n = match case {
             799 => 65_537,
             _ if case % 50 == 49 => random.size(4097),
@@ -168,7 +169,7 @@ pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// A particle of `bin` after a move.
+/// Returns a particle of `bin` after a move.
 fn moved(random: &mut Random, along: usize, bin: usize, id: usize, leaves: bool) -> Binned {
     let up = if leaves { 1 } else { random.below(2) * (1 + random.below(along - 1)) };
     let right = random.below(2) * (1 + random.below(along - 1));

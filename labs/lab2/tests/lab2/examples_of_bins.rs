@@ -1,5 +1,5 @@
-//! The worked examples of tasks 2.1 to 2.5: a few particles and bins that can be checked by hand, and what
-//! the lab makes of them.
+//! The worked examples of tasks 2.1 to 2.5: a few particles and bins that can be checked by hand,
+//! and the lab's results.
 
 use common::soft::{CUTOFF, Particle};
 use lab2::{Grid, VecBins, take_leavers};
@@ -102,7 +102,7 @@ pub(crate) fn nine_bins_table(_: &mut Random, ask: &mut impl Ask) {
             bins.bins_mut()[row * 5 + column].push(q);
             let mut count = Count::default();
             let a = bins.acceleration(&p, &mut count);
-            // Either zero will do.
+            // Negative zero becomes zero.
             let [ax, ay] = [a.x, a.y].map(|a| format!("{:.1}", a + 0.0));
             table.row([&row, &column, &dx, &dy, &ax, &ay, &count.tested]);
         }
@@ -110,7 +110,7 @@ pub(crate) fn nine_bins_table(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Where a neighbour is, in cutoffs: in each of nine bins, and further away.
+/// Positions of a neighbour, in cutoffs: in each of nine bins, and further away.
 const AROUND: [(f64, f64); 11] = [
     (-0.6, -0.6),
     (0.0, -0.6),

@@ -1,4 +1,5 @@
-//! The worked examples of tasks 2.6 to 2.9: lists, pairs and sums in an order that can be checked by hand.
+//! The worked examples of tasks 2.6 to 2.9: lists, pairs and sums in an order that can be checked
+//! by hand.
 
 use common::soft::{CUTOFF, Observer, Particle, Scene, Simulation, Statistics};
 use lab2::{BinLists, Gather, Grid, LinkedList, SortedBins, forward};
@@ -11,7 +12,7 @@ pub(crate) fn lists_table(_: &mut Random, ask: &mut impl Ask) {
         let mut lists = BinLists::new(2, 5);
         let mut table = Table::new(["", "bin 0", "bin 1"]);
         let mut row = |what: &str, lists: &BinLists| {
-            // A list without an end ends here.
+            // This ends a list that has no end.
             let [zero, one] = [0, 1].map(|bin| spaced(lists.bin(bin).take(6)));
             table.row([&what, &zero, &one]);
         };
@@ -45,7 +46,7 @@ pub(crate) fn forward_table(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Particles 0 and 1 are in one bin, 2 in the next row; 3 is alone.
+/// Shows the pairs of four particles: 0 and 1 are in one bin, 2 in the next row; 3 is alone.
 pub(crate) fn pairs_table(_: &mut Random, ask: &mut impl Ask) {
     forward(&Grid::with_bins_along(1.0, 1), 0, 0, &mut [0; 4]);
     ask.example(|| {
@@ -60,7 +61,7 @@ pub(crate) fn pairs_table(_: &mut Random, ask: &mut impl Ask) {
         let mut table = Table::new(["particle", "x / cutoff", "y / cutoff", "vx", "vy"]);
         for (p, after) in scene.particles().iter().zip(&after) {
             let [x, y] = [p.x, p.y].map(|x| format!("{:.1}", x / CUTOFF));
-            // Either zero will do.
+            // Negative zero becomes zero.
             let [vx, vy] = [after.vx, after.vy].map(|v| format!("{:.3}", v + 0.0));
             table.row([&p.id, &x, &y, &vx, &vy]);
         }
@@ -91,7 +92,7 @@ pub(crate) fn sort_table(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Writes down in which order a sum is made.
+/// An observer that records the order of the terms of a sum.
 #[derive(Clone, Default)]
 struct Order {
     looked_at: u64,
@@ -104,7 +105,7 @@ impl Observer for Order {
     }
 
     fn seen(&mut self, r2: f64) {
-        // The particle itself, at 0, does not count.
+        // The particle itself, at distance 0, is not counted.
         if r2 > 0.0 {
             self.cutoffs.push(format!("{:.1}", r2.sqrt() / CUTOFF));
         }

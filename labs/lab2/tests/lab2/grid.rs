@@ -3,7 +3,7 @@
 use lab2::Grid;
 use oracle::{Ask, Random, beside, whole};
 
-/// Few and many particles, boxes of any size, of few bins and of too many.
+/// Asks for grids of few and many particles, boxes of any size, few bins and too many bins.
 pub(crate) fn grids(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..1200 {
         let n = match case % 3 {
@@ -12,7 +12,7 @@ pub(crate) fn grids(random: &mut Random, ask: &mut impl Ask) {
             _ => 1 + random.below(1 << 40),
         };
         let least = random.magnitude(1e-9, 1e9);
-        // Rounding matters at a wall that a whole number of the least bins fills.
+        // Rounding matters if a whole number of the smallest bins fills a wall.
         let fit = match case / 3 % 3 {
             0 => random.magnitude(1e-3, 1e7),
             1 => (1 + random.below(3000)) as f64,
@@ -28,14 +28,14 @@ pub(crate) fn grids(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Whether so many bins fit along a wall.
+/// Checks that `n` bins fit along a wall.
 fn fits(size: f64, least: f64, n: usize, found: &[f64]) -> Result<(), String> {
     let most = (8 * n as u128).isqrt().max(1);
     let fit = size / (least * (1.0 + 1e-9));
     one_of(found, either_side(fit).map(|fit| (fit as u128).clamp(1, most) as usize))
 }
 
-/// Coordinates anywhere, on both walls, next to the far wall, and on edges.
+/// Asks for the columns of coordinates anywhere, on both walls, next to the far wall, and on edges.
 pub(crate) fn columns(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..900 {
         let most = match case % 3 {
@@ -60,12 +60,12 @@ pub(crate) fn columns(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Whether a coordinate is in a column. Rounding may put an edge on either side.
+/// Checks that a coordinate is in a column. Rounding may put an edge on either side.
 fn is_column(size: f64, along: usize, x: f64, found: &[f64]) -> Result<(), String> {
     one_of(found, either_side(x / size * along as f64).map(|bins| (bins as usize).min(along - 1)))
 }
 
-/// A number and what rounding may make of it, downwards and upwards.
+/// Returns a number rounded down and rounded up.
 fn either_side(number: f64) -> [f64; 2] {
     [number * (1.0 - 1e-15), number * (1.0 + 1e-15)]
 }
@@ -77,7 +77,7 @@ fn one_of(found: &[f64], right: [usize; 2]) -> Result<(), String> {
     Err(format!("     found: {found:?}\n  expected: [{}]", right[0]))
 }
 
-/// The rows next to the first, the last and any row.
+/// Asks for the rows next to the first row, the last row and any row.
 pub(crate) fn near(random: &mut Random, ask: &mut impl Ask) {
     for along in random.sizes(70_000).into_iter().chain([1 << 40]).map(|size| size + 1) {
         let grid = Grid::with_bins_along(1.0, along);

@@ -1,4 +1,4 @@
-//! Questions about linked lists and pairs that are looked at once, tasks 2.6 and 2.7.
+//! Questions about linked lists and pairs that are tested once, tasks 2.6 and 2.7.
 
 use common::soft::{CUTOFF, Particle, Scene, Simulation};
 use lab2::{BinLists, Grid, LinkedList, forward};
@@ -6,14 +6,15 @@ use oracle::{Ask, Count, Random, whole};
 
 use super::particles::{binned, in_any_order};
 
-/// Lists are cleared and filled again, in any order: the particle that came last comes first.
+/// Asks about lists that are cleared and refilled in any order. The particle that was inserted last
+/// comes first.
 pub(crate) fn lists(random: &mut Random, ask: &mut impl Ask) {
     let sizes = [random.sizes(4097), vec![70_000]].concat();
     for n in sizes.into_iter().filter(|&n| n > 0) {
         let bins = 1 + random.size(300);
         let mut lists = BinLists::new(bins, n);
         for round in 0..3 {
-            // At first all.
+            // The first round inserts all particles.
             let some = if round == 0 { n } else { random.below(n + 1) };
             let filled = Filled::drawn(random, bins, n, some);
             filled.ask(&mut lists, &format!("round {round} of {n} particles in {bins} bins"), ask);
@@ -21,7 +22,7 @@ pub(crate) fn lists(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// What is put into lists, in this order.
+/// Particles inserted into lists, in this order.
 struct Filled {
     bins: usize,
     inserts: Vec<Insert>,
@@ -46,7 +47,7 @@ impl Filled {
         for insert in &self.inserts {
             lists.insert(insert.bin, insert.particle);
         }
-        // A list without an end ends here.
+        // This ends a list that has no end.
         let most = self.inserts.len() + 1;
         for bin in 0..self.bins {
             let question = format!("{name}: the list of bin {bin}");
@@ -61,14 +62,14 @@ impl Filled {
         }
     }
 
-    /// The particles of a bin, the last one first.
+    /// Returns the particles of a bin, the last inserted particle first.
     fn list(&self, bin: usize) -> impl Iterator<Item = usize> {
         let own = self.inserts.iter().rev().filter(move |insert| insert.bin == bin);
         own.map(|insert| insert.particle)
     }
 }
 
-/// The bins that come after a given bin, at walls, in corners and anywhere.
+/// Asks for the bins that come after a given bin, at walls, in corners and anywhere.
 pub(crate) fn forwards(random: &mut Random, ask: &mut impl Ask) {
     for along in [1, 2, 3, 4, 256, 300, 70_000, 1 << 30] {
         let grid = Grid::with_bins_along(1.0, along);
@@ -88,7 +89,7 @@ pub(crate) fn forwards(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The first index, the last, or a random one.
+/// Draws the first index, the last, or a random index.
 fn any_index(random: &mut Random, along: usize) -> usize {
     [0, along - 1, random.below(along)][random.below(3)]
 }
@@ -99,7 +100,7 @@ fn bins_after(along: usize, row: usize, column: usize) -> Vec<f64> {
     whole(there.map(|(up, to)| (row + up) * along + to))
 }
 
-/// In a box of one bin, or of four that all touch, each pair is looked at once.
+/// Asks about boxes of one bin, or of four bins that all touch, where each pair is tested once.
 pub(crate) fn looks(random: &mut Random, ask: &mut impl Ask) {
     forward(&Grid::with_bins_along(1.0, 1), 0, 0, &mut [0; 4]);
     let sizes = random.sizes(4097).into_iter().filter(|&n| n > 0);

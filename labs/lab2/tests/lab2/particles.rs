@@ -1,30 +1,30 @@
-//! Particles at chosen and at drawn places.
+//! Particles at chosen and at random positions.
 
 use std::ops::Range;
 
 use common::soft::Particle;
 use oracle::{Random, whole};
 
-/// A particle, and the number of the bin that it was put into.
+/// A particle, and the number of its bin.
 #[derive(Clone, Copy)]
 pub(crate) struct Binned {
     pub(crate) bin: usize,
     pub(crate) particle: Particle,
 }
 
-/// Particle number `id` at rest at (x, y).
+/// Returns particle number `id` at rest at (x, y).
 pub(crate) fn numbered(id: usize, x: f64, y: f64) -> Particle {
     Particle { x, y, id: id as u32, ..Particle::default() }
 }
 
-/// Particle number `id` well inside a bin of a box of side 1 with `along` bins along a wall.
+/// Draws particle number `id` well inside a bin of a box of side 1 with `along` bins along a wall.
 pub(crate) fn inside(random: &mut Random, along: usize, bin: usize, id: usize) -> Binned {
     let mut at = |index: usize| (index as f64 + random.between(0.05, 0.95)) / along as f64;
     Binned { bin, particle: numbered(id, at(bin % along), at(bin / along)) }
 }
 
-/// `n` particles well inside bins of some rows: in any bins, or all in one. Some stand where the particle
-/// before stands.
+/// Draws `n` particles well inside bins of some rows: in any bins, or all in one bin. Some
+/// particles have the position of the previous particle.
 pub(crate) fn binned(
     random: &mut Random,
     along: usize,
@@ -52,17 +52,17 @@ fn any_bin(random: &mut Random, along: usize, rows: &Range<usize>) -> usize {
     (rows.start + random.below(rows.len())) * along + random.below(along)
 }
 
-/// The particles alone.
+/// Returns the particles without their bins.
 pub(crate) fn particles_of(all: &[Binned]) -> Vec<Particle> {
     all.iter().map(|one| one.particle).collect()
 }
 
-/// The numbers of particles.
+/// Returns the ids of particles.
 pub(crate) fn ids<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
     whole(particles.into_iter().map(|p| p.id as usize))
 }
 
-/// Numbers whose order does not matter.
+/// Sorts numbers whose order does not matter.
 pub(crate) fn in_any_order(mut numbers: Vec<f64>) -> Vec<f64> {
     numbers.sort_by(f64::total_cmp);
     numbers

@@ -7,30 +7,30 @@ use oracle::{Ask, Random, Runs, drawn, scenes};
 
 use super::particles::numbered;
 
-/// A grid of one bin.
+/// Returns a grid of one bin.
 fn one_bin() -> Grid {
     Grid::with_bins_along(1.0, 1)
 }
 
-/// Runs of `rebuild`. On a fresh starter the todo of task 2.4 comes first.
+/// Returns runs of `rebuild`. An unsolved starter stops at the `todo!` of task 2.4.
 pub(crate) fn rebuild() -> Runs {
     VecBins::new(one_bin()).acceleration(&Particle::default(), &mut NoStatistics);
     Runs::new("2.4", VARIANTS, "rebuild")
 }
 
-/// Runs of `incremental`. On a fresh starter the todo of task 2.5 comes first.
+/// Returns runs of `incremental`. An unsolved starter stops at the `todo!` of task 2.5.
 pub(crate) fn incremental() -> Runs {
     take_leavers(&one_bin(), 0, &mut Vec::new(), &mut Vec::new());
     Runs::new("2.5", VARIANTS, "incremental")
 }
 
-/// Runs of `linked-list`. On a fresh starter the todo of task 2.7 comes first.
+/// Returns runs of `linked-list`. An unsolved starter stops at the `todo!` of task 2.7.
 pub(crate) fn linked_list() -> Runs {
     forward(&one_bin(), 0, 0, &mut [0; 4]);
     Runs::new("2.7", VARIANTS, "linked-list")
 }
 
-/// Runs of `sorted`. On a fresh starter the todo of task 2.9 comes first.
+/// Returns runs of `sorted`. An unsolved starter stops at the `todo!` of task 2.9.
 pub(crate) fn sorted() -> Runs {
     Gather::default().acceleration(&Particle::default(), [], &mut NoStatistics);
     Runs::new("2.9", VARIANTS, "sorted")
@@ -63,7 +63,7 @@ pub(crate) fn sparse(ask: &mut impl Ask, runs: &Runs) {
     runs.resynchronised(ask, &wide(), 3);
 }
 
-/// Boxes of one particle, in the middle, on walls and in corners, large and small.
+/// Returns boxes of one particle, in the middle, on walls and in corners, large and small.
 fn loners() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for size in [1e-300, 0.3 * CUTOFF, CUTOFF, 7.7 * CUTOFF, 1e300] {
@@ -75,7 +75,7 @@ fn loners() -> Vec<Scene> {
     scenes
 }
 
-/// 500 pairs within the cutoff, each pair alone somewhere in a box a million cutoffs wide.
+/// Returns 500 pairs within the cutoff, each pair alone in a box a million cutoffs wide.
 fn wide() -> Scene {
     let size = 1e6 * CUTOFF;
     let mut random = Random::new(21);
@@ -85,7 +85,7 @@ fn wide() -> Scene {
         let y = random.between(0.0, 0.99 * size);
         particles.extend([numbered(0, x, y), numbered(0, x + 0.6 * CUTOFF, y + 0.5 * CUTOFF)]);
     }
-    // Better to stop here than to ask the machine for memory that it does not have.
+    // The test stops here, before it requests memory that the machine does not have.
     let bins = Grid::new(size, CUTOFF, particles.len()).bins();
     assert!(bins <= 8000, "{bins} bins for 1000 particles in a box a million cutoffs wide");
     Scene::new(size, particles).expect("the scene is sound")
@@ -102,13 +102,14 @@ pub(crate) fn statistics(ask: &mut impl Ask, runs: &Runs) {
     runs.long_statistics(ask);
 }
 
-/// Particles that double in each step are found before they fill the memory.
+/// Asks for the number of particles, so that a program that doubles them in each step fails before
+/// memory is full.
 pub(crate) fn memory(ask: &mut impl Ask, runs: &Runs) {
     runs.resynchronised(ask, &scenes::dense(), 8);
     runs.keeps_its_memory(ask);
 }
 
-/// The forces first, for the same reason.
+/// Asks for the forces first, because doubled particles would fill the memory.
 pub(crate) fn keeps_everyone(ask: &mut impl Ask, runs: &Runs) {
     for bin_size in [1.0, 2.0] {
         let runs = runs.clone().set(BIN_SIZE, bin_size);
@@ -117,7 +118,7 @@ pub(crate) fn keeps_everyone(ask: &mut impl Ask, runs: &Runs) {
     }
 }
 
-/// However many particles: as many pair tests for each.
+/// Asks whether the number of pair tests per particle is independent of the number of particles.
 pub(crate) fn pair_tests(ask: &mut impl Ask, runs: &Runs) {
     for n in [1000, 8000, 64_000] {
         let found = move |engine: &mut dyn Simulation| {
@@ -143,7 +144,8 @@ pub(crate) fn pair_tests(ask: &mut impl Ask, runs: &Runs) {
     }
 }
 
-/// Bins are two and three cutoffs wide: a grid with bins somewhat too narrow still finds every pair.
+/// Asks for steps with bins of two and three cutoffs. A grid with slightly narrower bins still
+/// finds every pair.
 pub(crate) fn drawn_boxes(random: &mut Random, ask: &mut impl Ask) {
     for bin_size in [2.0, 3.0] {
         let runs = linked_list().set(BIN_SIZE, bin_size);

@@ -9,7 +9,8 @@ use oracle::{Ask, Count, Random, acceleration_of_pair, whole};
 
 use super::particles::{Binned, binned, ids, particles_of};
 
-/// All or some rows of a grid, sorted again and again, with more and at last with less.
+/// Asks about all or some rows of a grid, sorted repeatedly, with more particles and finally with
+/// fewer.
 pub(crate) fn sorts(random: &mut Random, ask: &mut impl Ask) {
     for (along, rows, most) in [
         (1, 0..1, 65_537),
@@ -20,7 +21,7 @@ pub(crate) fn sorts(random: &mut Random, ask: &mut impl Ask) {
         (300, 250..300, 4097),
     ] {
         let mut bins = SortedBins::new(Grid::with_bins_along(1.0, along), rows.clone());
-        // As they come, and as many in the order of their bins.
+        // The particles are in random order, or in the order of their bins.
         let sizes = random.sizes(most).into_iter().chain([2, 0, 1, 0]);
         for (n, in_order) in sizes.flat_map(|n| [(n, false), (n, true)]) {
             let mut all = binned(random, along, &rows, n);
@@ -71,8 +72,9 @@ fn sort(
     }
 }
 
-/// The force on a particle by any number of candidates in several slices, in any order, with ids of any
-/// size, many in reach or just at the cutoff; and then by none.
+/// Asks for the force on a particle by any number of candidates, finally without candidates. The
+/// candidates are in several slices, in any order, with ids of any size. Many are within reach or
+/// exactly at the cutoff.
 pub(crate) fn sums(random: &mut Random, ask: &mut impl Ask) {
     let mut gather = Gather::default();
     let sizes: Vec<usize> = (0..12).flat_map(|_| random.sizes(1025)).chain([0]).collect();
@@ -93,7 +95,7 @@ struct Around {
 }
 
 impl Around {
-    /// `n` candidates, whose ids are multiples of `apart`.
+    /// Draws `n` candidates, whose ids are multiples of `apart`.
     fn drawn(random: &mut Random, n: usize, apart: u32) -> Self {
         let particle = Particle { id: random.below(n + 1) as u32 * apart, ..Particle::default() };
         let side = CUTOFF * random.magnitude(0.3, 10.0);
@@ -147,7 +149,7 @@ impl Around {
     }
 }
 
-/// A vector as long as the cutoff, or a little shorter or longer.
+/// Draws a vector whose length is the cutoff, or slightly less or more.
 fn beside_the_cutoff(random: &mut Random) -> Vec2 {
     let (sin, cos) = random.between(0.0, TAU).sin_cos();
     let off = [0.0, 1e-15, random.signed(1e-16, 1e-3)][random.below(3)];

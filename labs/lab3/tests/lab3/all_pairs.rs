@@ -1,4 +1,4 @@
-//! Questions about all pairs by several threads.
+//! Questions about forces between all pairs, summed by several threads.
 
 use common::soft::{CUTOFF, Observer, Particle, Simulation, Statistics};
 use lab3::Vanilla;
@@ -8,7 +8,7 @@ use solution1::Tally;
 
 use super::bins::states;
 
-/// Steps of any number of particles on some threads, and then of a few.
+/// Asks for steps of any number of particles on some threads, and then of a few particles.
 pub(crate) fn steps(random: &mut Random, ask: &mut impl Ask) {
     for threads in [1, 2, 3, 7] {
         let mut engine = Vanilla::<Tally>::new(threads);
@@ -42,7 +42,7 @@ pub(crate) fn steps(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Counts the observers merged into it that were told of 150 pairs.
+/// An observer that counts the merged observers that have seen 150 pairs.
 #[derive(Clone, Default)]
 struct OfOne {
     tested: u64,
@@ -62,7 +62,7 @@ impl Observer for OfOne {
     }
 }
 
-/// Every particle has an observer.
+/// Asks whether every particle has its own observer.
 pub(crate) fn observers(random: &mut Random, ask: &mut impl Ask) {
     let scene = anywhere(random, 150, 10.3 * CUTOFF, 1.0);
     let mut engine = Vanilla::<OfOne>::new(2);

@@ -10,20 +10,20 @@ use parking_lot::Mutex;
 const MEMBERS: usize = 3;
 const PARTS: [Part; 3] = [Part::Forces, Part::Moves, Part::Arrivals];
 
-/// How long a member is held back for others that may never come.
+/// Time that a member is held back for others that may never come.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// What the members of a team did in each part of all steps.
+/// Actions of a team's members in each part of all steps.
 struct Rehearsal {
-    /// For each part the number of members that began it.
+    /// For each part, the number of members that began it.
     begun: Vec<usize>,
-    /// For each part the number of members that ended it.
+    /// For each part, the number of members that ended it.
     ended: Vec<usize>,
-    /// For each part and member: how many members had ended the part before.
+    /// For each part and member, the number of members that had ended the previous part.
     before: Vec<[usize; MEMBERS]>,
-    /// How often the others did not wait at the barrier for a member that was held back.
+    /// Number of times that the others did not wait at the barrier for a delayed member.
     alone: usize,
-    /// The number of members that have begun a part too early.
+    /// Number of members that began a part too early.
     early: usize,
 }
 
@@ -47,8 +47,9 @@ impl Rehearsal {
     }
 }
 
-/// Does a member's part number `turn`. In each part one member holds back until the others wait at
-/// the barrier, or until one has begun too early: time alone does not let it go on.
+/// Does a member's part number `turn`. In each part one member is delayed until the others wait at
+/// the barrier, or until a member has begun too early. Elapsed time alone does not release the
+/// member.
 fn rehearse(turn: usize, member: usize, barrier: &Barrier, notes: &Mutex<Rehearsal>) {
     notes.lock().begin(turn, member);
     if turn % 4 == member && notes.lock().is_sound() {
@@ -61,7 +62,7 @@ fn rehearse(turn: usize, member: usize, barrier: &Barrier, notes: &Mutex<Rehears
     notes.lock().ended[turn] += 1;
 }
 
-/// Three members take some steps.
+/// Returns the rehearsal of three members that take some steps.
 fn rehearsal(steps: usize) -> Rehearsal {
     let turns = PARTS.len() * steps;
     let barrier = Barrier::new(MEMBERS);
@@ -86,7 +87,7 @@ fn rehearsal(steps: usize) -> Rehearsal {
     notes.into_inner()
 }
 
-/// What three members do in each part of some steps.
+/// Asks for the actions of three members in each part of some steps.
 pub(crate) fn rehearsals(random: &mut Random, ask: &mut impl Ask) {
     let steps = 4 + random.below(9);
     let found = rehearsal(steps);
@@ -108,7 +109,7 @@ pub(crate) fn rehearsals(random: &mut Random, ask: &mut impl Ask) {
     ask.exact(&question, || whole([found.alone]), || whole([0]));
 }
 
-/// The parts and barriers of one member in few and many steps.
+/// Asks for the parts and barriers of one member in few and many steps.
 pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
     for steps in [0_usize, 1, 3, 70_000] {
         let barrier = Barrier::new(1);
@@ -120,7 +121,7 @@ pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
         let found = || whole([parts, barrier.meetings() as usize]);
         ask.judge(&question, found, |found| {
             let right = 3 * steps;
-            // Nobody waits for anything after the last part.
+            // No member needs to wait after the last part.
             if [right, right.saturating_sub(1)].iter().any(|least| found == whole([right, *least]))
             {
                 return Ok(());

@@ -1,4 +1,4 @@
-//! Questions about emptying change buffers, by one thread and by all.
+//! Questions about emptying change buffers, by one thread and by all threads.
 
 use std::ops::Range;
 
@@ -8,16 +8,16 @@ use oracle::scenes::on_edges;
 use oracle::{Ask, Random};
 use solution2::{Grid, VecBins};
 
-/// Particles in change buffers, and one that is in its bin already.
+/// Particles in change buffers, and one particle that is in its bin already.
 struct Leavers {
     grid: Grid,
-    /// Some rows of bins.
+    /// A range of rows of bins.
     rows: Range<usize>,
-    /// Few particles on walls and edges of many bins, or many in a single bin.
+    /// Few particles on walls and edges of many bins, or many particles in a single bin.
     leavers: Vec<Particle>,
-    /// In the first bin of the rows.
+    /// A particle in the first bin of the rows.
     resident: Particle,
-    /// Where the buffers end; some buffers are empty.
+    /// The ends of the buffers; some buffers are empty.
     ends: Vec<usize>,
 }
 
@@ -30,7 +30,7 @@ impl Leavers {
         let start = random.below(along);
         let rows = start..start + 1 + random.below(along - start);
         let mut leavers = on_edges(random, n, size, along);
-        // On the edges of the rows, where rounding decides which row has a particle.
+        // Particles on the edges of the rows, where rounding decides which row has the particle.
         for edge in [rows.start as f64, rows.end as f64] {
             for y in [edge * (size / along as f64), edge * size / along as f64] {
                 let id = leavers.len() as u32;
@@ -43,7 +43,7 @@ impl Leavers {
         let y = middle(rows.start);
         let resident = Particle { x, y, id: n as u32, ..Particle::default() };
         let grid = Grid::with_bins_along(size, along);
-        // Many buffers or few; the first or the last is empty.
+        // Many buffers or few; the first buffer or the last is empty.
         let end = n * random.below(2);
         let most = [40, 1025][random.below(2)];
         let mut ends: Vec<usize> = (0..random.size(most)).map(|_| random.below(n + 1)).collect();
@@ -56,7 +56,7 @@ impl Leavers {
         self.ends.windows(2).map(|ends| &self.leavers[ends[0]..ends[1]])
     }
 
-    /// Asks for the bins that each particle is in, of `bins`, the bins of `rows`.
+    /// Asks for the bins that contain each particle. `bins` are the bins of `rows`.
     fn ask(&self, rows: &Range<usize>, bins: &[Vec<Particle>], ask: &mut impl Ask) {
         let n = self.leavers.len();
         let along = self.grid.rows();
@@ -98,7 +98,7 @@ impl Leavers {
     }
 }
 
-/// All particles of all buffers go into their bins.
+/// Asks one thread to put all particles of all buffers into their bins.
 pub(crate) fn by_one(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..60 {
         let leavers = Leavers::drawn(random, case);
@@ -109,7 +109,7 @@ pub(crate) fn by_one(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The particles that lie in the own rows go into their bins.
+/// Asks each thread to put the particles in its own rows into their bins.
 pub(crate) fn by_all(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..60 {
         let leavers = Leavers::drawn(random, case);

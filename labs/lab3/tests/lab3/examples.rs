@@ -1,4 +1,4 @@
-//! The worked examples: a scene that can be checked by hand, and what the lab makes of it.
+//! The worked examples: a scene that can be checked by hand, and the lab's results.
 
 use std::ops::Range;
 
@@ -15,7 +15,7 @@ use solution2::{Grid, VecBins};
 use super::bins::{at, ids, of_cutoffs, row_by_row};
 use super::reductions::{add_quarter, at_first, statistics};
 
-/// A velocity or an acceleration. Either zero will do.
+/// Formats a velocity or an acceleration. Negative zero becomes zero.
 fn number(value: f64) -> String {
     format!("{:.1}", value + 0.0)
 }
@@ -45,7 +45,8 @@ pub(crate) fn forces_of_all_pairs(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// A part that has seen a pair at a distance of `r` cutoffs from both sides, and has looked at four.
+/// Returns a part that has tested four pairs. If `r` is given, the part has seen a pair at a
+/// distance of `r` cutoffs from both sides.
 fn part(r: Option<f64>) -> Tally {
     let mut tally = Tally::default();
     tally.tested(4);
@@ -75,7 +76,7 @@ pub(crate) fn sums(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// One addition to the sum of distances, into which another thread comes.
+/// Shows one addition to the sum of distances that another thread interrupts.
 fn interrupted() -> Table {
     let mut table =
         Table::new(["davg before", "part", "times that another thread adds 0.25", "davg after"]);
@@ -90,7 +91,7 @@ fn interrupted() -> Table {
     table
 }
 
-/// The rows of each of some workers.
+/// Returns the rows of each of `workers` workers.
 fn rows_of_all(rows: usize, workers: usize) -> impl Iterator<Item = Range<usize>> {
     (0..workers).map(move |worker| own_rows(worker, workers, rows))
 }
@@ -140,8 +141,8 @@ pub(crate) fn forces_of_workers(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Two particles in each of four rows of bins. Particles 1 and 3 fly up by a row in each step, and
-/// particle 4 flies down.
+/// Returns two particles in each of four rows of bins. Particles 1 and 3 fly up by a row in each
+/// step, and particle 4 flies down.
 fn eight() -> Vec<Particle> {
     let particle = |id: u32| {
         let rows_per_step = [0.0, 1.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0][id as usize];
@@ -152,7 +153,7 @@ fn eight() -> Vec<Particle> {
     (0..8).map(particle).collect()
 }
 
-/// An acceleration that takes particle 6 into the bin to its left, and none for the others.
+/// Returns an acceleration that takes particle 6 into the bin to its left, and zero for the others.
 fn push_6(p: &Particle) -> Vec2 {
     Vec2::new(if p.id == 6 { -1.0 / (DT * DT) } else { 0.0 }, 0.0)
 }

@@ -1,4 +1,4 @@
-//! Experiments, which print tables for the book. They run only if they are named.
+//! Experiments that print tables for the book. They run only if they are named.
 
 use std::collections::HashSet;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -41,7 +41,7 @@ fn experiment_reductions() {
 }
 
 // ANCHOR: false_sharing
-/// Counts to `COUNT` in every counter, each on a thread of its own.
+/// Counts to `COUNT` in every counter, each counter on its own thread.
 fn count<C: AsRef<AtomicU64> + Sync>(counters: &[C]) {
     thread::scope(|scope| {
         for counter in counters {
@@ -88,7 +88,8 @@ fn experiment_false_sharing() {
     }
 }
 
-/// Times two ways of waiting: threads are started and joined, or threads that stay meet at a barrier.
+/// Times two ways of waiting: threads are started and joined, or permanent threads meet at a
+/// barrier.
 #[test]
 #[ignore = "an experiment: prints a table"]
 fn experiment_threads() {

@@ -1,5 +1,5 @@
-//! The worked examples of particles and numbers that are handed over: in change buffers, by mail, in a
-//! notice.
+//! The worked examples of particles and numbers that are handed over: in change buffers, by mail,
+//! in a notice.
 
 use common::soft::{Particle, Statistics};
 use lab3::{Notice, rebin_by_one, take_arrivals, take_posted};
@@ -11,7 +11,7 @@ use super::bins::ids;
 use super::mail::Mail;
 use super::notices::readings;
 
-/// Two bins along a wall, and five particles: one in its bin, four in three change buffers.
+/// Returns five particles in two bins along a wall: one in its bin, four in three change buffers.
 fn five() -> [Particle; 5] {
     let places = [(0.5, 0.5), (0.5, 1.5), (1.5, 0.5), (1.2, 1.8), (0.8, 0.2)];
     std::array::from_fn(|k| {
@@ -20,7 +20,7 @@ fn five() -> [Particle; 5] {
     })
 }
 
-/// Where the five particles are before rebinning.
+/// Positions of the five particles before rebinning.
 const BEFORE: [&str; 5] = [
     "bin 0",
     "buffer of worker 0",
@@ -29,12 +29,12 @@ const BEFORE: [&str; 5] = [
     "buffer of worker 2",
 ];
 
-/// The change buffers of three workers.
+/// Returns the change buffers of three workers.
 fn buffers(five: &[Particle; 5]) -> [&[Particle]; 3] {
     [&five[1..3], &[], &five[3..]]
 }
 
-/// The numbers of the bins that hold a particle, of bins that begin with number `first`.
+/// Returns the numbers of those `bins` that hold particle `id`. The first bin has number `first`.
 fn holding(id: u32, first: usize, bins: &[Vec<Particle>]) -> String {
     let holds = |(_, inside): &(usize, &Vec<Particle>)| inside.iter().any(|p| p.id == id);
     ascending((first..).zip(bins).filter(holds).map(|(bin, _)| bin))
@@ -75,13 +75,13 @@ pub(crate) fn rebinning_by_all(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Particle `id` in the middle of a bin of row `row`.
+/// Returns particle `id` in the middle of a bin of row `row`.
 fn letter(id: u32, row: u32) -> Particle {
     let x = 0.5 + f64::from(id % 6);
     Particle { x, y: 0.5 + f64::from(row), id, ..Particle::default() }
 }
 
-/// The letters of three members. Member 1 owns rows 2 and 3.
+/// Returns the letters of three members. Member 1 owns rows 2 and 3.
 fn posted() -> Mail {
     let mail: Mail = (0..3).map(|_| (0..3).map(|_| Mutex::default()).collect()).collect();
     mail[0][1].lock().push(letter(1, 2));

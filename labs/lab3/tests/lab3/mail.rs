@@ -11,10 +11,10 @@ use solution2::{Grid, SortedBins};
 use super::bins::states;
 use super::workers::some_rows;
 
-/// `mail[from][to]`: the particles on their way from one member to another.
+/// Mail of a team: `mail[from][to]` holds the particles on their way from one member to another.
 pub(crate) type Mail = Vec<Vec<Mutex<Vec<Particle>>>>;
 
-/// A member's particles and its mail.
+/// A member's particles and the team's mail.
 struct Case {
     number: usize,
     bins: SortedBins,
@@ -29,7 +29,7 @@ impl Case {
         let mut bins = SortedBins::new(Grid::with_bins_along(1.0, along), letters.rows.clone());
         let own = random.size(33);
         bins.refill((0..own).map(|_| letters.next(random)));
-        // They have moved within the rows since they were sorted.
+        // The particles have moved within the rows since they were sorted.
         let moved = |p: &Particle, to: Particle| Particle { id: p.id, ..to };
         bins.particles_mut().iter_mut().for_each(|p| *p = moved(p, letters.next(random)));
         let members = 1 + random.size(40);
@@ -45,14 +45,14 @@ impl Case {
         Self { number, bins, mail }
     }
 
-    /// All particles that the member has when it has taken its mail.
+    /// Returns all particles that the member has after it has taken its mail.
     fn with_mail(&self) -> Vec<Particle> {
         let posted = self.mail.iter().flat_map(|to| to[self.number].lock().clone());
         self.bins.particles().iter().copied().chain(posted).collect()
     }
 
-    /// How many letters are in the boxes that `is` chooses, by the number of the receiver and the
-    /// member's own.
+    /// Returns the number of letters in the boxes that `is` chooses by the receiver's number and
+    /// the member's own number.
     fn letters(&self, is: fn(usize, usize) -> bool) -> Vec<f64> {
         let boxes = self.mail.iter().flat_map(|to| to.iter().enumerate());
         let chosen = boxes.filter(|(to, _)| is(*to, self.number));
@@ -60,7 +60,7 @@ impl Case {
     }
 }
 
-/// Draws particles with new ids that lie in some rows.
+/// Draws particles with new ids in some rows.
 struct Letters {
     along: usize,
     rows: Range<usize>,
@@ -76,7 +76,7 @@ impl Letters {
     }
 }
 
-/// Row, column and id of each particle that the bins hold, as they lie there.
+/// Returns row, column and id of each particle that the bins hold, in their order in memory.
 fn held(bins: &SortedBins) -> Vec<f64> {
     let columns = bins.grid().columns();
     let cells = bins.rows().flat_map(|row| (0..columns).map(move |column| (row, column)));
@@ -86,7 +86,8 @@ fn held(bins: &SortedBins) -> Vec<f64> {
     whole(cells.flat_map(inside))
 }
 
-/// Row, column and id of each particle where it lies. Those of a bin are in the order of `all`.
+/// Returns row, column and id of each particle by its position. Particles of a bin are in the order
+/// of `all`.
 fn where_they_lie(grid: &Grid, all: &[Particle]) -> Vec<f64> {
     let place = |p: &Particle| [grid.row(p.y), grid.column(p.x), p.id as usize];
     let mut places: Vec<_> = all.iter().map(place).collect();
@@ -94,11 +95,11 @@ fn where_they_lie(grid: &Grid, all: &[Particle]) -> Vec<f64> {
     whole(places.into_iter().flatten())
 }
 
-/// Mail by some members, each of which has posted one particle. Sorting exchanges two arrays, so that it shows how
-/// often it was done: the particles are in the array in which they were before if it was twice.
+/// Returns 1 if a member sorts twice after each of `members` members has posted one particle. Each
+/// sort exchanges two arrays, so after two sorts the particles are in the original array.
 fn is_sorted_twice(members: usize) -> f64 {
     let mut bins = SortedBins::new(Grid::with_bins_along(1.0, 4), 0..4);
-    // Afterwards either array has room for all.
+    // Refilling gives both arrays room for all particles.
     bins.refill(vec![Particle::default(); 100]);
     bins.refill([]);
     let before = bins.particles().as_ptr();
@@ -108,7 +109,7 @@ fn is_sorted_twice(members: usize) -> f64 {
     truth(bins.particles().as_ptr() == before)
 }
 
-/// Mail to a member by any number of members, some of which have posted none.
+/// Asks about mail to a member from any number of members, some of which have posted nothing.
 pub(crate) fn letters(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..60 {
         let mut case = Case::drawn(random, case);

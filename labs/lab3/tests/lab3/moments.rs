@@ -1,5 +1,5 @@
-//! The worked examples of what threads do, moment by moment. Threads are held back, so that each moment
-//! has its place in every run.
+//! The worked examples of the actions of threads, moment by moment. Threads are delayed so that the
+//! moments have the same order in every run.
 
 use std::thread;
 use std::time::{Duration, Instant};
@@ -10,17 +10,18 @@ use parking_lot::Mutex;
 
 use super::threads::panics_with;
 
-/// A member that does each part when the other waits at a barrier, or has gone on without it.
+/// A member that does each part when the other member waits at a barrier, or has continued without
+/// waiting.
 const LATE: usize = 1;
 
-/// What two members have done.
+/// Progress of two members.
 struct Team {
-    /// The number of parts that each member has ended.
+    /// Number of parts that each member has ended.
     ended: [usize; 2],
     table: Table,
 }
 
-/// One part of a member.
+/// Does one part of a member.
 fn do_part(member: usize, part: Part, barrier: &Barrier, team: &Mutex<Team>) {
     if member == LATE {
         barrier.be_last();
@@ -34,7 +35,7 @@ fn do_part(member: usize, part: Part, barrier: &Barrier, team: &Mutex<Team>) {
     team.ended[member] += 1;
 }
 
-/// Two members take two steps, and member 1 is late in each part.
+/// Shows two members that take two steps. Member 1 is late in each part.
 pub(crate) fn barriers(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let headings =
@@ -55,10 +56,10 @@ pub(crate) fn barriers(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// How long a thread waits for others that may never come.
+/// Time that a thread waits for others that may never come.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// What three threads have done.
+/// Actions of three threads.
 struct Moments {
     begun: usize,
     ended: usize,
@@ -71,7 +72,7 @@ impl Moments {
     }
 }
 
-/// Returns when `reached` is so, or when it is clear that it never will be.
+/// Returns when `reached` is true, or when it is clear that it never will be.
 fn until(moments: &Mutex<Moments>, reached: impl Fn(&Moments) -> bool) {
     let end = Instant::now() + PATIENCE;
     while !reached(&moments.lock()) && Instant::now() < end {
@@ -79,7 +80,7 @@ fn until(moments: &Mutex<Moments>, reached: impl Fn(&Moments) -> bool) {
     }
 }
 
-/// Three threads begin in the order of their numbers and end in the opposite order.
+/// Shows three threads that begin in the order of their numbers and end in the opposite order.
 pub(crate) fn threads(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let table = Table::new(["", "threads at work"]);

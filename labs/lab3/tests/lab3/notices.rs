@@ -8,23 +8,23 @@ use oracle::{Ask, Random};
 
 use super::reductions::{drawn, numbers};
 
-/// One way in which a notice may be read while another thread posts it.
+/// A way in which a notice may be read while another thread posts it.
 pub(crate) struct Reading {
-    /// What was read, if anything was.
+    /// The notice that was read. `None` if no notice was found.
     pub(crate) found: Option<Statistics>,
     /// The operations of both threads, in words.
     pub(crate) told: String,
 }
 
 impl Reading {
-    /// What was read, the number of bytes of the words, and these bytes.
+    /// Returns the notice that was read, the length of the words in bytes, and these bytes.
     fn into_numbers(self) -> Vec<f64> {
         let read = [answer(self.found), vec![self.told.len() as f64]].concat();
         read.into_iter().chain(self.told.bytes().map(f64::from)).collect()
     }
 }
 
-/// All readings that the orderings of the program's operations allow.
+/// Returns all readings that the orderings of the program's operations allow.
 pub(crate) fn readings(posted: &Statistics) -> Vec<Reading> {
     let memory = Arc::new(Memory::default());
     let number = |name, bits| Atomic::watched(bits, &memory, name);
@@ -40,12 +40,12 @@ pub(crate) fn readings(posted: &Statistics) -> Vec<Reading> {
     readings.into_iter().map(|(found, told)| Reading { found, told }).collect()
 }
 
-/// 1 and the numbers of a notice, or 0 if there is none.
+/// Returns 1 and the numbers of a notice, or 0 if there is no notice.
 fn answer(notice: Option<Statistics>) -> Vec<f64> {
     notice.map_or(vec![0.0], |s| [vec![1.0], numbers(&s)].concat())
 }
 
-/// Notices with numbers of any size.
+/// Asks for notices with numbers of any size.
 pub(crate) fn whole(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..20 {
         let posted = drawn(random);
@@ -68,7 +68,7 @@ pub(crate) fn whole(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The readings of one notice, each with what both threads did.
+/// Asks for the readings of one notice, each with the operations of both threads.
 pub(crate) fn orderings(_: &mut Random, ask: &mut impl Ask) {
     let posted = Statistics { dmin: 0.25, davg: 1.5, navg: 4, pair_tests: 9 };
     let found = || readings(&posted).into_iter().flat_map(Reading::into_numbers).collect();
@@ -91,7 +91,8 @@ pub(crate) fn orderings(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// What is stronger than it needs to be, or is done too often, of what a reading tells.
+/// Names an operation in `told` that is stronger than necessary or repeated. Returns `None` if all
+/// operations are needed.
 fn too_much(told: &str) -> Option<String> {
     let needed = [
         "writes the flag, Release",

@@ -1,5 +1,5 @@
-//! Questions about a sum by several threads: under a lock, with atomics, also while another thread comes in between,
-//! and in a fixed order.
+//! Questions about a sum by several threads. The additions are under a lock, with atomics (also
+//! while another thread interrupts), or in a fixed order.
 
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 use std::thread;
@@ -10,7 +10,7 @@ use lab3::{AtomicStatistics, BLOCK, Word, in_order, pool, under_a_lock, with_ato
 use oracle::{Ask, Near, Random, whole};
 use solution1::Tally;
 
-/// `count` statistics whose sum depends, in its last digits, on the order in which they are added.
+/// Returns `count` statistics whose sum depends, in its last digits, on the order of the additions.
 pub(crate) fn parts(count: usize) -> Vec<Tally> {
     let part = |i: usize| {
         let mut tally = Tally::default();
@@ -25,12 +25,12 @@ pub(crate) fn statistics(tally: &Tally) -> Statistics {
     tally.statistics().expect("a tally has statistics")
 }
 
-/// dmin, davg, navg and pair tests.
+/// Returns dmin, davg, navg and pair tests.
 pub(crate) fn numbers(s: &Statistics) -> Vec<f64> {
     vec![s.dmin, s.davg, s.navg as f64, s.pair_tests as f64]
 }
 
-/// Statistics with counts of any size, and with a least distance and a sum of any magnitude.
+/// Draws statistics with counts of any size, and with a least distance and a sum of any magnitude.
 pub(crate) fn drawn(random: &mut Random) -> Statistics {
     let mut count = || random.bits() >> (12 + random.below(50));
     let navg = count();
@@ -40,7 +40,7 @@ pub(crate) fn drawn(random: &mut Random) -> Statistics {
     Statistics { dmin, davg, navg, pair_tests }
 }
 
-/// Parts that one thread adds to atomic numbers.
+/// Asks for the sum of parts that one thread adds to atomic numbers.
 pub(crate) fn one_after_another(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..200 {
         let parts: Vec<Statistics> = (0..random.below(9)).map(|_| drawn(random)).collect();
@@ -85,7 +85,7 @@ fn on_any_threads<A: Ask>(
     }
 }
 
-/// The sum block by block, in order.
+/// Returns the sum block by block, in order.
 fn by_blocks(parts: &[Tally]) -> Statistics {
     let mut blocks = vec![Tally::default(); parts.len().div_ceil(BLOCK)];
     parts.iter().enumerate().for_each(|(i, part)| blocks[i / BLOCK].merge(part));
@@ -130,10 +130,10 @@ pub(crate) fn ordered(_: &mut Random, ask: &mut impl Ask) {
 /// The number of observers that are being merged at this moment.
 static MERGING: AtomicUsize = AtomicUsize::new(0);
 
-/// The number of merges that have waited for another one.
+/// The number of merges that have waited for another merge.
 static WAITS: AtomicUsize = AtomicUsize::new(0);
 
-/// A count. Its merge takes some milliseconds, or ends when another thread merges too.
+/// A count whose merge takes some milliseconds, or ends when another thread merges too.
 #[derive(Clone, Default)]
 struct Slow(u64);
 
@@ -158,7 +158,7 @@ impl Observer for Slow {
     }
 }
 
-/// Additions that take their time.
+/// Asks for the sum of slow additions.
 pub(crate) fn slow(_: &mut Random, ask: &mut impl Ask) {
     let found = || pool(4).install(|| under_a_lock(&vec![Slow(1); 100])).0 as usize;
     let question = "100 parts of 1 are added under a lock by four threads, slowly: the total. A total below 100 means \
@@ -166,7 +166,7 @@ pub(crate) fn slow(_: &mut Random, ask: &mut impl Ask) {
     ask.exact(question, || whole([found()]), || whole([100]));
 }
 
-/// Another thread comes in few and many times.
+/// Asks for the sum when another thread interrupts few and many times.
 pub(crate) fn interrupted(_: &mut Random, ask: &mut impl Ask) {
     for times in [1, 2, 3, 40, 1000] {
         let question = format!(
@@ -178,11 +178,11 @@ pub(crate) fn interrupted(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Whether the other thread's additions and the own ones are all in a sum.
+/// Checks that a sum contains the other thread's additions and the thread's own additions.
 fn nothing_lost(times: u32, found: &[f64]) -> Result<(), String> {
     let others = f64::from(2 * times);
     let right = [0.125, 1.0 + 0.125 * others, 2.0 + others, 8.0 + others];
-    // Nobody can come into an addition that is one operation; then only a reading is interrupted.
+    // An addition in one operation cannot be interrupted; then only a reading is interrupted.
     let fewest = [right[0], right[1], 4.0, 10.0];
     let is_right = |k: usize| found[k] == right[k] || found[k] == fewest[k];
     if found.len() == 4 && (0..4).all(is_right) {
@@ -191,7 +191,7 @@ fn nothing_lost(times: u32, found: &[f64]) -> Result<(), String> {
     Err(format!("     found: {found:?}\n  expected: {right:?}"))
 }
 
-/// The sum of two additions while another thread comes in `times` times.
+/// Returns the sum of two additions while another thread interrupts `times` times.
 fn sum_of_two(times: u32) -> Statistics {
     let total = AtomicStatistics {
         dmin: Word::new(1.0_f64.to_bits()).interrupted(at_first(times, lower)),
@@ -200,14 +200,15 @@ fn sum_of_two(times: u32) -> Statistics {
         pair_tests: Word::new(0).interrupted(at_first(times, add_two)),
     };
     let part = Statistics { dmin: 0.5, davg: 0.5, navg: 1, pair_tests: 4 };
-    // The first reading of each word may be that of `sum`.
+    // The first reading of each word may belong to `sum`.
     total.add(&part);
     total.sum();
     total.add(&part);
     total.sum()
 }
 
-/// What another thread does to a word, the first `times` times that it can.
+/// Returns a function by which another thread changes a word with `by`, at the first `times`
+/// opportunities.
 pub(crate) fn at_first(times: u32, by: fn(&AtomicU64)) -> impl Fn(&AtomicU64) {
     let done = AtomicU32::new(0);
     move |bits| {

@@ -1,9 +1,10 @@
-//! Questions about which rows a worker owns.
+//! Questions about the rows that a worker owns.
 
 use lab3::own_rows;
 use oracle::{Ask, Random, whole};
 
-/// Few rows and many among few workers and many, and rows without end.
+/// Asks for the owners of few and many rows among few and many workers, and of the greatest numbers
+/// of rows.
 pub(crate) fn owners(random: &mut Random, ask: &mut impl Ask) {
     let few = (1..=64).flat_map(|workers| {
         [1, workers - 1, 61, 5 * workers, 9 * workers].map(|rows| (rows, workers))
@@ -25,7 +26,7 @@ pub(crate) fn owners(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Whether these rows follow each other, are all of them, and are shared out evenly.
+/// Checks that the ranges of rows are consecutive, cover all rows and are shared out evenly.
 fn are_shared_out(rows: usize, found: &[f64]) -> Result<(), String> {
     let (each, _) = found.as_chunks::<2>();
     let mut next = 0.0;

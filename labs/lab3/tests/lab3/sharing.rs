@@ -1,4 +1,4 @@
-//! Questions about work that the threads of a pool share: whether every thread does some of it.
+//! Questions about work that the threads of a pool share: does every thread do a part of it?
 
 use std::ops::{Deref, DerefMut};
 
@@ -9,17 +9,17 @@ use oracle::{Ask, Random, Share};
 use parking_lot::Mutex;
 use solution2::VecBins;
 
-/// Where threads come that do some of the work.
+/// The meeting place of the threads that do some of the work.
 static MEETING: Share = Share::new();
 
-/// Only one question at a time may use the meeting.
+/// A lock that gives the meeting to one question at a time.
 static IN_USE: Mutex<()> = Mutex::new(());
 
 fn does(units: u64) {
     MEETING.does(rayon::current_num_threads(), units);
 }
 
-/// Asks whether the threads of a pool share work of `units` units, each of which [`does`] counts.
+/// Asks whether the threads of a pool share `units` units of work. [`does`] counts each unit.
 fn shared(ask: &mut impl Ask, doing: &str, threads: usize, units: usize, work: impl FnOnce()) {
     let _in_use = IN_USE.lock();
     let question = format!(
@@ -36,7 +36,7 @@ fn shared(ask: &mut impl Ask, doing: &str, threads: usize, units: usize, work: i
     });
 }
 
-/// Counts whose work the forces and the additions are.
+/// An observer that counts which thread computes the forces and the additions.
 #[derive(Clone, Default)]
 struct Visitor;
 
@@ -53,7 +53,7 @@ impl Observer for Visitor {
     }
 }
 
-/// All pairs, each of which is within the cutoff.
+/// Asks about all pairs. Each pair is within the cutoff.
 pub(crate) fn all_pairs(random: &mut Random, ask: &mut impl Ask) {
     let n = 120 + random.below(100);
     let scene = anywhere(random, n, 0.7 * CUTOFF, 1.0);
@@ -66,7 +66,8 @@ pub(crate) fn all_pairs(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Parts under a lock. Who adds holds up all others, so which thread adds how much is the lock's affair.
+/// Asks about parts under a lock. A thread that adds delays all others, so the lock decides how
+/// much each thread adds.
 pub(crate) fn locked_parts(random: &mut Random, ask: &mut impl Ask) {
     let parts = vec![Visitor; (20 + random.below(20)) * BLOCK];
     let threads = 2 + random.below(2);
@@ -75,7 +76,7 @@ pub(crate) fn locked_parts(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Blocks of parts, and the sums of the blocks.
+/// Asks about blocks of parts, and about the sums of the blocks.
 pub(crate) fn blocks(random: &mut Random, ask: &mut impl Ask) {
     let blocks = 20 + random.below(20);
     let parts = vec![Visitor; blocks * BLOCK];
@@ -86,7 +87,7 @@ pub(crate) fn blocks(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Counts whose work the moves of a worker's particles are.
+/// Particles of a worker; the accelerations count which thread moves them.
 struct Moved(Worker<NoStatistics>);
 
 impl Deref for Moved {
@@ -105,13 +106,13 @@ impl DerefMut for Moved {
     }
 }
 
-/// `count` workers that share the rows of the bins.
+/// Returns `count` workers that share the rows of the bins.
 fn share_rows<O: Observer>(bins: &VecBins, count: usize) -> impl Iterator<Item = Worker<O>> {
     let rows = bins.grid().rows();
     (0..count).map(move |k| Worker::new(k * rows / count..(k + 1) * rows / count))
 }
 
-/// Workers that sum forces, and that move.
+/// Asks about workers that sum forces, and about workers that move particles.
 pub(crate) fn workers(random: &mut Random, ask: &mut impl Ask) {
     let n = 150 + random.below(100);
     let scene = anywhere(random, n, 9.5 * CUTOFF, 1.0);

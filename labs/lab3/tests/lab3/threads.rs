@@ -1,4 +1,4 @@
-//! Questions about threads that are started and waited for.
+//! Questions about starting threads and waiting for them.
 
 use std::collections::HashSet;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -10,23 +10,22 @@ use lab3::on_threads;
 use oracle::{Ask, Random, whole};
 use parking_lot::Mutex;
 
-/// How long a thread waits for others that may never come.
+/// Time that a thread waits for others that may never come.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// What became of threads of which none goes on before all have come, or before it is clear that they
-/// never will.
+/// Record of threads that wait until all have come, or until it is clear that some never will.
 struct Gathering {
-    /// The most threads that were at work at the same time.
+    /// Greatest number of threads that were at work at the same time.
     most: usize,
-    /// The number of threads that had ended when the call returned.
+    /// Number of threads that had ended when the call returned.
     ended: usize,
-    /// The numbers that the threads were given, in ascending order.
+    /// Numbers that the threads were given, in ascending order.
     numbers: Vec<usize>,
-    /// The number of different threads besides the caller's.
+    /// Number of different threads besides the caller's.
     different: usize,
 }
 
-/// The threads that have come, by their numbers and ids.
+/// Threads that have come, by their numbers and ids.
 #[derive(Default)]
 struct Came {
     numbers: Vec<usize>,
@@ -60,7 +59,7 @@ fn gather(threads: usize) -> Gathering {
     Gathering { most: most.into_inner(), ended, numbers, different: ids.len() }
 }
 
-/// Few threads and many.
+/// Asks about few threads and many.
 pub(crate) fn gatherings(random: &mut Random, ask: &mut impl Ask) {
     for threads in [0, 1, 2, 5, 3 + random.below(8), 12 + random.below(40)] {
         let Gathering { most, ended, numbers, different } = gather(threads);
@@ -73,15 +72,15 @@ pub(crate) fn gatherings(random: &mut Random, ask: &mut impl Ask) {
             format!("{threads} threads: the numbers that they are given, in ascending order");
         ask.exact(&question, || whole(numbers), || whole(0..threads));
     }
-    // A submission may not start so many.
+    // A submission may not start this number of threads.
     ask.in_tests_only(|| {
         let started = gather(257).numbers.len();
         assert_eq!(started, 257, "257 threads: how many are started");
     });
 }
 
-/// What comes out of a call in which thread 1 of 3 panics with `words`: 0 for nothing, and 1 for other
-/// words.
+/// Returns the result of a call in which thread 1 of 3 panics with `words`. The result is 0 for no
+/// panic, and 1 for a panic with different words.
 pub(crate) fn panics_with(words: u8) -> u8 {
     let work = |number| {
         if number == 1 {
@@ -92,7 +91,7 @@ pub(crate) fn panics_with(words: u8) -> u8 {
     ended.map_or_else(|panic| panic.downcast_ref::<u8>().map_or(1, |words| *words), |()| 0)
 }
 
-/// A panic of one thread.
+/// Asks about a panic of one thread.
 pub(crate) fn panics(random: &mut Random, ask: &mut impl Ask) {
     let words = 2 + random.below(250) as u8;
     let question = format!(

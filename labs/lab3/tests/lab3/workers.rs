@@ -1,4 +1,4 @@
-//! Questions about what one worker does, and about the loops over all workers.
+//! Questions about the tasks of one worker, and about the loops over all workers.
 
 use std::ops::Range;
 
@@ -12,7 +12,7 @@ use solution2::{Gather, Grid, VecBins};
 
 use super::bins::states;
 
-/// Any rows of a grid, sometimes none.
+/// Draws a range of a grid's rows, sometimes empty.
 pub(crate) fn some_rows(random: &mut Random, along: usize) -> Range<usize> {
     let start = random.below(along);
     start..start + random.below(3).min(1) * (1 + random.below(along - start))
@@ -26,7 +26,8 @@ struct Case {
 }
 
 impl Case {
-    /// Bins a little wider than a cutoff, and `n` particles close together, at a wall or anywhere.
+    /// Draws bins a little wider than a cutoff, and `n` particles close together, at a wall or
+    /// anywhere.
     fn drawn(random: &mut Random, along: usize, n: usize) -> Self {
         let size = 1.02 * along as f64 * CUTOFF;
         let extent = size.min(CUTOFF * (n as f64 / random.magnitude(0.3, 10.0)).sqrt().max(1.0));
@@ -52,13 +53,13 @@ impl Case {
         bins
     }
 
-    /// The worker's particles in one of its rows, in the order of bins.
+    /// Returns the particles of a row, in the order of bins.
     fn row(bins: &VecBins, row: usize) -> impl Iterator<Item = &Particle> {
         let columns = bins.grid().columns();
         bins.bins()[row * columns..][..columns].iter().flatten()
     }
 
-    /// What the worker's particles feel, each from all others.
+    /// Returns the accelerations of the worker's particles.
     fn felt(&self, bins: &VecBins) -> Vec<f64> {
         let mut model = Model::from_state(self.grid.size(), self.particles.clone());
         model.step();
@@ -66,7 +67,8 @@ impl Case {
         own.map(|p| model.accelerations[p.id as usize]).flat_map(|a| [a.x, a.y]).collect()
     }
 
-    /// For each row: pairs within the cutoff, and pairs of particles whose bins touch.
+    /// Returns for each row the number of pairs within the cutoff, and the number of pairs of
+    /// particles whose bins touch.
     fn seen(&self, bins: &VecBins) -> Vec<f64> {
         let grid = &self.grid;
         let mut counts = Vec::new();
@@ -93,13 +95,14 @@ impl Case {
     }
 }
 
-/// Pairs within the cutoff and pair tests of each tally.
+/// Returns the pairs within the cutoff and the pair tests of each tally.
 pub(crate) fn counts(seen: &[Tally]) -> Vec<f64> {
     let seen = seen.iter().map(|tally| tally.statistics().expect("a tally has statistics"));
     whole(seen.flat_map(|s| [s.navg as usize, s.pair_tests as usize]))
 }
 
-/// The forces on the particles of some rows, by one worker again and again, at last with fewer.
+/// Asks for the forces on the particles of some rows. One worker repeats this several times,
+/// finally with fewer particles.
 pub(crate) fn forces(random: &mut Random, ask: &mut impl Ask) {
     for (along, most) in [(5, 1025), (300, 257)] {
         let mut worker = Worker::<Tally>::new(0..0);
@@ -123,7 +126,7 @@ pub(crate) fn forces(random: &mut Random, ask: &mut impl Ask) {
     bins.refill(&[0.0, 0.5].map(|x| Particle { x: x * CUTOFF, ..Particle::default() }));
     bins.bins_mut()[0][1].id = 1;
     worker.sum_forces(&bins);
-    // It remembers the neighbours of the particle before.
+    // `gather` remembers the neighbours of the last particle.
     let is_used = format!("{:?}", worker.gather) != format!("{:?}", Gather::default());
     let question = "two particles within the cutoff: whether the worker's own `gather` has summed their forces (1)";
     ask.exact(question, || vec![truth(is_used)], || vec![1.0]);
@@ -157,7 +160,8 @@ impl Moving {
         format!("{n} particles in rows {:?} of {along}", self.rows)
     }
 
-    /// The particles after the move that stay in their bins, or that leave them.
+    /// Returns the particles that stay in their bins after the move, or the particles that leave
+    /// them.
     fn moved(&self, stay: bool) -> Vec<f64> {
         let mut all = Vec::new();
         for (p, a) in self.own.iter().flatten().zip(&self.accelerations) {
@@ -171,7 +175,8 @@ impl Moving {
     }
 }
 
-/// The moves of the particles of some rows, by one worker again and again, at last with fewer.
+/// Asks for the moves of the particles of some rows. One worker repeats this several times, finally
+/// with fewer particles.
 pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
     for (along, most) in [(5, 1025), (300, 257)] {
         let mut worker = Worker::<NoStatistics>::new(0..0);
@@ -194,7 +199,7 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Both loops over few workers and many, some of them without rows.
+/// Asks about both loops over few and many workers, some without rows.
 pub(crate) fn loops(random: &mut Random, ask: &mut impl Ask) {
     for count in [1, 2, 3, 9, 33, 257] {
         let scene = anywhere(random, 300, 9.2 * CUTOFF, 15.0);

@@ -1,4 +1,4 @@
-//! Experiments, which print tables for the book. They run only if they are named.
+//! Experiments that print tables for the book. They run only if they are named.
 
 use std::collections::HashMap;
 use std::thread;
@@ -36,16 +36,16 @@ fn experiment_two_mutexes() {
     println!("parking_lot  {free:>9.1}  {wanted:>24.1}  {size:>5}  {after}");
 }
 
-/// A program of one of the labs, with counters.
+/// A lab's program, with counters.
 type Program = (&'static str, &'static common::Variant<dyn Simulation>);
 
-/// Milliseconds of a step, and the counters for one step.
+/// Returns the milliseconds of a step, and the counters for one step.
 fn measure(program: Program, threads: usize, scene: &Scene) -> (f64, HashMap<&'static str, f64>) {
     const STEPS: u64 = 200;
     let config = program.1.config().with_threads(threads);
     let mut engine = (program.1.build)(&config).expect("it can be built here");
     engine.load(scene);
-    // Lists get their memory.
+    // The first steps allocate the memory of the lists.
     engine.run(STEPS / 4);
     let before: HashMap<_, _> = engine.counters().into_iter().collect();
     let start = Instant::now();
@@ -75,7 +75,7 @@ fn experiment_ways() {
         for variant in VARIANTS {
             jobs.extend([1, 2, 4, 8].map(|threads| ((variant.name, variant), threads)));
         }
-        // All take turns, round after round; the least counts.
+        // All programs take turns, round after round; the shortest time counts.
         let mut best: Vec<Option<(f64, HashMap<_, f64>)>> = vec![None; jobs.len()];
         for _ in 0..ROUNDS {
             for ((program, threads), best) in jobs.iter().zip(&mut best) {

@@ -1,4 +1,4 @@
-//! Questions about bins that are emptied and filled again, by one thread and by their owners.
+//! Questions about bins that are emptied and refilled, by one thread and by their owners.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -10,8 +10,8 @@ use solution2::{Grid, SortedBins};
 
 use super::bins::{filled, inside, places, regions_of};
 
-/// Bins with other particles in them are filled again by `fill`: with particles on walls and edges of
-/// many bins, with many in a single bin, and with none.
+/// Asks for the contents of bins that `fill` refills after other particles. The new particles are
+/// on walls and edges of many bins, or many are in a single bin, or there are none.
 fn fills(random: &mut Random, ask: &mut impl Ask, fill: impl Fn(&mut Regions, &Grid, &[Particle])) {
     for n in [random.sizes(1025), vec![65_537, 3, 0]].concat() {
         let along = if n > 5000 { 1 } else { 1 + random.size(33) };
@@ -32,7 +32,7 @@ fn fills(random: &mut Random, ask: &mut impl Ask, fill: impl Fn(&mut Regions, &G
     }
 }
 
-/// Whether each particle is in its bin and in no other.
+/// Checks that each particle is in its bin and in no other bin.
 fn are_in_their_bins(grid: &Grid, particles: &[Particle], found: &[f64]) -> Result<(), String> {
     let mut bins = vec![Vec::new(); particles.len()];
     for [particle, bin] in found.as_chunks::<2>().0 {
@@ -53,12 +53,12 @@ fn are_in_their_bins(grid: &Grid, particles: &[Particle], found: &[f64]) -> Resu
     Ok(())
 }
 
-/// One thread fills all bins.
+/// Asks one thread to fill all bins.
 pub(crate) fn by_one(random: &mut Random, ask: &mut impl Ask) {
     fills(random, ask, rebuild);
 }
 
-/// Has each owner fill its own bins.
+/// Makes each owner fill its own bins.
 fn claim_all(regions: &mut Regions, grid: &Grid, particles: &[Particle]) {
     let cut = regions.cut;
     for (own, bins) in regions.parts_mut().enumerate() {
@@ -66,26 +66,27 @@ fn claim_all(regions: &mut Regions, grid: &Grid, particles: &[Particle]) {
     }
 }
 
-/// Owners fill their bins.
+/// Asks owners to fill their bins.
 pub(crate) fn by_owners(random: &mut Random, ask: &mut impl Ask) {
     fills(random, ask, claim_all);
 }
 
-/// Owners of some rows, of no rows and of the other rows, each with a particle from before.
+/// Asks owners of some rows, of no rows and of the other rows. Each owner has a particle from
+/// before.
 pub(crate) fn owned_rows(random: &mut Random, ask: &mut impl Ask) {
     for n in [random.sizes(1025), vec![2, 0]].concat() {
         let grid = Grid::with_bins_along(random.magnitude(1e-6, 1e6), 3 + random.size(300));
         let mut particles = on_edges(random, n, grid.size(), grid.rows());
         let cut = 1 + random.below(grid.rows() - 1);
-        // On the cut, where rounding decides which row has it.
+        // A particle on the cut, where rounding decides which row has it.
         let y = cut as f64 * grid.size() / grid.rows() as f64;
         particles.push(Particle { y, id: n as u32, ..Particle::default() });
         for rows in [0..cut, cut..cut, cut..grid.rows()] {
             let mut own = SortedBins::new(grid, rows.clone());
             own.put(Particle { y: 0.5 * grid.size(), id: u32::MAX, ..Particle::default() });
-            // Sorting exchanges two arrays, either of which has room for more particles than come.
+            // Sorting exchanges two arrays. Each array has room for more particles than arrive.
             own.particles_mut().reserve(2000);
-            // Its bins refuse a particle that lies in no row of theirs.
+            // The owner's bins refuse a particle outside their rows.
             let take = AssertUnwindSafe(|| {
                 take_own(&mut own, [].iter());
                 own.particles_mut().reserve(2000);
@@ -110,28 +111,28 @@ pub(crate) fn owned_rows(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The ids of particles, in ascending order.
+/// Returns the ids of particles, in ascending order.
 fn ids<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
     let mut ids: Vec<usize> = particles.into_iter().map(|p| p.id as usize).collect();
     ids.sort_unstable();
     whole(ids)
 }
 
-/// Two bins along each wall, of side 1. Two regions of two bins, which still hold particles of the step
-/// before.
+/// Returns two bins along each wall, of side 1. Two regions of two bins still hold particles of the
+/// previous step.
 fn four_bins() -> (Grid, Regions) {
     let before: [Bin; 4] = [vec![0, 1], vec![2], vec![], vec![3, 4]];
     (Grid::with_bins_along(2.0, 2), regions_of(2, &before))
 }
 
-/// Five particles, the last on the wall.
+/// Returns five particles, the last of them on the wall.
 fn five() -> Vec<Particle> {
     let places = [(0.5, 0.5), (1.5, 0.5), (0.5, 1.5), (0.7, 1.2), (2.0, 2.0)];
     let particle = |(id, (x, y))| Particle { x, y, id, ..Particle::default() };
     (0..).zip(places).map(particle).collect()
 }
 
-/// The particles and the bins before and after `fill`.
+/// Shows the particles and the bins before and after `fill`.
 fn filled_again(fill: impl Fn(&mut Regions, &Grid, &[Particle])) -> String {
     let (grid, mut regions) = four_bins();
     let particles = five();
@@ -147,12 +148,12 @@ fn filled_again(fill: impl Fn(&mut Regions, &Grid, &[Particle])) -> String {
     format!("{table}\n{bins}")
 }
 
-/// The worked example of one thread.
+/// Shows the worked example of one thread.
 pub(crate) fn table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| filled_again(rebuild));
 }
 
-/// The worked example of owners, in regions and in rows.
+/// Shows the worked example of owners, in regions and in rows.
 pub(crate) fn owners_table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let mut rows = Table::new(["owner of rows", "particles that it takes"]);

@@ -1,4 +1,4 @@
-//! The worked examples of changes that are noted down or handed over.
+//! The worked examples of changes that are recorded or handed over.
 
 use crossbeam::channel::unbounded;
 use crossbeam::queue::SegQueue;
@@ -7,7 +7,7 @@ use oracle::{Ask, Columns, Random};
 
 use super::bins::{inside, ten};
 
-/// Three changes among ten bins in two regions of five: two from one region to the other, and one
+/// Three changes among ten bins in two regions of five: two changes between the regions, and one
 /// within region 1.
 const CHANGES: [Change; 3] = [
     Change { particle: 30, from: 3, to: 7 },
@@ -15,13 +15,13 @@ const CHANGES: [Change; 3] = [
     Change { particle: 60, from: 6, to: 8 },
 ];
 
-/// The bins that the changes concern.
+/// Bins that the changes concern.
 const BINS: [usize; 4] = [3, 6, 7, 8];
 
 /// Two regions of five bins.
 const CUT: Cut = Cut { bins_each: 5 };
 
-/// The bins at some moments.
+/// A table of the bins at several moments.
 struct Moments {
     regions: Regions,
     table: Columns,
@@ -39,7 +39,7 @@ impl Moments {
         self.table.row(what, inside(&mut self.regions, BINS));
     }
 
-    /// The moments at which each owner makes its part of the changes by `part`.
+    /// Shows the bins after each owner has made its part of the changes with `part`.
     fn by_owners(mut self, part: impl Fn(usize, &mut [Vec<u32>])) -> String {
         for own in 0..2 {
             part(own, self.regions.locks[own].get_mut());
@@ -62,7 +62,7 @@ pub(crate) fn buffers(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// What each of two owners is told, in the order of the particles.
+/// Shows the changes that each of two owners receives, in the order of the particles.
 fn letters(told: [Vec<Change>; 2]) -> Columns {
     let mut table = Columns::new(["of owner 0", "of owner 1"].map(String::from));
     for change in CHANGES {

@@ -1,4 +1,5 @@
-//! Questions about changes of bins that are noted down or handed over: in buffers, queues and channels.
+//! Questions about changes of bins that are recorded or handed over: in buffers, queues and
+//! channels.
 
 use std::collections::HashMap;
 
@@ -16,11 +17,11 @@ struct Changes {
     /// Bin and particle.
     residents: Vec<(usize, u32)>,
     changes: Vec<Change>,
-    /// Where the buffers end; some buffers are empty.
+    /// Ends of the buffers; some buffers are empty.
     ends: Vec<usize>,
 }
 
-/// A change that an owner is told of: the owner, the particle, its old bin and its new one.
+/// A change that an owner receives: the owner, the particle, its old bin and its new bin.
 type Letter = [usize; 4];
 
 impl Changes {
@@ -59,7 +60,7 @@ impl Changes {
         )
     }
 
-    /// The bins before the changes.
+    /// Returns the bins before the changes.
     fn regions(&self) -> Regions {
         let mut bins = vec![Bin::new(); self.bins];
         self.residents.iter().for_each(|(bin, particle)| bins[*bin].push(*particle));
@@ -70,7 +71,7 @@ impl Changes {
         self.ends.windows(2).map(|ends| &self.changes[ends[0]..ends[1]])
     }
 
-    /// The regions that a change concerns, and a few others.
+    /// Returns the regions that a change concerns, and a few others.
     fn owners(&self) -> Vec<usize> {
         let each = self.cut.bins_each;
         let concerned = self.changes.iter().flat_map(|c| [c.from / each, c.to / each]);
@@ -81,7 +82,7 @@ impl Changes {
         owners
     }
 
-    /// Asks where all particles are.
+    /// Asks for the bins of all particles.
     fn ask(&self, how: &str, regions: &mut Regions, ask: &mut impl Ask) {
         let name = self.name();
         let question =
@@ -89,7 +90,7 @@ impl Changes {
         ask.judge(&question, || places(regions), |found| self.are_made(found));
     }
 
-    /// Whether each particle is in its bin and in no other when all changes are made.
+    /// Checks that each particle is in its bin and in no other bin after all changes.
     fn are_made(&self, found: &[f64]) -> Result<(), String> {
         let mut bins: HashMap<u32, Vec<usize>> = HashMap::new();
         for [particle, bin] in found.as_chunks::<2>().0 {
@@ -112,7 +113,7 @@ impl Changes {
         }
     }
 
-    /// Asks what each owner has been told.
+    /// Asks for the changes that each owner has received.
     fn ask_letters(&self, told: &[(usize, Change)], ask: &mut impl Ask) {
         let question = format!(
             "{}: owner, particle, old and new bin of each change that an owner is told of, in ascending order",
@@ -122,7 +123,7 @@ impl Changes {
         ask.exact(&question, found, || in_order(self.letters()));
     }
 
-    /// What the owners must be told.
+    /// Returns the changes that the owners must receive.
     fn letters(&self) -> Vec<Letter> {
         let mut letters = Vec::new();
         for change in &self.changes {
@@ -143,7 +144,7 @@ fn in_order(mut letters: Vec<Letter>) -> Vec<f64> {
     whole(letters.into_iter().flatten())
 }
 
-/// The changes of all buffers, made by one thread.
+/// Asks one thread to make the changes of all buffers.
 pub(crate) fn by_one(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..40 {
         let all = Changes::drawn(random, case);
@@ -153,7 +154,7 @@ pub(crate) fn by_one(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The changes of all buffers, made by the owners.
+/// Asks the owners to make the changes of all buffers.
 pub(crate) fn by_owners(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..40 {
         let all = Changes::drawn(random, case);
@@ -166,7 +167,7 @@ pub(crate) fn by_owners(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Changes through queues: who is told, and what comes of it.
+/// Asks about changes through queues: the receivers of the changes, and the bins afterwards.
 pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..40 {
         let all = Changes::drawn(random, case);
@@ -178,7 +179,7 @@ pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
             told.extend(std::iter::from_fn(|| queue.pop()).map(|change| (owner, change)));
         }
         all.ask_letters(&told, ask);
-        // What was posted goes back into the queues.
+        // The posted changes go back into the queues.
         told.into_iter().for_each(|(owner, change)| queues[owner].push(change));
         for own in all.owners() {
             take(all.cut, own, regions.locks[own].get_mut(), &queues[own]);
@@ -190,7 +191,7 @@ pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Changes through channels.
+/// Asks about changes through channels.
 pub(crate) fn channels(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..40 {
         let all = Changes::drawn(random, case);
@@ -202,7 +203,7 @@ pub(crate) fn channels(random: &mut Random, ask: &mut impl Ask) {
         let sent = sent.flat_map(|(owner, receiver)| receiver.try_iter().map(move |c| (owner, c)));
         let told: Vec<(usize, Change)> = sent.collect();
         all.ask_letters(&told, ask);
-        // What was sent is sent again.
+        // The received changes are sent again.
         for (owner, change) in told {
             senders[owner].send(change).expect("the channel has a receiver");
         }

@@ -1,4 +1,4 @@
-//! Questions about a change of bins into which another thread comes.
+//! Questions about a change of bins that another thread interrupts.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, mpsc};
@@ -13,15 +13,15 @@ use parking_lot::Mutex;
 use super::bins::filled;
 use super::locks::{BINS, ask_bins};
 
-/// When thread `victim` asks for a lock for the second time, another thread comes in and does
-/// something. The victim waits until that is done, or for `patience`.
+/// A second thread that acts when thread `victim` requests a lock for the second time. The victim
+/// waits until the second thread has finished, or for `patience`.
 struct Intruder {
     victim: ThreadId,
     patience: Duration,
     requests: AtomicUsize,
     go: mpsc::Sender<()>,
     done: Mutex<mpsc::Receiver<()>>,
-    /// Whether the other thread has done it while the victim waited.
+    /// Whether the other thread finished while the victim waited.
     in_time: Arc<AtomicBool>,
 }
 
@@ -36,8 +36,8 @@ impl Watch for Intruder {
     }
 }
 
-/// Makes one change, and another that another thread makes between the requests of the first. Returns
-/// whether that was done while the first waited.
+/// Makes a change, during which another thread makes the change `other` between two lock requests.
+/// Returns whether the other change was finished while the first waited.
 fn in_between(regions: &mut Regions, one: Change, other: Change, patience: Duration) -> bool {
     let (go, come) = mpsc::channel();
     let (finished, done) = mpsc::channel();
@@ -64,8 +64,9 @@ fn in_between(regions: &mut Regions, one: Change, other: Change, patience: Durat
     in_time.load(Ordering::SeqCst)
 }
 
-/// Two changes from one bin to another, up and down: of the last particle of the bin, and of another
-/// particle that another thread moves between the requests of the first.
+/// Asks about two changes from one bin to another, up and down. One change concerns the last
+/// particle of the bin. The other is of a particle that another thread moves between the lock
+/// requests of the first change.
 pub(crate) fn same_bins(random: &mut Random, ask: &mut impl Ask) {
     let low = random.below(6);
     let high = 6 + random.below(6);
@@ -84,7 +85,7 @@ pub(crate) fn same_bins(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// A change between two other regions, which need not wait.
+/// Asks about a change between two other regions, which need not wait.
 pub(crate) fn other_regions(_: &mut Random, ask: &mut impl Ask) {
     let one = Change { particle: 89, from: 2, to: 10 };
     let other = Change { particle: 120, from: 4, to: 8 };

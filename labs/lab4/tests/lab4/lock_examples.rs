@@ -1,5 +1,5 @@
-//! The worked example of two locks: what a change takes, and two threads moment by moment. Threads are
-//! held back, so that each moment has its place in every run.
+//! The worked example of two locks: the locks that a change takes, and two threads moment by
+//! moment. Threads are delayed so that the moments have the same order in every run.
 
 use std::cell::Cell;
 use std::panic::resume_unwind;
@@ -14,7 +14,7 @@ use parking_lot::{Condvar, Mutex};
 
 use super::bins::{filled, inside, ten};
 
-/// How long a thread is held back for another one that may never come.
+/// Time that a thread is delayed for another thread that may never come.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 thread_local! {
@@ -22,7 +22,7 @@ thread_local! {
     static THREAD: Cell<usize> = const { Cell::new(0) };
 }
 
-/// What one thread has, and what it waits for.
+/// Locks that one thread has, and locks that it waits for.
 #[derive(Default)]
 struct Thread {
     has: Vec<usize>,
@@ -44,7 +44,7 @@ impl Thread {
 struct State {
     threads: [Thread; 2],
     table: Columns,
-    /// Whether both threads wait for each other: what follows is the recorder's doing.
+    /// Whether both threads wait for each other. The recorder then ends the deadlock itself.
     over: bool,
 }
 
@@ -57,8 +57,8 @@ impl State {
     }
 }
 
-/// Writes down what two threads do with locks. Which of two locks a thread takes first is up to the lab,
-/// so locks are counted and not named.
+/// Records the lock operations of two threads. The lab decides which of two locks a thread takes
+/// first, so locks are counted and not named.
 struct Recorder {
     state: Mutex<State>,
     change: Condvar,
@@ -72,7 +72,7 @@ impl Recorder {
         Self { state: Mutex::new(state), change: Condvar::new() }
     }
 
-    /// Changes what this thread does, and writes down how this is called, if it has a name.
+    /// Changes this thread's state, and records the name of the change if it has a name.
     fn note(&self, change: impl FnOnce(&mut [Thread; 2], usize) -> Option<&'static str>) {
         let mut state = self.state.lock();
         let number = THREAD.get();
@@ -82,7 +82,7 @@ impl Recorder {
         self.change.notify_all();
     }
 
-    /// Returns when the threads are as `reached` says, or when it is clear that they never will be.
+    /// Returns when `reached` accepts the threads, or when it is clear that it never will.
     fn until(&self, mut reached: impl FnMut(&[Thread; 2]) -> bool) {
         let mut state = self.state.lock();
         let is_not_yet = |state: &mut State| !state.over && !reached(&state.threads);
@@ -110,7 +110,7 @@ impl Watch for Recorder {
     fn has(&self, _lock: usize) {
         let number = THREAD.get();
         if self.state.lock().threads[number].waits {
-            // The other one is about to give back what it still has.
+            // The other thread is about to release its remaining locks.
             self.until(|threads| threads[1 - number].has.is_empty());
         }
         self.note(|threads, number| {
@@ -132,8 +132,8 @@ impl Watch for Recorder {
     }
 }
 
-/// Particle 30 goes from bin 3 to bin 7 on thread 0, and particle 70 from bin 7 to bin 3 on thread 1,
-/// which begins when thread 0 has its first lock.
+/// Shows two changes: particle 30 goes from bin 3 to bin 7 on thread 0, and particle 70 from bin 7
+/// to bin 3 on thread 1. Thread 1 begins when thread 0 has its first lock.
 fn two_threads() -> String {
     let mut regions = ten();
     let recorder = Arc::new(Recorder::new());
@@ -166,7 +166,7 @@ fn two_threads() -> String {
     state.table.to_string()
 }
 
-/// What changes of bins take, for regions of some sizes.
+/// Shows the locks that changes of bins take, for regions of several sizes.
 fn counts() -> Table {
     let headings = ["bins in a region", "from bin", "to bin", "locks taken", "held at once"];
     let mut table = Table::new(headings);

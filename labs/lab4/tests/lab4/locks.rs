@@ -12,7 +12,8 @@ use super::bins::{filled, regions_of};
 
 pub(crate) const BINS: usize = 12;
 
-/// Changes of 132 of the 360 particles of 12 bins, from each bin to each other one, in any order.
+/// Draws changes of 132 of the 360 particles of 12 bins, from each bin to each other bin, in any
+/// order.
 fn drawn(random: &mut Random) -> Vec<Change> {
     let mut all = Vec::new();
     for from in 0..BINS {
@@ -25,7 +26,8 @@ fn drawn(random: &mut Random) -> Vec<Change> {
     all
 }
 
-/// The bin of each of the 360 particles of 12 bins, -1 for none; and how many particles all bins hold.
+/// Returns the bin of each of the 360 particles of 12 bins (-1 for no bin), and the number of
+/// particles in all bins.
 fn bins_of(regions: &mut Regions) -> Vec<f64> {
     let mut found = vec![-1.0; 30 * BINS];
     let mut all = 0;
@@ -36,7 +38,7 @@ fn bins_of(regions: &mut Regions) -> Vec<f64> {
     [found, whole([all])].concat()
 }
 
-/// Asks for the bins of all particles, of which `right` is the right one of each.
+/// Asks for the bins of all particles. `right` returns the correct bin of each particle.
 pub(crate) fn ask_bins(
     ask: &mut impl Ask,
     name: &str,
@@ -68,7 +70,7 @@ pub(crate) fn ask_bins(
     );
 }
 
-/// Changes one after the other: what they cost, and where the particles are.
+/// Asks about changes one after the other: the locks that they take, and the bins of the particles.
 pub(crate) fn one_by_one(random: &mut Random, ask: &mut impl Ask) {
     for each in [1, 3, 12] {
         let mut regions = filled(BINS, each);
@@ -92,7 +94,7 @@ pub(crate) fn one_by_one(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// A bin and a particle of large numbers.
+/// Asks about a bin and a particle with large numbers.
 pub(crate) fn large_numbers(_: &mut Random, ask: &mut impl Ask) {
     let from = 65_537;
     let to = 69_999;
@@ -114,7 +116,7 @@ pub(crate) fn large_numbers(_: &mut Random, ask: &mut impl Ask) {
     ask.exact(&question, found, || vec![2.0, 5.0, f64::from(particle)]);
 }
 
-/// Changes by several threads at the same time.
+/// Asks about changes by several threads at the same time.
 pub(crate) fn many_threads(random: &mut Random, ask: &mut impl Ask) {
     for each in [1, 3, 12] {
         let threads = 3 + random.below(9);
@@ -133,21 +135,22 @@ pub(crate) fn many_threads(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The bin of a particle that began in bin p / 30 and has been sent on `times` times, by five bins each
-/// time.
+/// Returns the bin of a particle that began in bin p / 30 and was moved `times` times, by five bins
+/// each time.
 fn sent_on(particle: u32, times: u32) -> usize {
     ((particle / 30 + 5 * times) % 12) as usize
 }
 
-/// Twelve bins whose particles have been sent on.
+/// Twelve bins whose particles were moved repeatedly.
 struct Sent {
     regions: Regions,
-    /// The locks that all threads took.
+    /// Number of locks that all threads took.
     locks: u64,
 }
 
 impl Sent {
-    /// Each of some threads has sent its part of the particles on `times` times.
+    /// Moves particles `times` times on each of `threads` threads. Each thread moves its part of
+    /// the particles.
     fn by(threads: usize, times: u32, bins_each: usize) -> Self {
         let mut regions = filled(BINS, bins_each);
         let watch: Arc<dyn Watch> = Arc::new(LockOrder::default());
@@ -173,7 +176,7 @@ impl Sent {
     }
 }
 
-/// What a thread returns. A panic comes out as it was.
+/// Returns a thread's result. A panic is passed on unchanged.
 fn joined<T>(thread: ScopedJoinHandle<'_, T>) -> T {
     thread.join().unwrap_or_else(|panic| resume_unwind(panic))
 }

@@ -1,4 +1,4 @@
-//! Questions about what a lock costs.
+//! Questions about the cost of a lock.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, mpsc};
@@ -9,7 +9,7 @@ use common_threads::{Lock, Stopwatch, Watch};
 use lab4::Meter;
 use oracle::{Ask, Random, Table, whole};
 
-/// A lock that no other thread wants.
+/// Asks about a lock that no other thread wants.
 pub(crate) fn free(random: &mut Random, ask: &mut impl Ask) {
     let times = 257 + random.below(500);
     let found = || {
@@ -30,7 +30,7 @@ pub(crate) fn free(random: &mut Random, ask: &mut impl Ask) {
     ask.exact(&question, found, || vec![times + 5.0, times, 0.0, 0.0, 0.0]);
 }
 
-/// Counts how often a lock is asked for.
+/// A counter of lock requests.
 #[derive(Default)]
 struct Requests(AtomicUsize);
 
@@ -40,18 +40,19 @@ impl Watch for Requests {
     }
 }
 
-/// Two locks that a meter asked for, one after the other, while another thread held them.
+/// Two locks that a meter requested one after the other while another thread held them.
 struct Waits {
     meter: Meter,
-    /// The time until it had both.
+    /// Time until the meter had both locks.
     waited: Duration,
-    /// How often the locks were asked for, by both threads.
+    /// Number of lock requests by both threads.
     requests: usize,
 }
 
 impl Waits {
     fn measured() -> Self {
-        // On a busy machine a lock may be free before the meter asks for it: then again.
+        // On a busy machine a lock may be free before the meter requests it. The measurement is
+        // then repeated.
         let mut tries = (0..20).map(|_| Self::once());
         tries.find(|waits| waits.meter.contended == 2).unwrap_or_else(Self::once)
     }
@@ -81,7 +82,7 @@ impl Waits {
     }
 }
 
-/// Two locks that another thread holds.
+/// Asks about two locks that another thread holds.
 pub(crate) fn held(_: &mut Random, ask: &mut impl Ask) {
     let Waits { meter, waited, requests } = Waits::measured();
     let name = "two locks, each held by another thread for some milliseconds";
@@ -111,7 +112,8 @@ pub(crate) fn held(_: &mut Random, ask: &mut impl Ask) {
     );
 }
 
-/// Takes a lock that another thread holds until this one asks for it a second time, or for two seconds.
+/// Takes a lock that another thread holds until this thread requests it for the second time, or for
+/// two seconds.
 fn wait_for_it(meter: &mut Meter) {
     let mut lock = Lock::new(0, ());
     let requests = Arc::<Requests>::default();
@@ -124,7 +126,7 @@ fn wait_for_it(meter: &mut Meter) {
             let _guard = lock.lock();
             held.send(()).expect("the meter waits");
             let end = Instant::now() + Duration::from_secs(2);
-            // The first request is that of this thread.
+            // The first request is made by this thread.
             while requests.0.load(Ordering::SeqCst) < 3 && Instant::now() < end {
                 thread::yield_now();
             }
@@ -135,7 +137,7 @@ fn wait_for_it(meter: &mut Meter) {
     });
 }
 
-/// The worked example: a meter, moment by moment.
+/// Shows the worked example: a meter, moment by moment.
 pub(crate) fn table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let mut table = Table::new(["", "locks taken", "locks waited for", "time waited"]);

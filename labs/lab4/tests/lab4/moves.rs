@@ -1,4 +1,4 @@
-//! Questions about particles that move and tell of their bins.
+//! Questions about particles that move and report their changes of bins.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
@@ -17,7 +17,7 @@ struct Case {
 }
 
 impl Case {
-    /// `n` particles, which do not begin with particle 0, in few bins or many.
+    /// Draws `n` particles, which do not begin with particle 0, in few or many bins.
     fn drawn(random: &mut Random, n: usize) -> Self {
         let along = [1 + random.size(40), 256, 300][random.below(3)];
         let size = along as f64 * CUTOFF;
@@ -41,7 +41,7 @@ impl Case {
         format!("{n} particles, the first of which is particle {first}, in {along} rows of bins")
     }
 
-    /// The particles after the move, and the changes of bins.
+    /// Returns the particles after the move, and the changes of bins.
     fn moved(&self) -> (Vec<Particle>, Vec<usize>) {
         let mut particles = self.particles.clone();
         for (p, a) in particles.iter_mut().zip(&self.accelerations) {
@@ -54,10 +54,11 @@ impl Case {
         (particles, changes)
     }
 
-    /// How many particles have changed their bin when the first change is told.
+    /// Returns the number of particles that have changed their bin when the first change is
+    /// reported.
     fn changed_at_first(&self) -> usize {
         let mut particles = self.particles.clone();
-        // Whoever is told goes no further.
+        // A panic at the first report stops the move.
         let first = AssertUnwindSafe(|| {
             let give_up = |_| resume_unwind(Box::new(()));
             move_own(&self.grid, &mut particles, &self.accelerations, give_up);
@@ -68,12 +69,12 @@ impl Case {
     }
 }
 
-/// x, y, vx, vy of each.
+/// Returns x, y, vx, vy of each particle.
 fn numbers(particles: &[Particle]) -> Vec<f64> {
     particles.iter().flat_map(|p| [p.x, p.y, p.vx, p.vy]).collect()
 }
 
-/// Any number of particles.
+/// Asks for the move of any number of particles.
 pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
     for n in [random.sizes(1025), random.sizes(1025)].concat() {
         let case = Case::drawn(random, n);
@@ -95,11 +96,11 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The worked example: five particles in four rows of bins of side 1.
+/// Shows the worked example: five particles in four rows of bins of side 1.
 pub(crate) fn table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let grid = Grid::with_bins_along(4.0, 4);
-        // How far each flies in a step, in sides of a bin.
+        // Displacements of the particles in a step, in sides of a bin.
         let flights = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 1.0), (0.25, 0.0)];
         let particle = |(id, (dx, dy)): (u32, (f64, f64))| {
             let vx = dx / DT;

@@ -1,4 +1,4 @@
-//! The worked examples of pairs that are looked at once.
+//! The worked examples of pairs that are tested once.
 
 use common::Vec2;
 use common::soft::{CUTOFF, Observer, Particle};
@@ -7,8 +7,8 @@ use oracle::{Ask, Random, Table};
 use solution1::Tally;
 use solution2::{Grid, SortedBins};
 
-/// Three rows of bins that are a cutoff wide and high, and five particles: 0 and 1 in row 0, 2 and 3 in
-/// row 1, 4 in row 2.
+/// Returns three rows of bins that are a cutoff wide and high, with five particles. Particles 0 and
+/// 1 are in row 0, 2 and 3 in row 1, 4 in row 2.
 fn bins(rows: std::ops::Range<usize>) -> SortedBins {
     let places = [(1.5, 0.7), (2.1, 0.7), (0.9, 1.2), (2.5, 1.7), (2.5, 2.2)];
     let particle = |(id, (x, y)): (u32, (f64, f64))| Particle {
@@ -24,12 +24,12 @@ fn bins(rows: std::ops::Range<usize>) -> SortedBins {
     bins
 }
 
-/// An acceleration. Either zero will do.
+/// Formats an acceleration. Negative zero becomes zero.
 fn number(a: f64) -> String {
     format!("{:.1}", a + 0.0)
 }
 
-/// A table of particles and their accelerations.
+/// Shows particles and their accelerations.
 fn of_particles<'a>(
     accelerations: impl IntoIterator<Item = (&'a Particle, &'a Vec2)>,
     what: [&str; 2],
@@ -42,7 +42,7 @@ fn of_particles<'a>(
     table
 }
 
-/// What an observer was told of.
+/// Shows the counts of an observer.
 fn counts(tally: &Tally) -> Table {
     let seen = tally.statistics().expect("a tally has statistics");
     let mut table = Table::new(["pairs seen, each twice", "pairs looked at"]);

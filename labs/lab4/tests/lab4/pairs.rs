@@ -1,4 +1,4 @@
-//! Questions about pairs that are looked at once, by the owner of some rows and across a cut.
+//! Questions about pairs that are tested once, by the owner of some rows and across a cut.
 
 use std::ops::Range;
 
@@ -9,30 +9,30 @@ use oracle::{Ask, Near, Random, acceleration_of_pair, whole};
 use solution1::Tally;
 use solution2::{Grid, SortedBins};
 
-/// What all pairs add up to.
+/// Sums over all pairs.
 pub(crate) struct Sums {
     right: Vec<Vec2>,
-    /// For each sum the magnitudes of all that was added.
+    /// Sums of the magnitudes of all terms, for each sum.
     scale: Vec<f64>,
-    /// How often a pair was seen, and the pairs looked at.
+    /// Number of times that a pair was seen, and number of pair tests.
     counts: [usize; 2],
 }
 
 impl Sums {
-    /// Sums that begin with these accelerations.
+    /// Returns sums that begin with these accelerations.
     fn new(first: &[Vec2]) -> Self {
         let scale = first.iter().map(|a| a.norm_squared().sqrt()).collect();
         Self { right: first.to_vec(), scale, counts: [0; 2] }
     }
 
-    /// Adds what a neighbour at `d` does to particle `i`.
+    /// Adds the acceleration of particle `i` by a neighbour at `d`.
     fn add(&mut self, i: usize, d: Vec2) {
         let a = acceleration_of_pair(d.x, d.y);
         self.right[i] += a;
         self.scale[i] += a.norm_squared().sqrt();
     }
 
-    /// Counts a pair that is looked at.
+    /// Counts a pair test.
     fn count(&mut self, d: Vec2) {
         self.counts[0] += 2 * usize::from(d.norm_squared() <= CUTOFF * CUTOFF);
         self.counts[1] += 1;
@@ -45,17 +45,18 @@ impl Sums {
     }
 }
 
-/// Accelerations from before.
+/// Draws accelerations from earlier sums.
 fn from_before(random: &mut Random, n: usize) -> Vec<Vec2> {
     (0..n).map(|_| Vec2::new(random.signed(1e-3, 1e3), random.signed(1e-3, 1e3))).collect()
 }
 
-/// ax and ay of each.
+/// Returns ax and ay of each acceleration.
 fn numbers(accelerations: &[Vec2]) -> Vec<f64> {
     accelerations.iter().flat_map(|a| [a.x, a.y]).collect()
 }
 
-/// Particles in some rows of bins a little wider than a cutoff, few or many in reach of each.
+/// Draws particles in some rows of bins a little wider than a cutoff. Each particle has few or many
+/// neighbours.
 fn strip(random: &mut Random, grid: Grid, rows: Range<usize>, n: usize) -> SortedBins {
     let side = grid.bin_side();
     let extent = (n as f64 / random.magnitude(0.3, 10.0)).sqrt().max(1.0) * CUTOFF;
@@ -70,7 +71,7 @@ fn strip(random: &mut Random, grid: Grid, rows: Range<usize>, n: usize) -> Sorte
     bins
 }
 
-/// Asks how often pairs within the cutoff were seen, and how many pairs were looked at.
+/// Asks how often pairs within the cutoff were seen, and how many pairs were tested.
 fn ask_counts(ask: &mut impl Ask, name: &str, tally: &Tally, right: impl FnOnce() -> [usize; 2]) {
     let seen = tally.statistics().expect("a tally has statistics");
     let question = format!("{name}: how often pairs were seen, each twice, and pairs looked at");
@@ -81,7 +82,7 @@ fn ask_counts(ask: &mut impl Ask, name: &str, tally: &Tally, right: impl FnOnce(
     );
 }
 
-/// The pairs of some rows, each once, added to `first`.
+/// Returns the sums over the pairs of some rows, each pair once, added to `first`.
 fn pairs_of(bins: &SortedBins, first: &[Vec2]) -> Sums {
     let grid = bins.grid();
     let all = bins.particles();
@@ -99,7 +100,7 @@ fn pairs_of(bins: &SortedBins, first: &[Vec2]) -> Sums {
     sums
 }
 
-/// The pairs of some rows, added to accelerations from before.
+/// Asks for the pairs of some rows, added to earlier accelerations.
 pub(crate) fn within(random: &mut Random, ask: &mut impl Ask) {
     for n in [random.sizes(1025), random.sizes(257)].concat() {
         let along = [1, 2, 5, 300][random.below(4)];
@@ -122,18 +123,19 @@ pub(crate) fn within(random: &mut Random, ask: &mut impl Ask) {
 struct Cut {
     lower: SortedBins,
     upper: SortedBins,
-    /// Accelerations of the lower particles from before.
+    /// Earlier accelerations of the lower particles.
     first: Vec<Vec2>,
 }
 
 impl Cut {
-    /// The particles in the first row above the cut.
+    /// Returns the particles in the first row above the cut.
     fn first_row(&self) -> &[Particle] {
         let row = self.upper.rows().start;
         self.upper.bins(row, 0..self.upper.grid().columns())
     }
 
-    /// The pairs across the cut: what they do to the lower particles, and to the first row above.
+    /// Returns the sums of the pairs across the cut: for the lower particles, and for the first row
+    /// above.
     fn pairs(&self) -> [Sums; 2] {
         let grid = self.lower.grid();
         let above = self.first_row();
@@ -152,7 +154,7 @@ impl Cut {
     }
 }
 
-/// The pairs across a cut.
+/// Asks for the pairs across a cut.
 pub(crate) fn across(random: &mut Random, ask: &mut impl Ask) {
     for n in [random.sizes(1025), random.sizes(257)].concat() {
         let along = [2, 5, 300][random.below(3)];

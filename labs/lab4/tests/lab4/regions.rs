@@ -7,10 +7,10 @@ use common_threads::{Lock, Watch};
 use lab4::{Cut, Regions};
 use oracle::{Ask, Random, Table, spaced, whole};
 
-/// Few regions and many, of few bins and many.
+/// Asks for the sizes of few and many regions, of few and many bins.
 pub(crate) fn sizes(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..60 {
-        // One in ten has many of both.
+        // Every tenth case has many regions and many bins.
         let most = if case % 10 == 9 { 70_000 } else { 1025 };
         let bins = 1 + random.size(most);
         let count = 1 + random.size(most);
@@ -24,7 +24,7 @@ pub(crate) fn sizes(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Any bin in regions of any size.
+/// Asks for the region of any bin in regions of any size.
 pub(crate) fn places(random: &mut Random, ask: &mut impl Ask) {
     for _ in 0..60 {
         let each = 1 + random.size(70_000);
@@ -40,7 +40,7 @@ pub(crate) fn places(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Remembers the lock that was asked for last.
+/// The lock that was requested last.
 struct Asked(AtomicUsize);
 
 impl Watch for Asked {
@@ -49,7 +49,7 @@ impl Watch for Asked {
     }
 }
 
-/// The number of each region's lock.
+/// Returns the number of each region's lock.
 fn numbers_of(regions: &mut Regions) -> Vec<usize> {
     let asked = Arc::new(Asked(AtomicUsize::new(usize::MAX)));
     let watch: Arc<dyn Watch> = asked.clone();
@@ -61,7 +61,7 @@ fn numbers_of(regions: &mut Regions) -> Vec<usize> {
     regions.locks.iter().map(number).collect()
 }
 
-/// The number of each region's lock, as it is asked for.
+/// Asks for the number of each region's lock, as seen in the requests.
 pub(crate) fn numbers(random: &mut Random, ask: &mut impl Ask) {
     let count = 5 + random.below(300);
     let found = || whole(numbers_of(&mut Regions::new(9 * count, count)));
@@ -69,7 +69,7 @@ pub(crate) fn numbers(random: &mut Random, ask: &mut impl Ask) {
     ask.exact(&question, found, || whole(0..count));
 }
 
-/// The worked example.
+/// Shows the worked example.
 pub(crate) fn table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let headings = ["bins", "regions at most", "bins in each", "numbers of the locks"];

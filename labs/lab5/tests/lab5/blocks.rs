@@ -1,4 +1,4 @@
-//! The blocks of some ranks in a grid of any size, and which particles are in them.
+//! The blocks of some ranks in a grid of any size, and the particles in these blocks.
 
 use std::ops::Range;
 
@@ -9,11 +9,11 @@ use oracle::scenes::on_edges;
 use oracle::{Ask, Random};
 use solution2::Grid;
 
-/// The rows of each rank. From one rank to the next, the rows that a rank is owed add up.
+/// Returns the rows of each rank. The fractional rows that ranks are owed add up from rank to rank.
 pub(crate) fn blocks_of(Cut { rows, ranks }: Cut) -> Vec<Range<usize>> {
     let mut blocks = Vec::with_capacity(ranks);
     let mut start = 0;
-    // In parts of a row, of which `ranks` make one.
+    // Unit: 1 / `ranks` of a row.
     let mut owed = 0;
     for _ in 0..ranks {
         owed += rows;
@@ -25,7 +25,7 @@ pub(crate) fn blocks_of(Cut { rows, ranks }: Cut) -> Vec<Range<usize>> {
     blocks
 }
 
-/// The rank of each row.
+/// Returns the rank of each row.
 pub(crate) fn owners_of(blocks: &[Range<usize>]) -> Vec<usize> {
     let ranks = blocks.iter().enumerate();
     ranks.flat_map(|(rank, block)| block.clone().map(move |_| rank)).collect()
@@ -40,14 +40,14 @@ pub(crate) struct Blocks {
 }
 
 impl Blocks {
-    /// Blocks of as many rows each.
+    /// Draws blocks with equal numbers of rows.
     pub(crate) fn drawn(random: &mut Random) -> Self {
         let ranks = [2, 1 + random.size(256), 1 + random.size(600)][random.below(3)];
         let rows = ranks * (1 + random.below(256 / ranks + 1));
         Self::of(rows, ranks, random)
     }
 
-    /// A row or none for each of many ranks.
+    /// Draws blocks of one row or none for each of many ranks.
     pub(crate) fn thin(random: &mut Random) -> Self {
         let rows = 1 + random.below(12);
         let ranks = rows * (2 + random.below(3));
@@ -62,7 +62,7 @@ impl Blocks {
         Self { grid, cut, blocks, owners }
     }
 
-    /// Particles anywhere, many of them on edges of bins.
+    /// Draws particles anywhere, many of them on edges of bins.
     pub(crate) fn particles(&self, random: &mut Random, most: usize) -> Vec<Particle> {
         let n = random.size(most);
         on_edges(random, n, self.grid.size(), self.grid.rows())
@@ -80,21 +80,21 @@ impl Blocks {
         self.owners[row]
     }
 
-    /// The other ranks that see a row.
+    /// Returns the other ranks that see a row.
     pub(crate) fn neighbours(&self, row: usize) -> Vec<usize> {
         let rows = [row.checked_sub(1), Some(row + 1).filter(|row| *row < self.cut.rows)];
         let owners = rows.into_iter().flatten().map(|row| self.owner(row));
         owners.filter(|owner| *owner != self.owner(row)).collect()
     }
 
-    /// Whether another rank than that of `block` sees a row.
+    /// Returns whether another rank than the owner of `block` sees a row.
     pub(crate) fn is_seen(&self, row: usize, block: &Range<usize>) -> bool {
         let others =
             self.blocks.iter().filter(|other| !other.is_empty() && other.start != block.start);
         others.into_iter().any(|other| self.visible(other).contains(&row))
     }
 
-    /// The rows that a rank sees.
+    /// Returns the rows that a rank sees.
     pub(crate) fn visible(&self, block: &Range<usize>) -> Range<usize> {
         block.start.saturating_sub(1)..(block.end + 1).min(self.cut.rows)
     }
@@ -104,13 +104,13 @@ impl Blocks {
     }
 }
 
-/// Particles as they are sent.
+/// Converts particles for sending.
 pub(crate) fn wires<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<Wire> {
     particles.into_iter().map(Wire::from).collect()
 }
 
-/// Asks whether a list has the right particles, in any order and unchanged. Where it has not, the first
-/// particle at fault is named, with its row in `grid`.
+/// Asks whether a list contains the correct particles, in any order and unchanged. The verdict
+/// names the first wrong particle, with its row in `grid`.
 pub(crate) fn same(
     grid: &Grid,
     name: &str,

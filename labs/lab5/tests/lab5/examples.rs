@@ -32,12 +32,12 @@ fn ids_of(particles: &[Particle]) -> String {
     ascending(particles.iter().map(|particle| particle.id))
 }
 
-/// The wires of these particles.
+/// Returns the wires of these particles.
 fn wires(particles: &[Particle], ids: &[usize]) -> Vec<Wire> {
     ids.iter().map(|&id| Wire::from(&particles[id])).collect()
 }
 
-/// The bins of a rank that owns `block`: its rows, and one more on either side.
+/// Returns the bins of a rank that owns `block`: its rows, and one more row on either side.
 fn bins_of(particles: &[Particle], block: &Range<usize>) -> VecBins {
     let visible = block.start.saturating_sub(1)..(block.end + 1).min(6);
     let mut bins = VecBins::new(grid());
@@ -45,7 +45,7 @@ fn bins_of(particles: &[Particle], block: &Range<usize>) -> VecBins {
     bins
 }
 
-/// The ids in each row of bins that holds any, those of ghosts in parentheses.
+/// Lists the ids in each nonempty row of bins, with ghosts in parentheses.
 fn content(bins: &VecBins, block: &Range<usize>) -> String {
     let row = |row: usize| {
         let inside = bins.bins()[row * 6..(row + 1) * 6].iter().flatten();
@@ -125,12 +125,13 @@ pub(crate) fn scattered(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Lists with a bar between them; nothing if there is no list.
+/// Shows lists with a bar between them; empty if there is no list.
 fn lists_of(lists: &[Vec<Wire>]) -> String {
     lists.iter().map(ids).collect::<Vec<_>>().join("|")
 }
 
-/// What the two gathers bring to the root, and what it makes of it.
+/// Shows the lists that the root receives from the two gathers, and the parcels that it makes of
+/// them.
 pub(crate) fn receivers(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let [_, after] = scenes::dozen();
@@ -156,7 +157,7 @@ pub(crate) fn new_ghosts(_: &mut Random, ask: &mut impl Ask) {
         let arrivals = [&[3, 4, 5, 11][..], &[1, 2, 3, 8, 9], &[6, 7, 8]];
         for (rank, arrive) in arrivals.into_iter().enumerate() {
             let block = blocks_of(CUT)[rank].clone();
-            // Its own particles have moved, and those that left the block are gone; ghosts are as they were.
+            // The rank's own particles have moved, and the leavers are gone; ghosts are unchanged.
             let is_ghost = |p: &&Particle| !block.contains(&grid().row(p.y));
             let own = |p: &Particle| !is_ghost(&p) && !is_ghost(&&after[p.id as usize]);
             let moved = before.iter().filter(|p| own(p)).map(|p| after[p.id as usize]);
@@ -171,7 +172,7 @@ pub(crate) fn new_ghosts(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// One exchange of the dozen particles: every buffer before and after each call.
+/// Shows one exchange of the dozen particles: every buffer before and after each call.
 pub(crate) fn one_exchange(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "5.8", &[3], random, |rank, _, ask| {
         let rows = rank.call("an exchange", |world| exchange(world, rank.number));
@@ -182,7 +183,7 @@ pub(crate) fn one_exchange(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The rows of a rank's column.
+/// Returns the rows of a rank's column.
 fn exchange(world: &SimpleCommunicator, rank: usize) -> Vec<(&'static str, String)> {
     let [before, after] = scenes::dozen();
     let scene = Scene::new(6.0, before).expect("the scene is sound");
@@ -213,7 +214,7 @@ fn exchange(world: &SimpleCommunicator, rank: usize) -> Vec<(&'static str, Strin
     let all_leavers = gather_rows(world, "leavers: Gather counts", &leavers, &mut rows);
     let all_copies = gather_rows(world, "copies: Gather counts", &copies, &mut rows);
     let arrived = scatter_rows(world, all_leavers, all_copies, &mut rows);
-    // Without a look at its rows: no old ghost goes.
+    // These bins keep the old ghosts, because arrivals are only added.
     let mut stale = VecBins::new(grid());
     let arrivals: Vec<Particle> = arrived.iter().map(Particle::from).collect();
     bins.particles().chain(&arrivals).for_each(|p| stale.put(*p));
@@ -223,7 +224,7 @@ fn exchange(world: &SimpleCommunicator, rank: usize) -> Vec<(&'static str, Strin
     rows
 }
 
-/// Gathers a list of each rank, and adds what the root has of it.
+/// Gathers a list of each rank, and adds the root's result to the rows.
 fn gather_rows(
     world: &SimpleCommunicator,
     what: &'static str,
@@ -237,7 +238,8 @@ fn gather_rows(
     lists
 }
 
-/// Sorts all lists by receivers, scatters them, and adds what each rank has of it. Returns what this rank got.
+/// Sorts all lists by receivers, scatters them, and adds each rank's result to the rows. Returns
+/// the list that this rank received.
 fn scatter_rows(
     world: &SimpleCommunicator,
     leavers: Vec<Vec<Wire>>,
@@ -267,7 +269,7 @@ fn counts_of(
     rows.push(("  displacements", at_root(world, spaced(displacements(&counts)))));
 }
 
-/// A text on the root, nothing elsewhere.
+/// Returns a text on the root, and an empty text elsewhere.
 fn at_root(world: &SimpleCommunicator, text: String) -> String {
     if world.rank() == 0 { text } else { String::new() }
 }

@@ -1,4 +1,4 @@
-//! Questions to the functions that all ranks call together.
+//! Questions about functions that all ranks call together.
 
 use common::soft::{CUTOFF, Particle, Scene, Simulation, Statistics};
 use common_mpi::{Wire, calls_made};
@@ -8,13 +8,13 @@ use oracle::scenes::on_edges;
 use oracle::{Ask, Near, Random, digest, memory, no_other_calls, truth};
 use oracle_mpi::{Rank, on_each};
 
-/// The most items of a rank: none, a few, more than 16 bits count, and then less.
+/// Greatest numbers of items per rank: none, a few, more than 16 bits can count, and then fewer.
 const MOST: [usize; 5] = [0, 5, 40, 70_000, 5];
 
-/// The items of a rank in a long run.
+/// Number of items of a rank in a long run.
 const LONG: usize = 1000;
 
-/// A list for each rank.
+/// Draws a list for each rank.
 fn lists(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<Wire>> {
     let list = |n: usize, random: &mut Random| {
         on_edges(random, n, 1.0, 9).iter().map(Wire::from).collect()
@@ -22,12 +22,13 @@ fn lists(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<Wire>> {
     (0..ranks).map(|_| list(random.below(4) * most / 3, random)).collect()
 }
 
-/// The length of a list and two sums of its items.
+/// Returns the length of a list and two sums of its items.
 fn sums_of(list: &[Wire]) -> Vec<f64> {
     digest(list.iter().map(|w| (w.x + 2.0 * w.y + 4.0 * w.vx + 8.0 * w.vy, w.id)))
 }
 
-/// Asks whether an exchange was two collective operations: one of counts, one of items.
+/// Asks whether an exchange used two collective operations, the first for counts and the second for
+/// items.
 fn two_calls(name: &str, what: &str, ask: &mut impl Ask) {
     let count = |calls: &[&str], v: &str| {
         let of_kind = format!("MPI_{what}{v}");
@@ -41,7 +42,7 @@ fn two_calls(name: &str, what: &str, ask: &mut impl Ask) {
     ask.exact(&question, found, || vec![1.0, 1.0, 2.0]);
 }
 
-/// What the root gets of all ranks, and that it takes two collective operations.
+/// Asks for the lists that the root receives from all ranks, by two collective operations.
 pub(crate) fn gathers(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "5.4", &[1, 2, 3, 5], random, |rank, random, ask| {
         for most in MOST {
@@ -64,7 +65,7 @@ pub(crate) fn gathers(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// How many lists there are, and the sums of each.
+/// Returns the number of lists, and the sums of each.
 fn of_all(lists: &[Vec<Wire>], ranks: usize) -> Vec<f64> {
     let mut all = vec![lists.len() as f64];
     all.extend(lists.iter().flat_map(|list| sums_of(list)));
@@ -72,7 +73,7 @@ fn of_all(lists: &[Vec<Wire>], ranks: usize) -> Vec<f64> {
     all
 }
 
-/// What each rank gets of the root's lists, by two collective operations.
+/// Asks for the lists that each rank receives from the root, by two collective operations.
 pub(crate) fn scatters(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "5.6", &[1, 2, 3, 5], random, |rank, random, ask| {
         for most in MOST {
@@ -108,8 +109,8 @@ fn keeps_its_memory(
     memory(&format!("{what} on {}", rank.name()), (50, bytes), turns, ask);
 }
 
-/// The scene that each rank gets: few particles, more than sixteen bits count, and then less than before. No side is a
-/// number of single precision.
+/// Asks for the scene that each rank receives: few particles, more than 16 bits can count, and then
+/// fewer. Single precision cannot represent the sides of the boxes.
 pub(crate) fn broadcasts(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "5.8", &[1, 3], random, |rank, random, ask| {
         for (n, side) in [(12, 0.1), (70_000, 0.3), (1, 6.1)] {
@@ -137,7 +138,8 @@ fn three_at_most(calls: &[f64]) -> Result<(), String> {
     }
 }
 
-/// What a step sends where no particle comes near a border: lengths and nothing else, by way of the root.
+/// Asks for the bytes of a step in which no particle comes near a border: only lengths are sent,
+/// through the root.
 pub(crate) fn quiet_steps(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "5.8", &[1, 3, 4], random, |rank, _, ask| {
         let mut engine = rank.call("loading", |_| Some(loaded(&in_the_middles(rank.ranks))));
@@ -166,14 +168,14 @@ fn loaded(scene: &Scene) -> Box<dyn Simulation> {
     engine
 }
 
-/// The bytes that the busiest rank sends in a step.
+/// Returns the bytes that the busiest rank sends in a step.
 fn bytes_of_a_step(engine: &dyn Simulation) -> f64 {
     let counters = engine.counters();
     let bytes = counters.iter().find(|(name, _)| *name == "bytes per step, busiest rank");
     bytes.map_or(0.0, |(_, bytes)| *bytes)
 }
 
-/// A line of particles, which push each other along it, in the middle of each rank's rows.
+/// Returns a line of particles that push each other along it, in the middle of each rank's rows.
 fn in_the_middles(ranks: usize) -> Scene {
     let rows = 6 * ranks;
     let side = (rows as f64 + 0.5) * 2.0 * CUTOFF;
@@ -185,7 +187,7 @@ fn in_the_middles(ranks: usize) -> Scene {
     Scene::new(side, (0..500 * ranks).map(particle).collect()).expect("it is sound")
 }
 
-/// Counts of any size: those of a long run on a large machine do not fit into 32 bits.
+/// Asks for sums of counts of any size. The counts of a long run on a large machine exceed 32 bits.
 pub(crate) fn sums(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "5.9", &[1, 2, 3, 5], random, |rank, random, ask| {
         for round in 0..8 {
@@ -200,7 +202,7 @@ pub(crate) fn sums(random: &mut Random, ask: &mut impl Ask) {
             if rank.is_root() {
                 let found = found.unwrap_or(own);
                 ask.exact(&format!("{name}: dmin"), || vec![found.dmin], || vec![0.5]);
-                // Ranks may be added up in any order.
+                // The ranks may be added in any order.
                 ask.near(
                     &format!("{name}: davg"),
                     || vec![found.davg],
@@ -226,7 +228,7 @@ pub(crate) fn sums(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The statistics of a rank.
+/// Draws the statistics of a rank.
 fn drawn(random: &mut Random, number: usize, ranks: usize, round: usize) -> Statistics {
     let mut count = || random.bits() >> (5 + 8 * (round % 8));
     let counts = [count(), count()];
@@ -238,7 +240,7 @@ fn drawn(random: &mut Random, number: usize, ranks: usize, round: usize) -> Stat
     }
 }
 
-/// A floating-point number has 53 bits, a count 64.
+/// Splits counts into halves, because a floating-point number has 53 bits and a count has 64.
 fn halves(navg: u64, pair_tests: u64) -> Vec<f64> {
     [navg, pair_tests]
         .into_iter()

@@ -1,4 +1,5 @@
-//! Questions to the functions that need no other rank, with drawn inputs, and what a plain model says.
+//! Questions about functions that need no other rank, with random inputs, and the answers of a
+//! plain model.
 
 use std::ops::Range;
 
@@ -10,7 +11,7 @@ use solution2::VecBins;
 
 use super::blocks::{Blocks, blocks_of, owners_of, same, wires};
 
-/// All cuts of few rows among few ranks.
+/// Asks for all cuts of few rows among few ranks.
 pub(crate) fn few_rows(_: &mut Random, ask: &mut impl Ask) {
     const FEW: usize = 30;
     for (rows, ranks) in (1..=FEW).flat_map(|rows| (1..=FEW).map(move |ranks| (rows, ranks))) {
@@ -29,7 +30,8 @@ pub(crate) fn few_rows(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Cuts of many rows among many ranks: rows without end, and so many ranks that no search comes to an end.
+/// Asks for cuts of many rows among many ranks: huge numbers of rows, and so many ranks that a
+/// linear search does not finish.
 pub(crate) fn many_rows(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..60 {
         let most = [(70_000, 70_000), (1 << 40, 300), (1 << 20, 1 << 40)][case % 3];
@@ -52,7 +54,8 @@ pub(crate) fn many_rows(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Whether the blocks of the ranks below `rank` have as many rows as this says: rank / ranks of all, rounded down.
+/// Checks that the blocks of the ranks below `rank` have the correct number of rows: rank / ranks
+/// of all rows, rounded down.
 fn begins_there(what: &str, found: Option<&f64>, rank: usize, cut: Cut) -> Result<(), String> {
     let found = found.copied().unwrap_or(-1.0);
     let part = rank as u128 * cut.rows as u128;
@@ -68,7 +71,8 @@ fn begins_there(what: &str, found: Option<&f64>, rank: usize, cut: Cut) -> Resul
     }
 }
 
-/// Whether this rank's block has the row: it begins there or before, and the next one begins behind it.
+/// Checks that a rank's block contains the row: the block begins at the row or before it, and the
+/// next block begins after it.
 fn owns(found: &[f64], row: usize, cut: Cut) -> Result<(), String> {
     let &[rank] = found else { return Err("there is no rank".into()) };
     let behind = (row as u128 + 1) * cut.ranks as u128;
@@ -80,20 +84,20 @@ fn owns(found: &[f64], row: usize, cut: Cut) -> Result<(), String> {
     Err(format!("rank {rank} has the rows from {} up to {}, both rounded down", exact[0], exact[1]))
 }
 
-/// What has stayed in a block, and what has left it.
+/// Asks for the particles that have stayed in a block, and for the particles that have left it.
 pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..100 {
         let blocks = Blocks::drawn(random);
         let rows = blocks.cut.rows;
         let start = random.below(rows + 1);
         let block = match case % 5 {
-            // An empty block lies anywhere.
+            // An empty block may begin anywhere.
             0 => [0..0, rows..rows, start..start][case / 5 % 3].clone(),
             _ => start..start + random.below(rows - start + 1),
         };
-        // Now and then more than sixteen bits count.
+        // Sometimes there are more particles than 16 bits can count.
         let particles = blocks.particles(random, if case % 25 == 24 { 70_000 } else { 300 });
-        // Who was remote before still is.
+        // The remote particles from before must remain.
         let before = Particle { id: u32::MAX, ..Particle::default() };
         let (mut changed, mut remote) = (particles.clone(), vec![before]);
         take_leavers_of_block(&blocks.grid, &block, &mut changed, &mut remote);
@@ -107,21 +111,22 @@ pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// What a rank copies for its neighbours.
+/// Asks for the copies that a rank makes for its neighbours.
 pub(crate) fn copies(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..60 {
         let blocks = if case % 4 == 1 { Blocks::thin(random) } else { Blocks::drawn(random) };
-        // Every second rank has rows: where ranks outnumber them, a single one.
+        // Every second case has a rank with rows. If there are more ranks than rows, the rank has a
+        // single row.
         let rank = match case % 2 {
             1 => blocks.owner(random.below(blocks.cut.rows)),
             _ => random.below(blocks.cut.ranks),
         };
         let mut block = blocks.block(rank);
-        // Now and then a block without rows.
+        // Sometimes the block has no rows.
         if case % 10 == 9 {
             block.end = block.start;
         }
-        // Now and then hundreds in a bin.
+        // Sometimes a bin contains hundreds of particles.
         let particles = blocks.particles(random, if case % 10 == 4 { 4097 } else { 300 });
         let mut bins = VecBins::new(blocks.grid);
         let seen = blocks.visible(&block);
@@ -134,7 +139,7 @@ pub(crate) fn copies(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Which rank gets what.
+/// Asks which rank receives which particles.
 pub(crate) fn parcels(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..60 {
         let blocks = if case % 4 == 1 { Blocks::thin(random) } else { Blocks::drawn(random) };
@@ -142,7 +147,7 @@ pub(crate) fn parcels(random: &mut Random, ask: &mut impl Ask) {
         let mut parcels = vec![Parcel::default(); ranks];
         for p in blocks.particles(random, 300) {
             let owner = blocks.owner(blocks.row(p.y));
-            // Now and then numbers beyond 32 bits.
+            // Sometimes numbers exceed 32 bits.
             let far = if case % 4 == 2 { random.below(1 << 20) as u64 } else { 0 };
             let wire = Wire { id: u64::from(p.id) + (far << 32), ..Wire::from(&p) };
             match random.below(3) {
@@ -166,7 +171,8 @@ pub(crate) fn parcels(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// What a rank receives of these parcels: leavers into its rows, and all that the neighbouring rows get.
+/// Returns the part of these parcels that a rank receives: leavers into its rows, and all particles
+/// of the neighbouring rows.
 fn receives(blocks: &Blocks, parcels: &[Parcel], rank: usize) -> Vec<Wire> {
     let sees = |wire: &&Wire| blocks.neighbours(blocks.row(wire.y)).contains(&rank);
     let owns = |wire: &&Wire| blocks.owner(blocks.row(wire.y)) == rank;
@@ -175,7 +181,8 @@ fn receives(blocks: &Blocks, parcels: &[Parcel], rank: usize) -> Vec<Wire> {
     leavers.chain(parcels.iter().flat_map(|parcel| &parcel.copies).filter(sees)).copied().collect()
 }
 
-/// What is in the rows that a rank sees, after new ghosts and new particles have come.
+/// Asks for the particles in the rows that a rank sees, after new ghosts and new particles have
+/// arrived.
 pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..60 {
         let blocks = Blocks::drawn(random);
@@ -186,7 +193,7 @@ pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
         let before: Vec<_> = blocks.particles(random, 300).into_iter().filter(visible).collect();
         before.iter().for_each(|p| bins.put(*p));
         let new = |p: Particle| Particle { id: p.id + 1000, ..p };
-        // Now and then nothing comes, and old ghosts go all the same.
+        // Sometimes nothing arrives; old ghosts must go nevertheless.
         let most = if case % 5 == 0 { 0 } else { 300 };
         let arrived: Vec<_> =
             blocks.particles(random, most).into_iter().filter(visible).map(new).collect();

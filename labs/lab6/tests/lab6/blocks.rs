@@ -1,15 +1,17 @@
-//! Questions about blocks of rows: where they start, which ranks are neighbours, and which rows need no ghosts.
+//! Questions about blocks of rows: their starts, the neighbouring ranks, and the rows that need no
+//! ghosts.
 
 use lab6::{Cuts, balanced, interior_rows, neighbours};
 use oracle::{Ask, Random, whole};
 
-/// Rows of few particles, and of more than 32 bits count; the sum fits into 64.
+/// Asks for the starts of blocks. Rows have few particles, or more than 32 bits can count; the sum
+/// fits into 64 bits.
 pub(crate) fn starts_of_blocks(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..150 {
         let most = if case % 15 == 14 { 4097 } else { 40 };
         let rows = 1 + random.size(most);
         let ranks = 1 + random.size(most);
-        // All of them together still fit into 64 bits: hardly, with ease, or they are fewer than the ranks.
+        // The total barely fits into 64 bits, fits easily, or is smaller than the number of ranks.
         let few = match case % 3 {
             0 => 2 + rows.ilog2() as usize + random.below(4),
             1 => 2 + rows.ilog2() as usize + random.below(50),
@@ -31,7 +33,7 @@ pub(crate) fn starts_of_blocks(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The right starts of blocks.
+/// Returns the correct starts of blocks.
 pub(crate) fn starts(counts: &[u64], ranks: usize) -> Vec<usize> {
     let all: u128 = counts.iter().map(|count| u128::from(*count)).sum();
     let mut starts = vec![0];
@@ -48,7 +50,7 @@ pub(crate) fn starts(counts: &[u64], ranks: usize) -> Vec<usize> {
     starts
 }
 
-/// Blocks of rows for `ranks` ranks, many of them empty.
+/// Draws blocks of rows for `ranks` ranks, many of them empty.
 fn some_cuts(random: &mut Random, ranks: usize, rows: usize) -> Cuts {
     let mut starts: Vec<usize> = (1..ranks).map(|_| random.below(rows + 1)).collect();
     starts.extend([0, rows]);
@@ -56,12 +58,12 @@ fn some_cuts(random: &mut Random, ranks: usize, rows: usize) -> Cuts {
     Cuts { starts }
 }
 
-/// The rank that has a row: of all blocks the one that is not empty and holds it.
+/// Returns the rank that has a row. Its block is the only nonempty block that contains the row.
 pub(crate) fn owner(cuts: &Cuts, row: usize) -> usize {
     (0..cuts.starts.len() - 1).find(|rank| cuts.block(*rank).contains(&row)).unwrap_or(0)
 }
 
-/// The ranks before and after one.
+/// Returns the ranks before and after a rank.
 fn beside(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
     let block = cuts.block(rank);
     if block.is_empty() {
@@ -71,14 +73,14 @@ fn beside(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
     [block.start.checked_sub(1).map(|row| owner(cuts, row)), after]
 }
 
-/// The rank before and the rank after one, where there are such.
+/// Asks for the rank before and the rank after a rank, where they exist.
 pub(crate) fn neighbours_of_ranks(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..200 {
         let is_large = case % 10 == 9;
         let rows = 1 + random.size(if is_large { 70_000 } else { 10 });
         let ranks = 1 + random.size(if is_large { 300 } else { 7 });
         let cuts = some_cuts(random, ranks, rows);
-        // The last ranks, too, whatever their number is.
+        // The highest ranks are asked too, for any number of ranks.
         for rank in (0..ranks).rev().take(8) {
             let shown = &cuts.starts[ranks.saturating_sub(8)..];
             let question = format!(
@@ -91,12 +93,12 @@ pub(crate) fn neighbours_of_ranks(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// -1 for none.
+/// Returns the ranks as numbers, -1 for a missing rank.
 fn numbers(ranks: [Option<usize>; 2]) -> Vec<f64> {
     ranks.map(|rank| rank.map_or(-1.0, |rank| rank as f64)).to_vec()
 }
 
-/// Any block of few rows: which of its rows have all their neighbours at home.
+/// Asks for the rows of any block of few rows whose neighbouring rows are all in the block.
 pub(crate) fn interiors(_: &mut Random, ask: &mut impl Ask) {
     for rows in 1..9 {
         for start in 0..=rows {
@@ -120,7 +122,7 @@ fn is_interior(found: &[f64], start: usize, end: usize, rows: usize) -> Result<(
     if !(start as f64 <= first && first <= last && last <= end as f64) {
         return Err(format!("{first}..{last} is not a range within the block"));
     }
-    // Rows beyond the walls need nothing.
+    // Rows beyond the walls do not matter.
     let is_near = |row: usize| row >= rows || (start..end).contains(&row);
     let interior =
         (start..end).filter(|&row| is_near(row + 1) && row.checked_sub(1).is_none_or(is_near));

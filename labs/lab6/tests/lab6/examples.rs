@@ -17,7 +17,7 @@ fn cuts(starts: &[usize]) -> Cuts {
     Cuts { starts: starts.to_vec() }
 }
 
-/// The blocks of all ranks.
+/// Lists the blocks of all ranks.
 fn blocks(cuts: &Cuts) -> String {
     spaced((1..cuts.starts.len()).map(|end| format!("{:?}", cuts.block(end - 1))))
 }
@@ -66,7 +66,8 @@ pub(crate) fn table_of_neighbours(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Rank 1 has lists for both others, and names the rank after first.
+/// Shows lists in both directions. Rank 1 has lists for both other ranks, and names the higher rank
+/// first.
 pub(crate) fn both_ways(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "6.3", &[3], random, |rank, _, ask| {
         let outgoing =
@@ -80,7 +81,7 @@ pub(crate) fn both_ways(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The rows of a rank's column.
+/// Returns the rows of a rank's column.
 fn exchange(
     world: &SimpleCommunicator,
     outgoing: &[(i32, Vec<u32>)],
@@ -102,13 +103,13 @@ fn exchange(
     ]
 }
 
-/// How many of these calls are such ones, behind the last one that begins no message.
+/// Counts the calls that `is_one` accepts, after the last call that does not begin a message.
 fn begun(calls: &[&str], is_one: fn(&str) -> bool) -> String {
     let last = calls.iter().rev().take_while(|call| call.starts_with("MPI_I"));
     last.filter(|call| is_one(call)).count().to_string()
 }
 
-/// Lists with the ranks of `outgoing`.
+/// Lists the lists with the ranks of `outgoing`.
 fn by_rank(outgoing: &[(i32, Vec<u32>)], lists: &[Vec<u32>]) -> String {
     let all = lists.iter().zip(outgoing);
     all.map(|(list, (rank, _))| format!("{rank}: {}", spaced(list))).collect::<Vec<_>>().join("|")
@@ -147,7 +148,7 @@ pub(crate) fn table_of_interiors(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Five ranks, of which rank 2 has no rows.
+/// Shows the leavers on five ranks. Rank 2 has no rows.
 pub(crate) fn table_of_leavers(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let grid = Grid::with_bins_along(8.0, 8);
@@ -178,7 +179,7 @@ pub(crate) fn table_of_leavers(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The rows of the particles, by their ids.
+/// Rows of the particles, by their ids.
 const ROWS: [u32; 12] = [5, 0, 0, 2, 1, 0, 3, 0, 2, 4, 0, 1];
 
 pub(crate) fn table_of_shares(_: &mut Random, ask: &mut impl Ask) {
@@ -201,7 +202,7 @@ pub(crate) fn table_of_shares(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// A particle in the middle of each of these rows.
+/// Returns a particle in the middle of each of these rows.
 fn in_rows() -> impl Iterator<Item = Particle> {
     let rows = (0..).zip(ROWS);
     rows.map(|(id, row)| Particle { id, y: f64::from(row) + 0.5, ..Particle::default() })

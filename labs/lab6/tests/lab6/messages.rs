@@ -5,10 +5,10 @@ use lab6::{exchange_all, exchange_beside};
 use oracle::{Ask, Random, begins_send, digest, no_other_calls, others_within, whole};
 use oracle_mpi::{Rank, on_each};
 
-/// The items of a list in a long run.
+/// Number of items of a list in a long run.
 const LONG: usize = 1000;
 
-/// Lists from every rank to every rank, `[from][to]`, some of them empty.
+/// Draws lists from every rank to every rank, `[from][to]`, some of them empty.
 fn letters(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<Vec<Ghost>>> {
     let to_all = |random: &mut Random| (0..ranks).map(|_| list(random, most)).collect();
     (0..ranks).map(|_| to_all(random)).collect()
@@ -20,13 +20,13 @@ fn list(random: &mut Random, most: usize) -> Vec<Ghost> {
     (0..n as u64).map(&mut ghost).collect()
 }
 
-/// The length of a list and two sums of its items.
+/// Returns the length of a list and two sums of its items.
 fn sums_of(list: &[Ghost]) -> Vec<f64> {
     digest(list.iter().map(|ghost| (ghost.x + 2.0 * ghost.y, ghost.id)))
 }
 
-/// Lists to other ranks and from them, in any order, the neighbours or all: nothing, a little, and more than the
-/// library keeps aside for a rank that sends before it receives.
+/// Asks about lists to and from other ranks, in any order, neighbours or all ranks. The lists are
+/// empty, short, or longer than the library can buffer for a rank that sends before it receives.
 pub(crate) fn exchanges(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "6.3", &[1, 2, 3, 5], random, |rank, random, ask| {
         for (most, furthest) in [(0, 1), (5, rank.ranks), (1000, 1), (200_000, rank.ranks)] {
@@ -41,7 +41,7 @@ pub(crate) fn exchanges(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Asks about one exchange of a rank with these others.
+/// Asks about one exchange of a rank with these other ranks.
 fn exchange(
     rank: &Rank<'_>,
     others: &[usize],
@@ -67,7 +67,7 @@ fn exchange(
         "{name}: how often the work is done; sends and receives under way when it begins; other calls before it; calls \
          after it that are no waits; what comes back of it"
     );
-    // A list without items needs no message, since both sides know its length by then.
+    // A list without items needs no message, because both sides know its length at this point.
     let travels = |other: &usize| {
         let lists = [&letters[rank.number][*other], &letters[*other][rank.number]];
         lists.iter().filter(|list| !list.is_empty()).count()
@@ -82,8 +82,9 @@ fn exchange(
     );
 }
 
-/// How often the work was done, how many messages were under way then, other calls before, and calls after
-/// it that are no waits. `before` are the calls before each work.
+/// Returns counts of the work, of the travelling messages, and of other calls before and after the
+/// work. Calls after the work are counted unless they are waits. `before` contains the calls before
+/// each work.
 fn counted(before: &[Vec<&str>], all: &[&str]) -> Vec<f64> {
     let first = before.first().map_or(&[][..], |calls| calls);
     let under_way = first.iter().rev().take_while(|call| begins(call)).count();
@@ -100,7 +101,8 @@ fn waits(call: &str) -> bool {
     call.starts_with("MPI_Wait")
 }
 
-/// Whether the lists travel while the work is done: at `least` so many messages, at `most` so many.
+/// Checks that the lists travel while the work is done: at `least` and at `most` this number of
+/// messages.
 fn overlap(found: &[f64], least: usize, most: usize) -> Result<(), String> {
     let &[works, under_way, others, later, result] = found else {
         return Err("there is no answer".into());
@@ -133,7 +135,7 @@ fn overlap(found: &[f64], least: usize, most: usize) -> Result<(), String> {
     Err(words)
 }
 
-/// How many lists there are, and the sums of each.
+/// Returns the number of lists, and the sums of each.
 fn of_all<'a>(lists: impl IntoIterator<Item = &'a Vec<Ghost>>, ranks: usize) -> Vec<f64> {
     let sums: Vec<Vec<f64>> = lists.into_iter().map(|list| sums_of(list)).collect();
     let mut all = vec![sums.len() as f64];
@@ -142,7 +144,8 @@ fn of_all<'a>(lists: impl IntoIterator<Item = &'a Vec<Ghost>>, ranks: usize) -> 
     all
 }
 
-/// Lists from all ranks to all: nothing, a few items, more than 16 bits count, and then less.
+/// Asks about lists from all ranks to all ranks: empty, a few items, more than 16 bits can count,
+/// and then fewer.
 pub(crate) fn lists_of_all(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "6.4", &[1, 2, 3, 5], random, |rank, random, ask| {
         for most in [0, 5, 70_000, 5] {

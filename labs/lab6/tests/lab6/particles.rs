@@ -1,4 +1,5 @@
-//! Questions about particles: those that leave a block, and those that a rank keeps of a scene.
+//! Questions about particles: the particles that leave a block, and the particles of a scene that a
+//! rank keeps.
 
 use std::cell::Cell;
 
@@ -16,7 +17,7 @@ struct Left {
     grid: Grid,
     cuts: Cuts,
     rank: usize,
-    /// The ranks before and after it.
+    /// Ranks before and after the rank.
     beside: [Option<usize>; 2],
     wires: Vec<Wire>,
 }
@@ -32,18 +33,18 @@ impl Left {
         rows.iter().for_each(|rows| starts.push(starts[starts.len() - 1] + rows));
         let cuts = Cuts { starts };
         let grid = Grid::with_bins_along(random.between(0.1, 9.0), cuts.rows());
-        // Now and then numbers beyond 32 bits.
+        // Sometimes numbers exceed 32 bits.
         let shift = random.below(40);
         let left = |p: &&Particle| !cuts.block(rank).contains(&grid.row(p.y));
         let mut particles = on_edges(random, 60, grid.size(), cuts.rows());
-        // They come in any order, not in that of their ids.
+        // The particles come in any order, not in the order of their ids.
         random.shuffle(&mut particles);
         let wires = particles.iter().filter(left);
         let wires = wires.map(|p| Wire { id: u64::from(p.id) << shift, ..Wire::from(p) }).collect();
         Self { grid, cuts, rank, beside, wires }
     }
 
-    /// Where each particle must go.
+    /// Returns the destination of each particle.
     fn sorted(&self) -> Leavers {
         let mut sorted = Leavers::default();
         for wire in &self.wires {
@@ -57,8 +58,9 @@ impl Left {
     }
 }
 
-/// Changes the number of rows of each rank so that it is plain which ranks are beside `rank`: those with the numbers
-/// next to its own, or none. (Which ranks are beside it in other cases is task 6.2's to find.)
+/// Changes the number of rows of each rank so that the neighbours of `rank` are obvious. They are
+/// the ranks with adjacent numbers, or there are none. (Finding the neighbours in other cases is
+/// task 6.2.)
 fn some_rows_beside(random: &mut Random, rows: &mut [usize], rank: usize) -> [Option<usize>; 2] {
     let case = random.below(5);
     let mut some = |at: Option<usize>| {
@@ -74,7 +76,7 @@ fn some_rows_beside(random: &mut Random, rows: &mut [usize], rank: usize) -> [Op
             rows[rank] = 0;
             [None, None]
         }
-        // All ranks before it have none.
+        // All lower ranks have no rows.
         1 => {
             rows[..rank].fill(0);
             [None, beside[1]]
@@ -83,7 +85,7 @@ fn some_rows_beside(random: &mut Random, rows: &mut [usize], rank: usize) -> [Op
     }
 }
 
-/// Particles to the neighbours, and further.
+/// Asks about particles that move to the neighbours, and further.
 pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..150 {
         let left = Left::drawn(random);
@@ -115,7 +117,8 @@ fn with_ranks(far: &[(usize, Wire)]) -> Vec<f64> {
     far.iter().flat_map(|(rank, wire)| [vec![*rank as f64], numbers(&[*wire])].concat()).collect()
 }
 
-/// What a rank keeps of a scene that is replayed, and how often: many particles in few rows, and few in many.
+/// Asks for the part of a replayed scene that a rank keeps, and for the number of replays. The
+/// scene has many particles in few rows, or few particles in many rows.
 pub(crate) fn shares(random: &mut Random, ask: &mut impl Ask) {
     for n in [random.sizes(1025), vec![70_000, 1]].concat() {
         let most = [5, 300][random.below(2)];
@@ -129,7 +132,7 @@ pub(crate) fn shares(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// What a rank holds of a million particles, of which it keeps few.
+/// Asks for the memory of a rank that keeps few of a million particles.
 pub(crate) fn large_scene(_: &mut Random, ask: &mut impl Ask) {
     const ROWS: usize = 64;
     const ALL: usize = 1 << 20;
@@ -138,8 +141,8 @@ pub(crate) fn large_scene(_: &mut Random, ask: &mut impl Ask) {
     ask.apart(|ask| ask.exact(question, || kept_of(ALL, ROWS), || whole([ALL / ROWS, 0])));
 }
 
-/// How many of `all` particles in as many rows as ranks the sixth rank keeps; and the bytes that this takes, 0 for
-/// few.
+/// Returns the number of particles that the sixth rank keeps, and the memory that it needs. The
+/// scene has `all` particles in as many rows as ranks. The memory is in bytes, 0 for little memory.
 fn kept_of(all: usize, rows: usize) -> Vec<f64> {
     let before = resident();
     let most = Cell::new(before);
@@ -156,7 +159,7 @@ fn kept_of(all: usize, rows: usize) -> Vec<f64> {
     vec![share.len() as f64, if bytes < 8 * all as u64 { 0.0 } else { bytes as f64 }]
 }
 
-/// Asks what one rank keeps.
+/// Asks for the particles that one rank keeps.
 fn share(grid: &Grid, particles: &[Particle], ranks: usize, rank: usize, ask: &mut impl Ask) {
     let replays = Cell::new(0);
     let replay = |visit: &mut dyn FnMut(Particle)| {
@@ -177,12 +180,12 @@ fn share(grid: &Grid, particles: &[Particle], ranks: usize, rank: usize, ask: &m
             ids(particles.iter().filter(|p| own.contains(&grid.row(p.y))))
         },
     );
-    // Who replays once has kept all until it knew which are its own.
+    // A rank that replays the scene once has stored all particles until it knew its own.
     let question = format!("{name}: how often it has replayed the scene");
     ask.exact(&question, || whole([replays.get()]), || vec![2.0]);
 }
 
-/// Where the blocks of these particles start.
+/// Returns the starts of the blocks of these particles.
 fn starts_of(grid: &Grid, particles: &[Particle], ranks: usize) -> Vec<usize> {
     let mut counts = vec![0; grid.rows()];
     particles.iter().for_each(|p| counts[grid.row(p.y)] += 1);

@@ -20,13 +20,13 @@ pub(crate) fn one_step(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The step of one rank, and what is noted down of it.
+/// The step of one rank, with its record.
 struct Step<'a> {
     world: &'a SimpleCommunicator,
     grid: Grid,
     cuts: Cuts,
     rank: usize,
-    /// Its particles before the step.
+    /// Particles of the rank before the step.
     own: Vec<Particle>,
     rows: Vec<(&'static str, String)>,
 }
@@ -46,13 +46,14 @@ impl<'a> Step<'a> {
         Self { world, grid, cuts, rank, own, rows }
     }
 
-    /// The rows of this rank's column.
+    /// Returns the rows of this rank's column.
     fn rows(mut self) -> Vec<(&'static str, String)> {
         let [_, after] = scenes::dozen();
         let moved: Vec<Particle> = self.own.iter().map(|p| after[p.id as usize]).collect();
         let is_out = |p: &&Particle| self.cuts.owner(self.grid.row(p.y)) != self.rank;
         let out: Vec<Wire> = moved.iter().filter(is_out).map(Wire::from).collect();
-        // On a fresh starter this task's todo comes first.
+        // Calls this task's function first, so that an unsolved starter stops at this task's
+        // `todo!`.
         let sorted = sort_leavers(&self.grid, &self.cuts, self.neighbours(), &out);
         self.exchange_ghosts();
         self.note("moved; out of the block", ids_of(&out));
@@ -64,7 +65,8 @@ impl<'a> Step<'a> {
         self.rows
     }
 
-    /// Forces on the particles of interior rows while ghosts travel, on the others when the ghosts are there.
+    /// Sums forces on the particles of interior rows while ghosts travel, and on the others when
+    /// the ghosts have arrived.
     fn exchange_ghosts(&mut self) {
         let first = 2 * self.rank;
         let interior = interior_rows(&(first..first + 2), 6);
@@ -93,8 +95,8 @@ impl<'a> Step<'a> {
         self.note("  after Alltoallv", ids_of(&arrived));
     }
 
-    /// Sends the lists to the ranks before and after, where there are such, and notes them down. Returns the ids of what
-    /// arrives and the result of `work`.
+    /// Sends the lists to the ranks before and after, where they exist, and records them. Returns
+    /// the ids of the received particles and the result of `work`.
     fn both_ways<R>(&mut self, lists: Lists, work: impl FnOnce() -> R) -> (String, R) {
         let mut outgoing = Vec::new();
         for (neighbour, (name, list)) in self.neighbours().into_iter().zip(lists) {
@@ -109,7 +111,7 @@ impl<'a> Step<'a> {
         [self.rank.checked_sub(1), Some(self.rank + 1).filter(|rank| *rank < 3)]
     }
 
-    /// The own particles in a row.
+    /// Returns the rank's own particles in a row.
     fn row(&self, row: usize) -> Vec<Wire> {
         self.own.iter().filter(|p| self.grid.row(p.y) == row).map(Wire::from).collect()
     }

@@ -4,7 +4,7 @@ use hard_discs::{Span, Window};
 use lab7::{block_of, blocks_around, look_around, span};
 use oracle::{Ask, Near, Random, beside, whole};
 
-/// Boxes of fast and slow discs, in windows of any length.
+/// Asks for the swept boxes of fast and slow discs, in windows of any length.
 pub(crate) fn spans(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..2000 {
         let count = 1 + random.size(4097);
@@ -33,7 +33,8 @@ pub(crate) fn spans(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// An end of a box: on an edge between blocks or beside it, beyond the square, or anywhere.
+/// Draws an end of a box: on an edge between blocks, beside an edge, outside the square, or
+/// anywhere.
 fn end(random: &mut Random, side: f64) -> f64 {
     match random.below(5) {
         0 => beside(random.below(5) as f64 * 0.25 * side)[random.below(3)],
@@ -42,7 +43,8 @@ fn end(random: &mut Random, side: f64) -> f64 {
     }
 }
 
-/// A box along one axis, up to `most` of the side long, or with any two ends.
+/// Draws the extent of a box along one axis: at most `most` of the side long, or with arbitrary
+/// ends.
 fn extent(random: &mut Random, side: f64, most: f64) -> Span {
     let low = end(random, side);
     let other = low + most * side * random.between(0.0, 1.0);
@@ -50,10 +52,11 @@ fn extent(random: &mut Random, side: f64, most: f64) -> Span {
     Span { low: low.min(high), high: low.max(high) }
 }
 
-/// Boxes inside blocks and over edges; and the blocks around each block.
+/// Asks for the blocks of boxes inside blocks and across edges, and for the blocks around each
+/// block.
 pub(crate) fn blocks(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..6000 {
-        // A quarter of the side has no rounding.
+        // A power of two as the side makes quarters of the side exact.
         let side = random.magnitude(1e-12, 1e12).log2().round().exp2();
         let [x, y] = [(); 2].map(|()| extent(random, side, [0.01, 0.2, 0.6][case % 3]));
         let question = format!(
@@ -73,7 +76,7 @@ pub(crate) fn blocks(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The smallest block that holds a box.
+/// Returns the smallest block that holds a box.
 fn smallest(x: Span, y: Span, side: f64) -> usize {
     for (blocks, first) in [(4, 0), (2, 16)] {
         let [left, right, low, high] = [x.low, x.high, y.low, y.high]
@@ -85,7 +88,7 @@ fn smallest(x: Span, y: Span, side: f64) -> usize {
     20
 }
 
-/// The blocks around block `block`.
+/// Returns the blocks around block `block`.
 fn around(block: usize) -> Vec<usize> {
     match block {
         0..16 => vec![16 + 2 * (block / 4 / 2) + block % 4 / 2, 20],
@@ -94,7 +97,8 @@ fn around(block: usize) -> Vec<usize> {
     }
 }
 
-/// The pairs that the search looks at, the lower disc first, in ascending order.
+/// Returns the pairs that the search tests, in ascending order, with the lower disc of each pair
+/// first.
 fn pairs_looked_at(blocks: &[Vec<u32>]) -> Vec<f64> {
     let mut pairs = Vec::new();
     for (block, discs) in blocks.iter().enumerate() {
@@ -108,7 +112,7 @@ fn pairs_looked_at(blocks: &[Vec<u32>]) -> Vec<f64> {
     pairs.concat().into_iter().map(f64::from).collect()
 }
 
-/// The pairs whose blocks are the same, or one around the other.
+/// Returns the pairs whose blocks are the same or neighbours.
 fn pairs_that_may_meet(blocks: &[Vec<u32>]) -> Vec<f64> {
     let all = blocks.iter().enumerate();
     let all = all.flat_map(|(block, discs)| discs.iter().map(move |&disc| (disc, block)));
@@ -125,7 +129,8 @@ fn pairs_that_may_meet(blocks: &[Vec<u32>]) -> Vec<f64> {
     pairs.concat().into_iter().map(f64::from).collect()
 }
 
-/// Discs in any blocks, in all of one level or in one: each pair that may meet, once.
+/// Asks for the tested pairs of discs in any blocks, in all blocks of a level, or in one block.
+/// Each pair that may meet is tested once.
 pub(crate) fn looks_around(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..120 {
         let mut blocks = vec![Vec::new(); 21];
@@ -133,7 +138,7 @@ pub(crate) fn looks_around(random: &mut Random, ask: &mut impl Ask) {
         let crowd = random.below(21);
         for k in 0..n {
             let block = [random.below(21), random.below(16), crowd, 16 + random.below(5)][case % 4];
-            // Neither in the order of their numbers, nor without gaps.
+            // The disc numbers are unordered and have gaps.
             blocks[block].push((k * 7919 % 4097 * 70_001) as u32);
         }
         let question = format!(

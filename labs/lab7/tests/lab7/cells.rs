@@ -8,7 +8,7 @@ use oracle::{Ask, Random, whole, within};
 
 use super::words::short;
 
-/// Entries in rows of so many columns, sorted by cell.
+/// Draws entries, sorted by cell, in rows of `columns` columns.
 fn entries(random: &mut Random, case: usize, columns: usize) -> Vec<Entry> {
     let rows = [1_usize, 4, 70_000, 1 << 20][case % 4];
     let n = random.size(400.min(2 + 8 * case)) as u32 + 1;
@@ -23,7 +23,7 @@ fn entries(random: &mut Random, case: usize, columns: usize) -> Vec<Entry> {
     entries
 }
 
-/// Few and many boxes in few and many cells, narrow and wide.
+/// Asks for the pairs of few and many boxes in few and many cells, narrow and wide.
 pub(crate) fn columns(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..60 {
         let columns = [3_usize, 20, 300, 70_000, 1 << 31][case % 5];
@@ -51,7 +51,7 @@ pub(crate) fn columns(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Cells whose numbers differ by 2³², and one of the last number of 32 bits.
+/// Asks about cells whose numbers differ by 2³², and a cell with the greatest 32-bit number.
 pub(crate) fn far_columns(_: &mut Random, ask: &mut impl Ask) {
     let far = 1 << 32;
     for (cells, further) in [([5, far + 5], 0), ([far - 1, far], 1), ([far - 1, far + 1], 1)] {
@@ -71,7 +71,8 @@ pub(crate) fn far_columns(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Many narrow boxes. Whoever goes through all the rest for each of them does not come to an end.
+/// Asks about many narrow boxes. A program that compares each box with all the boxes after it does
+/// not finish.
 pub(crate) fn many_columns(_: &mut Random, ask: &mut impl Ask) {
     let question = "a million boxes one column from the next, of 1, 2 and 3 columns in turn: how often two share one";
     let found = || {
@@ -84,7 +85,7 @@ pub(crate) fn many_columns(_: &mut Random, ask: &mut impl Ask) {
     ask.exact(question, found, || whole([999_998]));
 }
 
-/// A survey of discs, slow and fast, thin and dense, with and without crowds, to plan a step for.
+/// A survey of discs for planning a step: slow or fast, sparse or dense, with or without crowds.
 #[derive(Clone, Copy)]
 struct Plan {
     survey: Survey,
@@ -93,7 +94,7 @@ struct Plan {
 }
 
 impl Plan {
-    /// Plain cases are asked first.
+    /// Draws a survey. Plain cases are asked first.
     fn drawn(random: &mut Random, is_plain: bool) -> Self {
         let most = if is_plain { 0.09 } else { 0.9 };
         let radius = short(is_plain, random.magnitude(1e-9, 1e9));
@@ -109,7 +110,7 @@ impl Plan {
         Self { survey, square: Square { side, radius }, crowding }
     }
 
-    /// What a step costs in so many windows.
+    /// Returns the cost of a step in `windows` windows.
     fn cost(&self, windows: usize) -> f64 {
         const ENTRY: f64 = 60.0;
         const ASK: f64 = 10.0;
@@ -117,7 +118,7 @@ impl Plan {
         ENTRY * work.entries + self.crowding * (work.pairs + ASK * work.asked)
     }
 
-    /// Whether no other number of windows costs less.
+    /// Returns an error if another number of windows costs less.
     fn is_cheapest(&self, found: &[f64]) -> Result<(), String> {
         let counts: Vec<usize> = (0..=12).map(|k| 1 << k).collect();
         let &[found] = found else { return Err("there is no number".into()) };
@@ -136,7 +137,7 @@ impl Plan {
     }
 }
 
-/// Slow and fast scenes: no other number of windows costs less.
+/// Asks for the plans of slow and fast scenes; the planned number of windows must be the cheapest.
 pub(crate) fn plans(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..3000 {
         let plan = Plan::drawn(random, case < 60);

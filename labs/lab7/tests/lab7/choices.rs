@@ -1,4 +1,5 @@
-//! Questions about which of two candidates is first, and which happen: tasks 7.3 and 7.4.
+//! Questions about the order of two candidates, and about the candidates that happen: tasks 7.3 and
+//! 7.4.
 
 use hard_discs::{Candidate, Hit};
 use lab7::{order, take, take_in_order};
@@ -6,7 +7,8 @@ use oracle::{Ask, Random, flags, truth, within};
 
 use super::words::{EACH, event, number, values};
 
-/// Any two of some candidates: at few times, of all kinds, with numbers at which bits end.
+/// Asks for the order of every two of some candidates. Their times coincide often, they are of all
+/// kinds, and their disc numbers are at the ends of bit ranges.
 pub(crate) fn orders(random: &mut Random, ask: &mut impl Ask) {
     for _ in 0..40 {
         let time = random.magnitude(1e-300, 1.0);
@@ -29,7 +31,8 @@ pub(crate) fn orders(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// −1 if the first is taken before the second, 1 if after, 0 if they are the same.
+/// Returns −1 if the first candidate is taken before the second, 1 if after it, 0 if they are the
+/// same.
 fn comes(a: &Candidate, b: &Candidate) -> f64 {
     if a.time < b.time || a.time == b.time && a.hit < b.hit {
         return -1.0;
@@ -37,7 +40,7 @@ fn comes(a: &Candidate, b: &Candidate) -> f64 {
     truth(a.time != b.time || a.hit != b.hit)
 }
 
-/// Which discs are free, and what was taken.
+/// Free discs, and the candidates that were taken.
 #[derive(Clone)]
 struct Taken {
     free: Vec<bool>,
@@ -45,13 +48,13 @@ struct Taken {
 }
 
 impl Taken {
-    /// Some of `discs` discs are free, and one candidate has been taken already.
+    /// Draws which of `discs` discs are free. One candidate has been taken already.
     fn drawn(random: &mut Random, discs: usize) -> Self {
         let free = (0..discs).map(|_| random.below(8) > 0).collect();
         Self { free, taken: vec![Candidate { time: 0.5, hit: Hit::WallY(1) }] }
     }
 
-    /// Takes a candidate if its discs are free, by the rule.
+    /// Takes a candidate if its discs are free, as the rule demands.
     fn take(&mut self, candidate: &Candidate) {
         let discs = [Some(candidate.hit.first()), candidate.hit.second()].into_iter().flatten();
         if discs.clone().all(|disc| self.free[disc as usize]) {
@@ -60,13 +63,13 @@ impl Taken {
         }
     }
 
-    /// The candidates that were taken, and whether each disc is free.
+    /// Returns the candidates that were taken, and for each disc whether it is free.
     fn numbers(&self) -> Vec<f64> {
         [values(&self.taken), flags(&self.free)].concat()
     }
 }
 
-/// A candidate of any kind, some discs not free any more.
+/// Asks whether a candidate of any kind is taken when some discs are no longer free.
 pub(crate) fn single_takes(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..6000 {
         let discs = 2 + random.size(40.min(case / 20));
@@ -94,8 +97,9 @@ pub(crate) fn single_takes(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Candidates in the order in which they are to be taken. The earlier one of two has the lower number
-/// and walls have the lowest; some have the time of the one before.
+/// Draws candidates in the order in which they must be taken. Of two candidates, the earlier has
+/// the lower number, and walls have the lowest numbers. Some candidates have the time of their
+/// predecessor.
 fn in_order(random: &mut Random, n: usize, discs: usize) -> Vec<Candidate> {
     let mut hits = Vec::new();
     for _ in 0..n {
@@ -117,7 +121,8 @@ fn in_order(random: &mut Random, n: usize, discs: usize) -> Vec<Candidate> {
     candidates
 }
 
-/// Few and many candidates in any order, beside one that an earlier window took.
+/// Asks which of few and many candidates in any order are taken, after a candidate of an earlier
+/// window.
 pub(crate) fn takes(random: &mut Random, ask: &mut impl Ask) {
     let sizes = [vec![2; 10], random.sizes(4097), random.sizes(4097), vec![70_000]].concat();
     for n in sizes {
@@ -144,12 +149,12 @@ pub(crate) fn takes(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// A disc hits a wall, the earlier the lower its number.
+/// Returns the wall collision of a disc. Lower numbers hit earlier.
 fn wall(disc: usize) -> Candidate {
     Candidate { time: disc as f64 / 4.0, hit: Hit::WallX(disc as u32) }
 }
 
-/// Each of a few discs hits a wall, so that none is in another's way.
+/// Asks about a few discs that each hit a wall, so that no candidate excludes another.
 pub(crate) fn takes_of_walls(_: &mut Random, ask: &mut impl Ask) {
     for discs in 1..=3 {
         let found = || {
@@ -163,11 +168,11 @@ pub(crate) fn takes_of_walls(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// How many discs have a candidate each in the question about many.
+/// The number of discs in the question about many candidates. Each disc has one candidate.
 const MANY: usize = 1_000_000;
 
-/// A million candidates, none of which is in another's way. Whoever compares every two of them does
-/// not come to an end.
+/// Asks about a million candidates that do not exclude each other. A program that compares every
+/// two candidates does not finish.
 pub(crate) fn many_takes(random: &mut Random, ask: &mut impl Ask) {
     let times: Vec<f64> = (0..MANY).map(|_| random.between(0.0, 1.0)).collect();
     let question = "a million candidates of as many discs: how many were taken, and whether in order of time (1)";

@@ -1,4 +1,4 @@
-//! Questions about what a collision does: task 7.6.
+//! Questions about the effect of a collision: task 7.6.
 
 use common::Vec2;
 use common::hard::Disc;
@@ -9,20 +9,20 @@ use oracle::{Ask, Near, Random};
 
 use super::words::{event, exact, short, turned, words};
 
-/// A right state: its collisions exactly, and x y vx vy up to rounding, where magnitudes of `scale` are
-/// added.
+/// Returns a correct state: the collision count exactly, and x, y, vx, vy up to the rounding of
+/// sums of magnitude `scale`.
 fn near(disc: &Disc, scale: f64) -> Vec<Near> {
     let [x, y, vx, vy, met, walls] = state(disc);
     let moving = [x, y, vx, vy].map(|right| Near { right, scale });
     moving.into_iter().chain(exact([met, walls])).collect()
 }
 
-/// How long until a collision: in plain cases half of the step.
+/// Draws the time until a collision. In plain cases it is half of the step.
 fn wait(random: &mut Random, is_plain: bool) -> f64 {
     if is_plain { 0.5 } else { random.between(0.0, 1.0) }
 }
 
-/// The same disc with collisions before this step, at counts where bits end.
+/// Returns the same disc with counts of earlier collisions at the ends of bit ranges.
 fn with_counts(disc: Disc, random: &mut Random) -> Disc {
     let mut count = || [0, 254, 255, 65_534, 65_535, 1 << 24][random.below(6)];
     Disc { pair_collisions: count(), wall_collisions: count(), ..disc }
@@ -37,8 +37,8 @@ struct Bounce {
 }
 
 impl Bounce {
-    /// Walls far away, or one straight ahead on the way back: there it does not matter how the disc is
-    /// brought back.
+    /// Draws a disc with its walls far away, or with a wall straight ahead on its way back. Such a
+    /// wall makes the way in which the disc is brought back irrelevant.
     fn drawn(random: &mut Random, case: usize) -> Self {
         let is_plain = case < 60;
         let unit = if is_plain { 1.0 } else { random.magnitude(1e-12, 1e12) };
@@ -76,7 +76,7 @@ impl Bounce {
     }
 }
 
-/// A disc hits a wall or a corner: where it is at the end of the step.
+/// Asks for the state at the end of the step of a disc that hits a wall or a corner.
 pub(crate) fn bounces(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..1200 {
         let bounced = Bounce::drawn(random, case);
@@ -100,7 +100,7 @@ pub(crate) fn bounces(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Two discs that touch, overlap or are at one position, far from walls.
+/// Two discs that touch, overlap or have the same position, far from walls.
 struct Crash {
     a: Disc,
     b: Disc,
@@ -122,7 +122,7 @@ impl Crash {
         let near = [random.magnitude(1e-6, 1.0), 1.0, 0.0][random.below(3)];
         let apart = if is_plain { turned(Vec2::new(2.0, 0.0), case) } else { unit * near * apart };
         let square = Square { side: 1e6 * unit, radius: unit };
-        // They touch in the middle: from there both go back.
+        // The discs touch in the middle and move apart from there.
         let middle = Vec2::new(0.5 * square.side, 0.5 * square.side);
         let mut discs = [(middle, v), (middle + apart, w)]
             .map(|(at, v)| Disc::new(at.x - time * v.x, at.y - time * v.y, v.x, v.y));
@@ -133,7 +133,7 @@ impl Crash {
         Self { a, b, time, square }
     }
 
-    /// The vector from a to b where they touch.
+    /// Returns the vector from a to b at the time of contact.
     fn normal(&self) -> Vec2 {
         let at = |x: f64, v: f64| x + self.time * v;
         Vec2::new(
@@ -142,7 +142,7 @@ impl Crash {
         )
     }
 
-    /// The disc at the end of the step, if the collision changes its velocity by `gain`.
+    /// Returns the disc at the end of the step, if the collision changes its velocity by `gain`.
     fn after(&self, disc: Disc, gain: Vec2) -> Disc {
         let (vx, vy) = (disc.vx + gain.x, disc.vy + gain.y);
         let x = disc.x + self.time * disc.vx + (1.0 - self.time) * vx;
@@ -150,14 +150,14 @@ impl Crash {
         Disc { x, y, vx, vy, pair_collisions: disc.pair_collisions + 1, ..disc }
     }
 
-    /// Both discs at the end of the step.
+    /// Returns both discs at the end of the step.
     fn right(&self) -> Vec<Near> {
         let Self { a, b, square, .. } = *self;
         let n = self.normal();
         let length = n.norm_squared();
         let along = (b.vx - a.vx) * n.x + (b.vy - a.vy) * n.y;
         let gain = if length > 0.0 { (along / length) * n } else { Vec2::ZERO };
-        // What comes of a direction is as exact as the direction: they may be very near.
+        // A result is only as exact as the direction, because the discs may be very close.
         let exact = 1e-4 * square.side / length.sqrt().max(1e-9 * square.side);
         let speed = (a.velocity().norm_squared() + b.velocity().norm_squared()).sqrt();
         let scale = speed * exact.max(10.0);
@@ -170,7 +170,7 @@ impl Crash {
     }
 }
 
-/// Two discs touch: where they are at the end of the step.
+/// Asks for the states at the end of the step of two discs that touch.
 pub(crate) fn collisions(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..1200 {
         let crash = Crash::drawn(random, case);
@@ -193,7 +193,7 @@ pub(crate) fn collisions(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// A disc at rest beside the wall at 0 is pushed at it.
+/// Asks about a disc at rest beside the wall at 0 that another disc pushes against the wall.
 pub(crate) fn pushes(random: &mut Random, ask: &mut impl Ask) {
     for _ in 0..100 {
         let unit = random.magnitude(1e-12, 1e12);

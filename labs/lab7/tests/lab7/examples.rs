@@ -1,11 +1,12 @@
-//! The worked examples of tasks 7.1 to 7.7: a few discs that can be checked by hand. All have radius 1.
+//! The worked examples of tasks 7.1 to 7.7: a few discs that can be checked by hand. All have
+//! radius 1.
 
 use common::hard::{Disc, Scene};
 use hard_discs::{Candidate, Hit, Square};
 use lab7::{VARIANTS, bounce, collide, order, pair_time, stop_at_wall, take_in_order, wall_hit};
 use oracle::{Ask, Random, Table};
 
-/// What is hit, in words.
+/// Describes the obstacle of a collision in words.
 fn words(hit: Hit) -> String {
     match hit {
         Hit::Corner(a) => format!("{a} at corner"),
@@ -15,7 +16,7 @@ fn words(hit: Hit) -> String {
     }
 }
 
-/// A number with at most four decimals. Either zero will do.
+/// Formats a number with at most four decimals. Negative zero becomes zero.
 fn number(value: f64) -> String {
     let rounded = (value * 1e4).round() / 1e4;
     (rounded + 0.0).to_string()
@@ -135,10 +136,10 @@ pub(crate) fn stop_table(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The headings of a table of discs before and after something.
+/// Headings of a table of discs before and after an event.
 const DISCS: [&str; 9] = ["", "disc", "", "x", "y", "vx", "vy", "pairs", "walls"];
 
-/// Adds a disc to such a table.
+/// Adds a disc to a table with the headings [`DISCS`].
 fn add_disc(table: &mut Table, what: &str, number_of: usize, when: &str, disc: &Disc) {
     let numbers = [disc.x, disc.y, disc.vx, disc.vy].map(number);
     let [x, y, vx, vy] = &numbers;

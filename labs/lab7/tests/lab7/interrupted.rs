@@ -1,8 +1,9 @@
 //! Questions about counts that two workers share: tasks 7.8 and 7.10.
 //!
-//! The first worker is interrupted where it may be: at a load, before a store or an addition, or when it has given a
-//! lock back. There the other worker does all of its own work on the count. So a right program gives the
-//! same result as two threads do that meet at the worst moment, and a wrong one is caught each time.
+//! The first worker is interrupted at a load, before a store or an addition, or after it has
+//! released a lock. At that point the other worker does all of its own work on the count. Therefore
+//! a correct program gives the same result as two threads that meet at the worst moment, and a
+//! wrong program is caught in every run.
 
 use std::iter::from_fn;
 use std::ops::Range;
@@ -16,20 +17,20 @@ use hard_discs::{Candidate, Hit, LockedCount, SharedCount, Slots};
 use lab7::{append_atomic, append_locked, next_part};
 use oracle::{Ask, Random, truth, whole};
 
-/// How long a worker waits for another one that may never come.
+/// Time that a worker waits for another worker that may never come.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// The places at which the first worker is interrupted, of all at which it can be.
+/// Places at which the first worker is interrupted, among all possible places.
 #[derive(Clone, Copy)]
 enum Places {
-    /// One, counted from 0.
+    /// A single place, counted from 0.
     Only(usize),
-    /// One in so many, drawn.
+    /// One place in `number`, at random.
     OneIn { number: usize, seed: u64 },
 }
 
 impl Places {
-    /// Each of the first places alone; and in a long run all places, and few.
+    /// Draws each of the first places alone; in a long run also all places and a few.
     fn drawn(random: &mut Random, first: usize) -> Vec<(Self, bool)> {
         let mut all: Vec<(Self, bool)> =
             (0..first).map(|place| (Self::Only(place), false)).collect();
@@ -55,7 +56,7 @@ impl Places {
         }
     }
 
-    /// Does `act` at these places. It is not interrupted itself.
+    /// Returns a function that calls `act` at these places. Calls from within `act` have no effect.
     fn interrupt<C>(self, act: impl Fn(&C) + Send + Sync) -> impl Fn(&C) + Send + Sync {
         let place = AtomicUsize::new(0);
         let is_at_work = AtomicBool::new(false);
@@ -70,7 +71,7 @@ impl Places {
     }
 }
 
-/// Two workers take all parts of a loop.
+/// Asks two workers for all parts of a loop.
 pub(crate) fn interrupted_queue(random: &mut Random, ask: &mut impl Ask) {
     for (places, is_long) in Places::drawn(random, 40) {
         let n = if is_long { 20_000 + 10 * random.below(2) } else { 100 };
@@ -87,40 +88,40 @@ pub(crate) fn interrupted_queue(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The parts of 10 iterations that two workers take, in ascending order.
+/// Returns the parts of 10 iterations that two workers take, in ascending order.
 fn parts_of_two(n: usize, places: Places) -> Vec<Range<usize>> {
     let others = Arc::new(Mutex::new(Vec::new()));
     let taken = Arc::clone(&others);
     let next = SharedCount::interrupted(places.interrupt(move |next| {
         taken.lock().expect("no worker panics with it").extend(next_part(next, n, 10));
     }));
-    // A queue that hands out parts for ever is cut off.
+    // Stops a queue that hands out parts forever.
     let mut parts: Vec<Range<usize>> = from_fn(|| next_part(&next, n, 10)).take(2 * n).collect();
     parts.append(&mut others.lock().expect("as above"));
     parts.sort_unstable_by_key(|part| (part.start, part.end));
     parts
 }
 
-/// What the other worker appends has numbers from here on.
+/// The first number of the candidates that the other worker appends.
 const OTHERS: u32 = 1_000_000;
 
-/// A list that two workers append to, and what the other worker has appended.
+/// A list that two workers append to, with a record of the other worker's candidates.
 #[derive(Default)]
 struct SharedList {
     list: Slots,
     others: AtomicU32,
-    /// Set when the first worker is done: then the other appends no more.
+    /// Whether the first worker has finished. The other worker then appends nothing more.
     has_ended: AtomicBool,
 }
 
 impl SharedList {
-    /// The next candidate of the other worker.
+    /// Returns the next candidate of the other worker.
     fn next(&self) -> Option<Candidate> {
         (!self.has_ended.load(Relaxed)).then(|| of(OTHERS + self.others.fetch_add(1, Relaxed)))
     }
 
-    /// How many candidates the other worker has appended, and the first discs of the first `count`
-    /// candidates in the list, in ascending order.
+    /// Returns the number of the other worker's candidates, followed by the first discs of the
+    /// list. The latter are the first discs of the first `count` candidates, in ascending order.
     fn numbers(&self, count: usize) -> Vec<f64> {
         let mut discs: Vec<u32> = self.list.first(count).map(|c| c.hit.first()).collect();
         discs.sort_unstable();
@@ -132,7 +133,8 @@ fn of(disc: u32) -> Candidate {
     Candidate { time: 0.5, hit: Hit::Pair(disc, u32::MAX) }
 }
 
-/// Whether the list holds the candidates 1 to `own`, and as many of the other worker as it says.
+/// Checks that the list holds candidates 1 to `own` and as many of the other worker's candidates as
+/// reported.
 fn holds_all(found: &[f64], own: u32) -> Result<(), String> {
     let Some((&others, discs)) = found.split_first() else { return Err("no answer".into()) };
     let right = (1..=own).chain((OTHERS..).take(others as usize)).map(f64::from);
@@ -144,7 +146,7 @@ fn holds_all(found: &[f64], own: u32) -> Result<(), String> {
     }
 }
 
-/// What is asked about a list of two workers.
+/// Returns the question about a list of two workers.
 fn appended(own: u32, how: &str, places: Places) -> String {
     format!(
         "a worker appends the candidates of discs 1 to {own} {how}; another appends one of disc {OTHERS} and up each \
@@ -154,7 +156,7 @@ fn appended(own: u32, how: &str, places: Places) -> String {
     )
 }
 
-/// Another worker appends when the lock has been given back.
+/// Asks about appending while another worker appends each time the lock has been released.
 pub(crate) fn interrupted_lock(random: &mut Random, ask: &mut impl Ask) {
     for (places, is_long) in Places::drawn(random, 6) {
         let own = if is_long { 2000 } else { 2 };
@@ -173,7 +175,7 @@ pub(crate) fn interrupted_lock(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Another worker appends at a load and before a store.
+/// Asks about appending while another worker appends at each load and before each store.
 pub(crate) fn interrupted_count(random: &mut Random, ask: &mut impl Ask) {
     for (places, is_long) in Places::drawn(random, 6) {
         let own = if is_long { 2000 } else { 2 };
@@ -192,7 +194,8 @@ pub(crate) fn interrupted_count(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Another worker appends while the first is in the middle of it, which it can only without a lock.
+/// Asks about another worker that appends in the middle of an append, which is possible only
+/// without a lock.
 pub(crate) fn no_lock(_: &mut Random, ask: &mut impl Ask) {
     let question = "a worker appends without a lock, and another one when the first is about to add to the count: \
                     whether the other has finished before the first goes on, or has to wait for it (0)";
@@ -224,7 +227,8 @@ fn finishes_in_between() -> bool {
     in_time.load(Relaxed)
 }
 
-/// Nothing is written under the lock, while all others wait for it.
+/// Checks that candidates are not written under the lock, because all other workers wait for the
+/// lock.
 pub(crate) fn short_lock(_: &mut Random, ask: &mut impl Ask) {
     let question = "a first candidate, of disc 1, is appended under a lock: the disc in slot 0 when the lock has been \
                     given back and the count is 1; 0 for none yet";

@@ -1,4 +1,4 @@
-//! Questions about the two loops over all pairs, one of which is shared out or both: task 7.9.
+//! Questions about the two loops over all pairs, of which one or both are shared out: task 7.9.
 
 use std::ops::Range;
 use std::sync::Mutex;
@@ -7,10 +7,10 @@ use hard_discs::{Schedule, Team};
 use lab7::{fixed_part, inner, nested, outer};
 use oracle::{Ask, Random, whole};
 
-/// A way to share out the loops over all pairs.
+/// A way of sharing out the loops over all pairs.
 pub(crate) type Loop = fn(usize, Team, Schedule, &(dyn Fn(usize, usize, Range<usize>) + Sync));
 
-/// Which loop is shared out, and how.
+/// Names and functions of the ways in which the loops are shared out.
 pub(crate) const SHARES: [(&str, Loop); 3] = [
     ("the outer loop", |n, team, schedule, look| outer(n, team, schedule, look)),
     ("the inner loop", |n, team, schedule, look| inner(n, team, schedule, look)),
@@ -20,7 +20,7 @@ pub(crate) const OUTER: usize = 0;
 pub(crate) const INNER: usize = 1;
 pub(crate) const NESTED: usize = 2;
 
-/// The looks at pairs of one way, as a sorted list of three numbers each.
+/// Returns the pair tests of one way, as a sorted list of three numbers each.
 fn looks(
     n: usize,
     team: Team,
@@ -37,8 +37,8 @@ fn looks(
     looks.concat()
 }
 
-/// The lab's own fixed parts of all loops of up to `n` iterations: begin and end of the part of each
-/// worker. What parts they are is another task.
+/// Returns the lab's fixed parts of all loops of up to `n` iterations: begin and end of each
+/// worker's part. Another task checks whether these parts are correct.
 fn own_parts(n: usize, workers: usize) -> Vec<usize> {
     let all = (0..=n).flat_map(|n| (0..workers).map(move |worker| fixed_part(n, workers, worker)));
     all.flat_map(|part| [part.start, part.end]).collect()
@@ -51,7 +51,8 @@ struct Parts<'a> {
 }
 
 impl<'a> Parts<'a> {
-    /// The parts of all loops of up to `n` iterations at the front of `found`, and what follows them.
+    /// Splits `found` into the parts of all loops of up to `n` iterations and the numbers after
+    /// them.
     fn split(found: &'a [f64], n: usize, workers: usize) -> Result<(Self, &'a [f64]), String> {
         let split = found.split_at_checked(2 * (n + 1) * workers);
         let (ends, rest) = split.ok_or("the answer is not complete")?;
@@ -63,12 +64,12 @@ impl<'a> Parts<'a> {
         self.ends[at] as usize..self.ends[at + 1] as usize
     }
 
-    /// Whose part iteration `k` of a loop over `0..n` is in.
+    /// Returns the worker whose part contains iteration `k` of a loop over `0..n`.
     fn owner(&self, n: usize, k: usize) -> usize {
         (0..self.workers).find(|&worker| self.part(n, worker).contains(&k)).unwrap_or(0)
     }
 
-    /// The list of each pair of `n` discs, in the order of pairs.
+    /// Returns the list that receives each pair of `n` discs, in the order of pairs.
     fn lists(&self, which: usize, n: usize) -> Vec<[usize; 3]> {
         let mut right = Vec::new();
         for a in 0..n {
@@ -82,7 +83,7 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// What is wrong with looks at pairs, three numbers each of which `third` says what the last one is.
+/// Compares pair tests of three numbers each. `third` describes the third number.
 fn compare_looks(found: &[f64], right: &[[usize; 3]], third: &str) -> Result<(), String> {
     let words = |look: Option<[usize; 3]>| match look {
         Some([a, b, number]) => format!("disc {a}, {b}, {third} {number}"),
@@ -101,7 +102,7 @@ fn compare_looks(found: &[f64], right: &[[usize; 3]], third: &str) -> Result<(),
     }
 }
 
-/// Which list each pair comes into in fixed parts.
+/// Asks which list receives each pair if the parts are fixed.
 pub(crate) fn fixed_loops(random: &mut Random, ask: &mut impl Ask) {
     for (which, (name, share)) in SHARES.into_iter().enumerate() {
         // A sandbox has no room for 17 teams of 17 threads.
@@ -128,8 +129,8 @@ pub(crate) fn fixed_loops(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The parts into which rows are cut if the loop is shared out by a queue: a disc, the first partner
-/// of a part and the end.
+/// Returns the parts of rows if a queue shares out the loop: a disc, the first partner of a part,
+/// and the part's end.
 fn parts_of_rows(parts: &Parts, which: usize, n: usize, chunk: usize) -> Vec<[usize; 3]> {
     let mut right = Vec::new();
     for a in 0..n {
@@ -145,7 +146,7 @@ fn parts_of_rows(parts: &Parts, which: usize, n: usize, chunk: usize) -> Vec<[us
     right
 }
 
-/// All pairs once from a queue.
+/// Asks for the pair tests from a queue. Each pair is tested once.
 pub(crate) fn queued_loops(random: &mut Random, ask: &mut impl Ask) {
     for (which, (name, share)) in SHARES.into_iter().enumerate() {
         for n in random.sizes(33) {
@@ -154,7 +155,7 @@ pub(crate) fn queued_loops(random: &mut Random, ask: &mut impl Ask) {
             let found = || {
                 let queue = Schedule::Dynamic { chunk };
                 let looks = looks(n, Team::Fresh(workers), queue, share, |_, a, partners| {
-                    // The worker of a row may look at it in any number of parts.
+                    // A row's worker may test the row in any number of parts.
                     let step = if which == OUTER { 1 } else { partners.len().max(1) };
                     partners.step_by(step).map(|b| [a, b, b + step]).collect()
                 });

@@ -1,4 +1,4 @@
-//! Questions about when two discs touch: task 7.2.
+//! Questions about the time at which two discs touch: task 7.2.
 
 use common::Vec2;
 use common::hard::Disc;
@@ -8,7 +8,7 @@ use oracle::{Ask, Near, Random, beside};
 
 use super::words::{turned, unit, words};
 
-/// The second of two discs, as seen from the first: where it is, and its velocity.
+/// The second of two discs, relative to the first: its position and its velocity.
 #[derive(Clone, Copy)]
 struct Seen {
     d: Vec2,
@@ -22,7 +22,7 @@ struct First {
 }
 
 impl First {
-    /// Asks when it touches the second disc. `digits` is by how much of λ the answer may be off.
+    /// Asks when the disc touches the second disc. `digits` is the allowed error relative to λ.
     fn meets(&self, ask: &mut impl Ask, what: &str, Seen { d, v }: Seen, digits: f64) {
         let Self { disc: a, radius } = *self;
         let b = Disc::new(a.x + d.x, a.y + d.y, a.vx + v.x, a.vy + v.y);
@@ -40,7 +40,7 @@ impl First {
     }
 }
 
-/// Whether no rounding decides about two discs of this radius.
+/// Returns whether the outcome for two discs of this radius is independent of rounding.
 fn is_decided(Seen { d, v }: Seen, radius: f64) -> bool {
     let (s, cross, apart) = (d.dot(v), d.cross(v), d.norm_squared());
     let (reach, moved) = (4.0 * radius * radius, v.norm_squared());
@@ -53,7 +53,8 @@ fn is_decided(Seen { d, v }: Seen, radius: f64) -> bool {
         && decided(time - 1.0, 1.0)
 }
 
-/// Discs anywhere that meet or not, where no rounding decides.
+/// Asks about discs anywhere that meet or miss each other, if the outcome does not depend on
+/// rounding.
 pub(crate) fn meetings(random: &mut Random, ask: &mut impl Ask) {
     let mut asked = 0;
     while asked < 3000 {
@@ -63,7 +64,7 @@ pub(crate) fn meetings(random: &mut Random, ask: &mut impl Ask) {
         let mut vector =
             |size: f64| Vec2::new(random.between(-size, size), random.between(-size, size));
         let (d, v, at) = (vector(wide), vector(speed), vector(wide));
-        // Half of them fly at each other.
+        // Half of the pairs fly towards each other.
         let v = if asked % 2 == 0 { v } else { (-1.5 * speed / wide) * d + 0.3 * v };
         if is_decided(Seen { d, v }, radius) {
             asked += 1;
@@ -78,8 +79,9 @@ pub(crate) fn meetings(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// A triangle of whole numbers times a power of two, (p u)² + (q u)² = (r u)², turned by quarters and
-/// mirrored. Two discs whose radius is half of r touch where one is at (p, q) of the other.
+/// A triangle of integers times a power of two, (p u)² + (q u)² = (r u)², rotated by quarter turns
+/// and mirrored. Two discs of radius r / 2 touch where the second is at (p, q) relative to the
+/// first.
 struct Triangle {
     p: f64,
     q: f64,
@@ -100,24 +102,24 @@ impl Triangle {
         turned(Vec2::new(x, y), self.how)
     }
 
-    /// A disc at rest at (0, 0).
+    /// Returns a disc at rest at (0, 0).
     fn resting(&self) -> First {
         First { disc: Disc::default(), radius: self.r / 2.0 }
     }
 
-    /// A disc somewhere that moves.
+    /// Draws a moving disc.
     fn moving(&self, random: &mut Random) -> First {
         let [x, y] = [(); 2].map(|()| (1 + random.below(99)) as f64 * self.unit);
         let disc = Disc::new(x, y, 7.0 * self.unit, -3.0 * self.unit);
         First { disc, radius: self.r / 2.0 }
     }
 
-    /// How far away a disc begins.
+    /// Draws the initial distance of a disc.
     fn far(&self, random: &mut Random) -> f64 {
         (1 + random.below(40)) as f64 * self.unit
     }
 
-    /// They touch at (p, q) at the end of the step.
+    /// Asks about discs that touch at (p, q) at the end of the step.
     fn at_the_end(&self, random: &mut Random, ask: &mut impl Ask) {
         let far = self.far(random);
         let (d, v) = (self.at(self.p + far, self.q), self.at(-far, 0.0));
@@ -127,11 +129,12 @@ impl Triangle {
         }
     }
 
-    /// They graze each other, are in contact, or nearly so.
+    /// Asks about discs that graze each other, are in contact, or miss this narrowly.
     fn nearly(&self, random: &mut Random, ask: &mut impl Ask) {
         let far = self.far(random);
         for x in beside(self.r) {
-            // Side by side, from the left: only Δ > 0 touches.
+            // The second disc passes beside the first, from the left: the discs touch only if Δ >
+            // 0.
             let v = self.at(-4.0 * (self.r + far).log2().ceil().exp2(), 0.0);
             let grazing = Seen { d: self.at(far, x), v };
             self.resting().meets(ask, "grazing, or nearly", grazing, 1e-6);
@@ -145,17 +148,18 @@ impl Triangle {
         self.resting().meets(ask, "nearly in contact", near, 1e-12);
     }
 
-    /// They are in contact, and pass each other side by side.
+    /// Asks about discs that are in contact and pass each other with a perpendicular velocity.
     fn side_by_side(&self, random: &mut Random, ask: &mut impl Ask) {
         let (d, v) = (self.at(self.p, self.q), self.at(-self.q, self.p));
         self.moving(random).meets(ask, "in contact, side by side", Seen { d, v }, 1e-12);
-        // So nearly side by side that Δ is rounding: in contact counts, whatever the root says.
+        // The velocity is so nearly perpendicular that Δ is only rounding. The discs are in
+        // contact, so the root does not matter.
         let many = (1 << (8 + random.below(20))) as f64 + 1.0;
         let v = many * v - (self.unit / self.p) * self.at(self.p, 0.0);
         self.resting().meets(ask, "in contact, nearly side by side", Seen { d, v }, 1e-12);
     }
 
-    /// They overlap, or are at one position.
+    /// Asks about discs that overlap or have the same position.
     fn overlapping(&self, random: &mut Random, ask: &mut impl Ask) {
         let d = self.at(self.p, self.q);
         let deep = random.magnitude(1e-12, 0.999) * d;
@@ -171,7 +175,7 @@ impl Triangle {
     }
 }
 
-/// Discs where one digit decides.
+/// Asks about discs whose outcome depends on the last digit.
 pub(crate) fn contacts(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..400 {
         let triangle = Triangle::drawn(random, case);

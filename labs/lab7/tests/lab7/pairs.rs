@@ -1,4 +1,4 @@
-//! Questions about what a whole search finds: tasks 7.9, 7.10, 7.12 and 7.13.
+//! Questions about the pairs that a whole search finds: tasks 7.9, 7.10, 7.12 and 7.13.
 
 use std::collections::BTreeSet;
 
@@ -11,7 +11,7 @@ use lab7::{Lab7, append_atomic, append_locked, block_of, inner, nested, outer, p
 use oracle::hard::{What, possible, scenes};
 use oracle::{Ask, Random};
 
-/// A team of so many threads.
+/// Returns a team of `count` threads.
 fn workers(count: usize) -> Workers {
     Workers::new(count).expect("a few threads start")
 }
@@ -30,7 +30,7 @@ fn finds(
     ask.judge(&question, || found_by(&mut *finder(), scene), |found| all_pairs(scene, found));
 }
 
-/// What a finder finds, in as many windows as it likes.
+/// Returns the pairs that a finder finds, in as many windows as the finder chooses.
 fn found_by(finder: &mut dyn Find, scene: &Scene) -> Vec<f64> {
     let square = Square::of(scene);
     let windows = finder.windows(scene.discs(), square);
@@ -48,7 +48,7 @@ fn found_by(finder: &mut dyn Find, scene: &Scene) -> Vec<f64> {
     pairs
 }
 
-/// Whether these are the pairs that collide, each once, the lower disc first.
+/// Checks that these are the pairs that collide, each pair once, with the lower disc first.
 fn all_pairs(scene: &Scene, found: &[f64]) -> Result<(), String> {
     let discs = scene.discs();
     let mut missing = BTreeSet::new();
@@ -82,9 +82,9 @@ fn all_pairs(scene: &Scene, found: &[f64]) -> Result<(), String> {
     }
 }
 
-/// The programs of task 7.9 find every pair.
+/// Asks the programs of task 7.9 for every pair.
 pub(crate) fn pairs_of_loops(_: &mut Random, ask: &mut impl Ask) {
-    // On a fresh starter this task's todo comes first.
+    // Calls this task's function first, so that an unsolved starter stops at this task's `todo!`.
     outer(2, Team::Fresh(1), Schedule::Static, |_, _, _| ());
     inner(2, Team::Fresh(1), Schedule::Static, |_, _, _| ());
     nested(2, Team::Fresh(1), Schedule::Static, |_, _, _| ());
@@ -98,9 +98,9 @@ pub(crate) fn pairs_of_loops(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Searches that append to one shared list find the same pairs.
+/// Asks for the pairs of searches that append to one shared list.
 pub(crate) fn pairs_in_one_list(_: &mut Random, ask: &mut impl Ask) {
-    // On a fresh starter this task's todo comes first.
+    // Calls this task's function first, so that an unsolved starter stops at this task's `todo!`.
     let pair = Candidate { time: 0.5, hit: Hit::Pair(0, 1) };
     append_locked(&Slots::default(), &LockedCount::default(), pair);
     append_atomic(&Slots::default(), &SharedCount::default(), pair);
@@ -114,9 +114,9 @@ pub(crate) fn pairs_in_one_list(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The grid finds every pair.
+/// Asks the grid for every pair.
 pub(crate) fn pairs_of_grid(_: &mut Random, ask: &mut impl Ask) {
-    // On a fresh starter this task's todo comes first.
+    // Calls this task's function first, so that an unsolved starter stops at this task's `todo!`.
     let corner = Span { low: 1.0, high: 2.0 };
     block_of(corner, corner, 16.0);
     for (name, scene) in scenes::all() {
@@ -128,9 +128,9 @@ pub(crate) fn pairs_of_grid(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Sorted cells find every pair, in any number of windows.
+/// Asks sorted cells for every pair, in any number of windows.
 pub(crate) fn pairs_of_cells(_: &mut Random, ask: &mut impl Ask) {
-    // On a fresh starter this task's todo comes first.
+    // Calls this task's function first, so that an unsolved starter stops at this task's `todo!`.
     partners(&[Entry::new(0, 0, 0, true)], 0);
     for (name, scene) in scenes::all() {
         for windows in [1, 2, 7, 64] {

@@ -6,7 +6,7 @@ use oracle::{Ask, Random, whole};
 
 use super::words::{EACH, number, values};
 
-/// Loops of any length, also beyond 32 bits, in fixed parts.
+/// Asks for the fixed parts of loops of any length, including lengths beyond 32 bits.
 pub(crate) fn parts(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(70_000).into_iter().chain([49, 61, 1 << 31, (1 << 32) + 7, 1 << 40]) {
         for workers in [1, 2, 3, 7, 8, 9, 33, 49, 256, 257, 1 + random.below(300)] {
@@ -23,8 +23,8 @@ pub(crate) fn parts(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Whether these are begin and end of parts that follow each other from 0 to `n`, and whose lengths
-/// differ by at most 1.
+/// Checks that the numbers are begin and end of consecutive parts of `0..n` whose lengths differ by
+/// at most 1.
 fn are_even_parts(found: &[f64], n: usize, workers: usize) -> Result<(), String> {
     if found.len() != 2 * workers {
         return Err(format!("there are {} numbers", found.len()));
@@ -47,13 +47,14 @@ fn are_even_parts(found: &[f64], n: usize, workers: usize) -> Result<(), String>
     if end == n as f64 { Ok(()) } else { Err(format!("the last part ends at {end}, not at {n}")) }
 }
 
-/// The parts that the queue hands out, and what it says when there are none left.
+/// Asks for the parts that the queue hands out, and for its answer when no parts are left.
 pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(70_000) {
         for chunk in [1, 2, 7, n.max(1), n + 1, 1 + random.below(n + 1)] {
             let found = || {
                 let next = SharedCount::default();
-                // A few more than there are: what is handed out after the end shows.
+                // Asks for a few parts more than there are, so that parts after the end are
+                // noticed.
                 let parts = (0..n.div_ceil(chunk) + 2).filter_map(|_| next_part(&next, n, chunk));
                 whole(parts.flat_map(|part| [part.start, part.end]))
             };
@@ -68,13 +69,15 @@ pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// How many slots are used, and the candidates in them; not many more than there are candidates.
+/// Returns the number of used slots and the candidates in them; only a few slots more than
+/// candidates.
 fn contents(list: &Slots, used: usize, n: usize) -> Vec<f64> {
     let candidates: Vec<Candidate> = list.first(used.min(2 * n)).collect();
     [vec![used as f64], values(&candidates)].concat()
 }
 
-/// As many candidates as there are, one after the other, into a list behind a lock and into one without.
+/// Asks for the contents of a list with a lock and of a list without, after candidates were
+/// appended one by one.
 pub(crate) fn appends(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(70_000) {
         let mut candidates = Vec::new();

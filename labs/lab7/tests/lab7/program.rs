@@ -1,4 +1,4 @@
-//! Runs of the lab's own program, the student's or the solution's: only tests have one.
+//! Runs of the lab's own program (the student's or the solution's). Only tests have a program.
 
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
@@ -10,8 +10,8 @@ const PROGRAM: Option<&str> = match option_env!("CARGO_BIN_EXE_lab7") {
     None => option_env!("CARGO_BIN_EXE_solution7"),
 };
 
-/// Runs the lab's program on an input, with a gigabyte of memory: enough for any list of n, and
-/// for no list of n² here.
+/// Runs the lab's program on an input with one gigabyte of memory. This is enough for every list of
+/// n entries and too little for every list of n² entries here.
 fn program(input: &str, arguments: &[&str]) -> Output {
     let arguments = arguments.join(" ");
     let input = input.to_owned();
@@ -30,14 +30,14 @@ fn program(input: &str, arguments: &[&str]) -> Output {
     })
 }
 
-/// Three discs.
+/// A valid input with three discs.
 const GOOD: &str = "3 10 1 2 perf\n0 2 2 1 0\n1 5 5 0 1\n2 8 8 -1 -1\n";
 
-/// A bad input gets one line, which names the line of the input, and no output.
+/// Checks that a bad input causes one line that names the line of the input, and no output.
 pub(crate) fn refuses_bad_input() {
     let fine = program(GOOD, &["-t", "1"]);
     assert!(fine.status.success(), "{}", String::from_utf8_lossy(&fine.stderr));
-    // The kit's own tests ask what else is refused.
+    // The kit's own tests cover the other refused inputs.
     for (what, input, line) in [
         ("an empty input", String::new(), 1),
         ("a truncated list", GOOD.replace("2 8 8 -1 -1\n", ""), 3),
@@ -54,7 +54,7 @@ pub(crate) fn refuses_bad_input() {
     }
 }
 
-/// One step of `discs` discs of the report's kind needs less than a gigabyte.
+/// Checks that one step of `discs` discs of the report's kind needs less than a gigabyte.
 pub(crate) fn fits_into_memory(variant: &str, discs: &str) {
     let input = format!("{discs} 20000 1 1 perf\n");
     let output = program(&input, &["-t", "1", "--json", "--variant", variant]);

@@ -38,7 +38,7 @@ pub(crate) fn part_table(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The list that a pair comes into: six discs, two workers, fixed parts.
+/// Returns the list that receives a pair: six discs, two workers, fixed parts.
 fn list_of(which: usize, pair: (usize, usize)) -> String {
     let lists = Mutex::new(Vec::new());
     let (_, share) = SHARES[which];
@@ -53,7 +53,8 @@ fn list_of(which: usize, pair: (usize, usize)) -> String {
 pub(crate) fn loop_table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let mut table = Table::new(["discs", "outer", "inner", "both"]);
-        // Rows of an even number of partners: there fixed parts leave no choice.
+        // Rows have an even number of partners, so that only one division into fixed parts is
+        // possible.
         for pair in [(1, 2), (1, 3), (1, 4), (1, 5), (3, 4), (3, 5)] {
             let lists: Vec<String> = (0..3).map(|which| list_of(which, pair)).collect();
             let discs = format!("{} and {}", pair.0, pair.1);
@@ -131,7 +132,7 @@ pub(crate) fn block_table(_: &mut Random, ask: &mut impl Ask) {
 
 pub(crate) fn look_table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
-        // Block 5 is a small one in the medium block 16, and block 20 is the whole square.
+        // Block 5 is a small block in the medium block 16, and block 20 is the whole square.
         let places = [("0", 0), ("1", 0), ("2", 5), ("3", 16), ("4", 20)];
         let mut blocks = vec![Vec::new(); 21];
         for (disc, (_, block)) in (0..).zip(places) {
@@ -150,7 +151,7 @@ pub(crate) fn look_table(_: &mut Random, ask: &mut impl Ask) {
         let mut table =
             Table::new(["disc", "block", "with 0", "with 1", "with 2", "with 3", "with 4"]);
         for (a, (disc, block)) in places.into_iter().enumerate() {
-            // A pair is shown with its lower disc, whichever of the two looks at the other.
+            // A pair is shown at its lower disc, whichever of the two discs tests the other.
             let cells = [0, 1, 2, 3, 4].map(|b| match b > a {
                 true => looks[a][b].to_string(),
                 false => "-".into(),

@@ -1,4 +1,5 @@
-//! Questions about one window of a step, and about whole steps that a finder of the tests cuts into windows: task 7.7.
+//! Questions about one window of a step, and about whole steps that a test's finder divides into
+//! windows: task 7.7.
 
 use common::hard::{Disc, Scene, Simulation};
 use hard_discs::{Candidate, Choice, Engine, Find, Found, Hit, Square, Window, Workers};
@@ -8,10 +9,10 @@ use oracle::{Ask, Random, beside};
 
 use super::words::hit;
 
-/// Looks at all pairs of free discs, and wants a step cut into so many windows.
+/// A finder that tests all pairs of free discs, and divides a step into a fixed number of windows.
 struct Finder {
     windows: usize,
-    /// Begin and end of the windows that it was asked about, and how many discs were free in each.
+    /// Begin and end of each requested window, and the number of free discs in it.
     asked: Vec<[f64; 3]>,
 }
 
@@ -40,13 +41,13 @@ impl Find for &mut Finder {
     }
 }
 
-/// What an engine did in some steps, in several windows each.
+/// Record of an engine's steps, in several windows each.
 struct Done {
-    /// The states after each step.
+    /// States after each step.
     states: Vec<f64>,
-    /// What the finder was asked in all steps.
+    /// Windows that the engine requested in all steps.
     asked: Vec<[f64; 3]>,
-    /// What was hit in the last step, and by which discs, in order.
+    /// Obstacles and discs of the collisions in the last step, in order.
     hits: Vec<[f64; 3]>,
 }
 
@@ -64,8 +65,8 @@ fn run(scene: &Scene, windows: usize, steps: usize) -> Done {
     Done { states, asked: finder.asked, hits }
 }
 
-/// Several steps of a disc alone, and of two that meet far from all walls: what one step took is
-/// forgotten in the next.
+/// Asks for several steps of a lone disc, and of two discs that meet far from all walls. The
+/// collisions of one step must not affect the next.
 pub(crate) fn several_steps(random: &mut Random, ask: &mut impl Ask) {
     let speed = random.between(2.5, 3.5);
     let alone = vec![Disc::new(4.0, 5.0, speed, 0.5)];
@@ -86,7 +87,8 @@ pub(crate) fn several_steps(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The windows of a step that is cut into so many, and how many discs are free when each begins.
+/// Returns the windows of a step divided into `windows`, and the number of free discs at the start
+/// of each.
 fn right_windows(scene: &Scene, windows: usize) -> Vec<f64> {
     let (_, events) = step(scene.discs(), scene.side(), scene.radius());
     let mut right = Vec::new();
@@ -99,7 +101,7 @@ fn right_windows(scene: &Scene, windows: usize) -> Vec<f64> {
     right
 }
 
-/// What is hit in a step, and by which discs, in order.
+/// Returns the obstacles and discs of the collisions in a step, in order.
 fn right_hits(scene: &Scene) -> Vec<f64> {
     let (_, events) = step(scene.discs(), scene.side(), scene.radius());
     let numbers = events.iter().map(|event| {
@@ -114,7 +116,8 @@ fn right_hits(scene: &Scene) -> Vec<f64> {
     numbers.flatten().collect()
 }
 
-/// A step in several windows: what the finder is asked, what happens, and where all discs end.
+/// Asks about a step in several windows: the requests to the finder, the collisions, and the final
+/// states.
 pub(crate) fn steps_in_windows(_: &mut Random, ask: &mut impl Ask) {
     for seed in 0..20 {
         let scene = [scenes::lattice(seed), scenes::unseen(seed)][seed as usize % 2].clone();
@@ -142,7 +145,8 @@ pub(crate) fn steps_in_windows(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Finds one pair, whatever the window, and replaces the lists, as finders with several workers do.
+/// A finder that finds one pair in every window and replaces the lists, as finders with several
+/// workers do.
 struct OnePair;
 
 impl Find for OnePair {
@@ -152,7 +156,7 @@ impl Find for OnePair {
     }
 }
 
-/// Discs that hit walls at these times, in ascending order, and a window among several.
+/// Discs that hit walls at given times, in ascending order, and one of several windows.
 struct Walls {
     times: Vec<f64>,
     k: usize,
@@ -160,7 +164,8 @@ struct Walls {
 }
 
 impl Walls {
-    /// At the beginning of windows, at their end, at the neighbours of these, and at the end of the step.
+    /// Draws times at the begin and end of windows, at the neighbouring numbers, and at the end of
+    /// the step.
     fn drawn(random: &mut Random, case: usize) -> Self {
         let count = [1, 2, 3, 8, 64][case % 5];
         let mut edge = || beside(random.below(count + 1) as f64 / count as f64)[random.below(3)];
@@ -170,17 +175,18 @@ impl Walls {
         Self { times, k: random.below(count), count }
     }
 
-    /// How many walls are hit before a time.
+    /// Returns the number of wall collisions before a time.
     fn before(&self, time: f64) -> usize {
         self.times.partition_point(|&wall| wall < time)
     }
 
-    /// The discs that hit the walls have the numbers from 2 on.
+    /// Returns the number of the disc that hits a wall. These numbers start at 2.
     fn disc(wall: usize) -> u32 {
         wall as u32 + 2
     }
 
-    /// The first wall of a later window, and the first discs of what the window takes.
+    /// Returns the first wall of a later window, and the first discs of the collisions in this
+    /// window.
     fn taken(&self) -> Vec<f64> {
         let mut engine = Engine::<Lab7, _>::new(OnePair, Choice::Sort, Workers::One);
         let discs = vec![Disc::new(5.0, 5.0, 0.0, 0.0); self.times.len() + 2];
@@ -196,7 +202,7 @@ impl Walls {
         [next as f64].into_iter().chain(discs.into_iter().map(f64::from)).collect()
     }
 
-    /// What is right: the walls of the window, and the pair.
+    /// Returns the correct answer: the wall collisions of the window, and the pair.
     fn right(&self) -> Vec<f64> {
         let window = Window::part(self.k, self.count);
         let walls = self.before(window.from)..self.before(window.to);
@@ -205,7 +211,8 @@ impl Walls {
     }
 }
 
-/// A window of one or several takes its walls, and the pair that the finder finds.
+/// Asks for the collisions of a window, one of one or several: its walls, and the pair that the
+/// finder finds.
 pub(crate) fn windows(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..300 {
         let walls = Walls::drawn(random, case);

@@ -1,4 +1,4 @@
-//! Questions about which threads do the loops over all pairs: task 7.9.
+//! Questions about the threads that execute the loops over all pairs: task 7.9.
 
 use std::sync::atomic::AtomicUsize;
 use std::sync::atomic::Ordering::Relaxed;
@@ -12,7 +12,8 @@ use oracle::{Ask, Random, Share, whole};
 
 use super::loops::{INNER, Loop, NESTED, OUTER, SHARES};
 
-/// Rows come from the queue while the worker that has disc 0 is held up. It keeps the rest of its part.
+/// Asks about rows from the queue while the worker with disc 0 is delayed. The worker keeps the
+/// rest of its part.
 pub(crate) fn held_up(_: &mut Random, ask: &mut impl Ask) {
     const N: usize = 40;
     for (name, share) in [SHARES[OUTER], SHARES[NESTED]] {
@@ -48,12 +49,12 @@ fn rows_of_the_other(n: usize, chunk: usize, share: Loop) -> Vec<usize> {
     seen
 }
 
-/// Which threads look at pairs.
+/// The threads that test pairs.
 static LOOKS: Share = Share::new();
 
-/// The threads of a team share the pairs, in fixed parts and from a queue. Of the inner loop one row is
-/// asked about: the next one begins when all are done with it, so no thread can be held back for longer
-/// than a row.
+/// Asks whether the threads of a team share the pairs, in fixed parts and from a queue. Of the
+/// inner loop, the question covers one row: the next row begins when all threads have finished the
+/// row, so no thread can be delayed for longer than a row.
 pub(crate) fn shared_loops(random: &mut Random, ask: &mut impl Ask) {
     let count = 4 + random.below(3);
     for (which, (name, share)) in SHARES.into_iter().enumerate() {
@@ -74,8 +75,8 @@ pub(crate) fn shared_loops(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// How many threads of a team of `count` look at pairs, of one row or of all, and whether one looks at
-/// nearly all.
+/// Returns how many of `count` threads test pairs, of one row or of all rows, and whether one
+/// thread tests nearly all pairs.
 fn threads_of(
     n: usize,
     count: usize,
@@ -95,8 +96,8 @@ fn threads_of(
     vec![found[0], found[2]]
 }
 
-/// Each row of both loops has a team of its own: its second worker is no thread of the team that has
-/// the rows.
+/// Asks whether each row has its own team if both loops are shared. The second worker of a row must
+/// not be a thread of the team that shares the rows.
 pub(crate) fn fresh_teams(_: &mut Random, ask: &mut impl Ask) {
     let question = "both loops of 20 discs, on a team of 2 that waits for work: parts of the second worker of a row's \
                     team that a thread of that team did";

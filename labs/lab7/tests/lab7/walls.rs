@@ -1,4 +1,5 @@
-//! Questions about when a disc hits a wall, and where it waits after a collision: tasks 7.1 and 7.5.
+//! Questions about the time at which a disc hits a wall, and about its position after a collision:
+//! tasks 7.1 and 7.5.
 
 use common::hard::Disc;
 use hard_discs::{Candidate, Hit, Square};
@@ -8,13 +9,13 @@ use oracle::{Ask, Near, Random, beside};
 
 use super::words::{EACH, exact, number, unit, values, words};
 
-/// Where a disc is along one axis, and its velocity.
+/// The position and velocity of a disc along one axis.
 struct Along {
     x: f64,
     v: f64,
 }
 
-/// A square as wide as `room` and two radii more, so that centres have that room.
+/// A square whose side is `room` plus two radii, so that centres can move over the length `room`.
 struct Room {
     room: usize,
     square: Square,
@@ -29,7 +30,8 @@ impl Room {
         Self { room, square: Square { side: (room + 2) as f64 * unit, radius: unit }, is_plain }
     }
 
-    /// Near a wall or far from it: at rest, on a way that just reaches it or not, outside by a hair, at rest there too.
+    /// Draws a position near a wall or far from it. The disc is at rest, just reaches the wall,
+    /// just misses it, or is slightly outside, also at rest.
     fn along(&self, random: &mut Random) -> Along {
         let Self { room, square, is_plain } = *self;
         let unit = square.radius;
@@ -50,7 +52,7 @@ impl Room {
     }
 }
 
-/// Walls far and near, and corners.
+/// Asks about far and near walls, and about corners.
 pub(crate) fn walls(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..2400 {
         let room = Room::drawn(random, case);
@@ -72,7 +74,7 @@ pub(crate) fn walls(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The wall that a disc hits: its λ up to rounding.
+/// Returns the wall that a disc hits, with λ up to rounding.
 fn first_wall(a: u32, disc: &Disc, square: Square) -> Vec<Near> {
     let events = possible(&[*disc], square.side, square.radius);
     let candidate = events.first().map(|event| {
@@ -89,7 +91,7 @@ fn first_wall(a: u32, disc: &Disc, square: Square) -> Vec<Near> {
         .collect()
 }
 
-/// A disc, perhaps beyond walls of a square.
+/// A disc that may be beyond the walls of a square.
 struct Beyond {
     disc: Disc,
     square: Square,
@@ -103,8 +105,8 @@ impl Beyond {
         Self { disc: Disc::new(x, y, vx, vy), square }
     }
 
-    /// Coordinate and velocity: inside, or beyond a wall by some part of a step, by two steps or a little
-    /// more or less, or by rounding.
+    /// Draws coordinate and velocity. The disc is inside, or beyond a wall by part of a step, by
+    /// about two steps, or by rounding.
     fn along(random: &mut Random, square: Square) -> (f64, f64) {
         let Square { radius, .. } = square;
         let speed = random.signed(0.25, 1e3);
@@ -120,7 +122,8 @@ impl Beyond {
         }
     }
 
-    /// Where it waits. What stays where it is stays there to the last digit.
+    /// Returns the position at which the disc waits. A coordinate that does not change stays exact
+    /// to the last digit.
     fn waiting(&self) -> Vec<Near> {
         let mut after = self.disc;
         wait_at_wall(&mut after, self.square.least(), self.square.most());
@@ -131,7 +134,7 @@ impl Beyond {
     }
 }
 
-/// A disc beyond walls or not: where it waits.
+/// Asks for the waiting position of a disc, which may be beyond walls.
 pub(crate) fn stops(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..2000 {
         let beyond = Beyond::drawn(random);

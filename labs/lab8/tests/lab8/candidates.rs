@@ -1,4 +1,4 @@
-//! Candidates, as numbers and in words, and what a rank may have found.
+//! Candidates, as numbers and in words, and random results of a rank's search.
 
 use std::collections::BTreeSet;
 
@@ -6,13 +6,13 @@ use hard_disc_ranks::{Decisions, Reach};
 use oracle::Random;
 use solution7::{Candidate, Hit, Lab7, order};
 
-/// Numbers of a candidate in an answer.
+/// Count of numbers per candidate in an answer.
 pub(crate) const NUMBERS: usize = 4;
 
-/// What these numbers are, for questions.
+/// Description of these numbers for questions.
 pub(crate) const CANDIDATE: &str = "time, kind (0 a corner, 1 an x wall, 2 a y wall, 3 a pair), first disc, second disc (-1: none)";
 
-/// The numbers of a candidate.
+/// Returns the numbers of a candidate.
 pub(crate) fn value(c: &Candidate) -> [f64; NUMBERS] {
     let [kind, first] = match c.hit {
         Hit::Corner(a) => [0.0, f64::from(a)],
@@ -23,7 +23,7 @@ pub(crate) fn value(c: &Candidate) -> [f64; NUMBERS] {
     [c.time, kind, first, c.hit.second().map_or(-1.0, f64::from)]
 }
 
-/// The candidate of these numbers.
+/// Returns the candidate with these numbers.
 pub(crate) fn of_value(numbers: &[f64]) -> Candidate {
     let [first, second] = [numbers[2] as u32, numbers[3] as u32];
     let hit = match numbers[1] as usize {
@@ -35,13 +35,13 @@ pub(crate) fn of_value(numbers: &[f64]) -> Candidate {
     Candidate { time: numbers[0], hit }
 }
 
-/// The candidates in their order, so that a list in any order can be compared.
+/// Sorts the candidates, so that lists in any order can be compared.
 pub(crate) fn sorted(mut all: Vec<Candidate>) -> Vec<Candidate> {
     all.sort_by(order);
     all
 }
 
-/// Which discs meet: `0+3`, or `3+wall`.
+/// Names the discs of a candidate: `0+3`, or `3+wall`.
 pub(crate) fn meeting(candidate: &Candidate) -> String {
     match candidate.hit {
         Hit::Pair(a, b) => format!("{a}+{b}"),
@@ -50,27 +50,28 @@ pub(crate) fn meeting(candidate: &Candidate) -> String {
     }
 }
 
-/// Which discs meet, and when: `0+3 at 0.5`.
+/// Names the discs of a candidate and its time: `0+3 at 0.5`.
 pub(crate) fn words(candidate: &Candidate) -> String {
     format!("{} at {}", meeting(candidate), candidate.time)
 }
 
-/// The discs of a candidate.
+/// Returns the discs of a candidate.
 pub(crate) fn discs_of(candidate: &Candidate) -> impl Iterator<Item = u32> + Clone + use<> {
     [Some(candidate.hit.first()), candidate.hit.second()].into_iter().flatten()
 }
 
-/// Discs a and b at a time.
+/// Returns the candidate of discs a and b at a time.
 pub(crate) fn pair(time: f64, a: u32, b: u32) -> Candidate {
     Candidate { time, hit: Hit::Pair(a, b) }
 }
 
-/// A time, one of eight: many candidates have exactly the same.
+/// Draws one of eight times, so that many candidates have exactly the same time.
 pub(crate) fn time(random: &mut Random) -> f64 {
     random.below(8) as f64 / 8.0
 }
 
-/// Candidates among these discs, no two of the same discs, many of them at exactly the same time.
+/// Draws candidates among these discs, each for different discs, many of them at exactly the same
+/// time.
 pub(crate) fn among(random: &mut Random, numbers: &[u32]) -> Vec<Candidate> {
     let mut hits = BTreeSet::new();
     for _ in 0..(3 * numbers.len()) / 2 {
@@ -92,7 +93,7 @@ pub(crate) struct Found {
 }
 
 impl Found {
-    /// Some of so many discs.
+    /// Draws some of `discs` discs.
     pub(crate) fn drawn(random: &mut Random, discs: u32) -> Self {
         let mut found = Self { numbers: Vec::new(), reach: Vec::new(), candidates: Vec::new() };
         for number in 0..discs {
@@ -106,14 +107,14 @@ impl Found {
         found
     }
 
-    /// What the rank knows of decisions before the first.
+    /// Returns the rank's state before the first decision.
     pub(crate) fn decisions(&self) -> Decisions {
         let mut decisions = Decisions::default();
         decisions.start::<Lab7>(&self.numbers, &self.reach, &self.candidates);
         decisions
     }
 
-    /// The slots of a candidate's discs that the rank has.
+    /// Returns the slots of those of a candidate's discs that the rank has.
     pub(crate) fn slots(&self, candidate: &Candidate) -> Vec<usize> {
         let slots = discs_of(candidate).map(|disc| self.numbers.binary_search(&disc).ok());
         slots.flatten().collect()

@@ -1,4 +1,4 @@
-//! Questions about what is certain: what a rank takes, leaves open and drops.
+//! Questions about certain candidates: what a rank takes, leaves open and drops.
 
 use hard_disc_ranks::{Decisions, Reach, UNKNOWN};
 use lab8::take_certain;
@@ -8,20 +8,21 @@ use solution7::{Candidate, Hit, Lab7};
 use super::candidates::{CANDIDATE, Found, pair, time, value};
 use super::decided::{After, Known, Ordered};
 
-/// What a rank has found, and what it hears before each round of deciding.
+/// A rank's candidates, and the news before each round of deciding.
 struct Case {
     found: Found,
     rounds: Vec<Round>,
 }
 
-/// What is known of each disc at the beginning of a round.
+/// Knowledge about each disc at the beginning of a round.
 struct Round {
     rivals: Vec<Option<Candidate>>,
-    /// Whether another rank has told that it took the disc.
+    /// Whether another rank has reported that it took the disc.
     gone: Vec<bool>,
 }
 
-/// In rounds: between them other ranks tell of less, and of discs that they have taken.
+/// Asks for a rank's decisions in several rounds. Between the rounds other ranks report fewer
+/// candidates, and discs that they have taken.
 pub(crate) fn rounds(random: &mut Random, ask: &mut impl Ask) {
     for discs in [1, 2, 3, 9, 33, 300].into_iter().flat_map(|discs| [discs; 20]) {
         let case = Case::drawn(random, discs + 2);
@@ -54,7 +55,7 @@ impl Case {
         Self { found, rounds }
     }
 
-    /// What the lab makes of it, as numbers.
+    /// Returns the lab's decisions as numbers.
     fn decide(&self) -> Vec<f64> {
         let mut decisions = self.found.decisions();
         let mut numbers = Vec::new();
@@ -87,7 +88,8 @@ impl Case {
     }
 }
 
-/// What other ranks have told of a disc: another candidate of it, that they have none, or nothing yet.
+/// Draws the report of other ranks about a disc: a different candidate of it, no candidate, or no
+/// report yet.
 fn rival(random: &mut Random, number: u32, discs: u32) -> Option<Candidate> {
     let other = random.below(2 * discs as usize + 2) as u32;
     let pair = Hit::Pair(other.min(number), other.max(number));
@@ -104,8 +106,8 @@ fn numbers_of(decisions: &Decisions) -> Vec<f64> {
     numbers
 }
 
-/// A crowd behind one candidate that stays open: who goes through all of them in every round does not come
-/// to an end.
+/// Asks about a crowd behind one candidate that stays open. A program that goes through the whole
+/// crowd in every round does not finish.
 pub(crate) fn crowd_behind_one(_: &mut Random, ask: &mut impl Ask) {
     let question = format!(
         "1,000,000 times the same candidate of two discs, and the other ranks tell nothing in 100,000 rounds: {CANDIDATE} \

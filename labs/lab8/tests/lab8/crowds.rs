@@ -1,4 +1,4 @@
-//! Scenes of whole runs: the oracle's, and some that are hard on ranks.
+//! Scenes of whole runs: the oracle's scenes, and scenes that are hard for ranks.
 
 use std::f64::consts::PI;
 
@@ -6,10 +6,11 @@ use common::hard::{Disc, RandomScene, Scene};
 use oracle::Random;
 use oracle::hard::scenes;
 
-/// The oracle's scenes, some that are hard on ranks, and some that nobody knows.
+/// Returns the oracle's scenes, scenes that are hard for ranks, and random scenes.
 pub(crate) fn all_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {
     let mut all = scenes::all();
-    // All discs in the lowest hundredth of the square, and on one line that is no strip at all.
+    // Two scenes are added: all discs in the lowest hundredth of the square, and all discs on one
+    // line, where strips have no height.
     let low: Vec<_> = (0..40).map(|k| (2.0 * f64::from(k) + 5.0, 1.0, 1.5, 0.2)).collect();
     all.push(("all in one strip", scenes::of(100.0, 1.0, &low)));
     let line: Vec<_> =
@@ -21,7 +22,7 @@ pub(crate) fn all_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {
     all
 }
 
-/// Scenes that nobody knows.
+/// Draws scenes.
 fn drawn_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {
     vec![
         ("a tower of other speeds", tower(random.between(7.0, 9.0))),
@@ -31,15 +32,17 @@ fn drawn_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {
     ]
 }
 
-/// A tower: each disc flies into the one above, across every cut; the lowest by 44 / `slow`.
+/// Returns a tower. Each disc flies into the disc above it, across every cut. The lowest disc has
+/// speed 44 / `slow`.
 fn tower(slow: f64) -> Scene {
     let disc = |k: u32| Disc::new(50.0, 2.2 * f64::from(k) + 1.0, 0.0, f64::from(44 - k) / slow);
     Scene::new(100.0, 1.0, (0..45).map(disc).collect()).expect("all are inside")
 }
 
-/// A chain of discs along the middle of a square, to and fro across it; each flies into the one ahead of it, and nearly all
-/// meet at the same time, the first two first. So what happens to a disc depends on the one behind it, and the cut in the
-/// middle has the chain cross it at every other disc: a decision takes 122 rounds.
+/// Returns a chain of discs along the middle of a square that crosses the middle repeatedly. Each
+/// disc flies into the next disc, and nearly all meet at the same time, the first two first. So the
+/// outcome for a disc depends on the disc behind it. The chain crosses the cut in the middle at
+/// every other disc, so a decision takes 122 rounds.
 pub(crate) fn zigzag(slow: f64) -> Scene {
     let disc = |k: u32| {
         let i = f64::from(k);
@@ -49,7 +52,7 @@ pub(crate) fn zigzag(slow: f64) -> Scene {
     Scene::new(400.0, 1.0, (0..240).map(disc).collect()).expect("all are inside")
 }
 
-/// A shot through all strips, which hits a disc in the last.
+/// Draws a disc that flies through all strips and hits a disc in the last strip.
 fn shot(random: &mut Random) -> Scene {
     let mut discs = vec![
         Disc::new(50.0, 5.0, 0.0, 85.0),
@@ -65,7 +68,7 @@ fn shot(random: &mut Random) -> Scene {
     Scene::new(100.0, 1.0, discs).expect("all are inside")
 }
 
-/// 40 to 99 discs of radius 1 that fly up to 3, on a part of the square.
+/// Draws 40 to 99 discs of radius 1 with speeds up to 3, on a part of the square.
 fn crowd(random: &mut Random, fraction: f64) -> Scene {
     let n = 40 + random.below(60) as u64;
     let side = (n as f64 * PI / fraction).sqrt();
@@ -74,7 +77,7 @@ fn crowd(random: &mut Random, fraction: f64) -> Scene {
     scene.draw().expect("the scene is sound")
 }
 
-/// 300 to 499 discs that fly up to 3.
+/// Draws 300 to 499 discs with speeds up to 3.
 pub(crate) fn wide(random: &mut Random) -> Scene {
     let n = 300 + random.below(200) as u64;
     let seed = 1 + random.below(1 << 30) as u32;

@@ -1,4 +1,4 @@
-//! Questions about the deal of all pairs to workers, and about a worker's search.
+//! Questions about dealing all pairs to workers, and about a worker's search.
 
 use std::collections::BTreeSet;
 
@@ -11,7 +11,7 @@ use solution7::{Candidate, Hit, pair_hit};
 
 use super::candidates::{CANDIDATE, sorted, value};
 
-/// The blocks of few and many workers.
+/// Asks for the blocks of few and many workers.
 pub(crate) fn few_blocks(_: &mut Random, ask: &mut impl Ask) {
     for workers in (1..70).chain([100, 127, 128, 255, 256, 257, 300, 600]) {
         ask.judge(
@@ -25,7 +25,7 @@ pub(crate) fn few_blocks(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Whether each block is the one that the rule picks after those before it.
+/// Checks that each block is the block that the rule picks after the earlier blocks.
 fn by_the_rule(found: &[usize], workers: usize) -> Result<(), String> {
     if found.first() != Some(&0) {
         return Err(format!("{found:?} does not begin with 0"));
@@ -55,7 +55,7 @@ fn by_the_rule(found: &[usize], workers: usize) -> Result<(), String> {
     }
 }
 
-/// The missing distances that a new block makes with those before it.
+/// Returns the missing distances that a new block adds.
 fn gain(
     before: &[usize],
     new: usize,
@@ -66,7 +66,7 @@ fn gain(
     distances.filter(|distance| missing.contains(distance)).collect()
 }
 
-/// The jobs of each worker.
+/// Asks for the jobs of each worker.
 pub(crate) fn dealt(random: &mut Random, ask: &mut impl Ask) {
     let few = (1..40).flat_map(|workers| [workers; 3]);
     for workers in few.chain([255, 256, 257, 300]) {
@@ -90,7 +90,8 @@ pub(crate) fn dealt(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Offsets that make every distance, in any order: which of them the rule finds is another task.
+/// Draws offsets that make every distance, in any order. Another task asks which offsets the rule
+/// finds.
 fn offsets_for(random: &mut Random, workers: usize) -> Vec<usize> {
     let mut rest: Vec<usize> = (1..workers).collect();
     random.shuffle(&mut rest);
@@ -103,7 +104,7 @@ fn offsets_for(random: &mut Random, workers: usize) -> Vec<usize> {
     found
 }
 
-/// Whether job d, for each distance d, is the one that the worker has to do.
+/// Checks that job d, for each distance d, is a job that the worker must do.
 fn one_of_each_distance(deal: &Deal, worker: usize, found: &[usize]) -> Result<(), String> {
     let distances = 0..=deal.workers / 2;
     if found.len() != 3 * distances.clone().count() {
@@ -120,7 +121,7 @@ fn one_of_each_distance(deal: &Deal, worker: usize, found: &[usize]) -> Result<(
     Ok(())
 }
 
-/// Whether a job (row, column, part) is the worker's at this distance.
+/// Returns whether a job (row, column, part) is the worker's job at this distance.
 fn is_its_job(deal: &Deal, worker: usize, d: usize, job: &[usize]) -> Result<(), &'static str> {
     let Deal { workers, offsets } = deal;
     let [row, column, part] = [job[0], job[1], job[2]];
@@ -131,7 +132,7 @@ fn is_its_job(deal: &Deal, worker: usize, d: usize, job: &[usize]) -> Result<(),
     if is_opposite != (part > 0) {
         return Err("opposite blocks are looked at by halves, and no others");
     }
-    // The block at offset p: d steps round the ring from it is the other one.
+    // The block at offset p: the job's other block is d steps further round the ring.
     let from_row = if is_opposite { part == 1 } else { (row + d) % workers == column };
     let [near, far] = if from_row { [row, column] } else { [column, row] };
     if (near + d) % workers != far {
@@ -145,10 +146,11 @@ fn is_its_job(deal: &Deal, worker: usize, d: usize, job: &[usize]) -> Result<(),
     }
 }
 
-/// Blocks of few and many discs, whole and by halves, with what was found before.
+/// Asks for the candidates in blocks of few and many discs, whole and half, appended to earlier
+/// candidates.
 pub(crate) fn searches(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(1025) {
-        // Sixteen bits do not count the pairs of 1025 discs in one block.
+        // The number of pairs of 1025 discs in one block exceeds 16 bits.
         let ranks = if n == 1025 { 1 } else { 1 + random.below(5) };
         let blocks = Cut { rows: n, ranks };
         let discs = crowd(random, n);
@@ -189,7 +191,7 @@ fn search(discs: &[Disc], blocks: &Cut, job: Job, ask: &mut impl Ask) {
     );
 }
 
-/// Of all pairs of discs those of a job.
+/// Returns the pairs of discs that belong to a job.
 fn pairs_of(job: &Job, blocks: &Cut) -> Vec<[u32; 2]> {
     let rows = job.part.of(blocks.block(job.row));
     let columns = blocks.block(job.column);

@@ -1,12 +1,12 @@
-//! Whether a rank has taken what is certain: each candidate is looked at by itself, given all that was
-//! taken.
+//! Checks whether a rank has taken the certain candidates. Each candidate is checked separately,
+//! given all candidates that were taken.
 
 use hard_disc_ranks::UNKNOWN;
 use solution7::{Candidate, order};
 
 use super::candidates::{Found, NUMBERS, of_value, sorted, words};
 
-/// What a rank has after a round.
+/// A rank's candidates after a round.
 pub(crate) struct After {
     pub(crate) taken: Vec<Candidate>,
     front: Vec<Candidate>,
@@ -15,7 +15,7 @@ pub(crate) struct After {
 }
 
 impl After {
-    /// What the next numbers say. `None` if they end before.
+    /// Reads the state from the next numbers. Returns `None` if there are too few numbers.
     pub(crate) fn read(numbers: &mut &[f64], discs: usize) -> Option<Self> {
         let taken = *numbers.first()? as usize;
         let front = *numbers.get(1)? as usize;
@@ -39,9 +39,9 @@ impl After {
 pub(crate) struct Ordered<'a> {
     numbers: &'a [u32],
     all: Vec<Candidate>,
-    /// The slots of each candidate's discs.
+    /// Slots of each candidate's discs.
     slots: Vec<Vec<usize>>,
-    /// The candidates, by their indices, that come before each one and share a disc with it.
+    /// For each candidate, the indices of the earlier candidates that share a disc with it.
     earlier: Vec<Vec<usize>>,
 }
 
@@ -54,28 +54,29 @@ impl<'a> Ordered<'a> {
     }
 }
 
-/// The candidates before number k that have one of its slots.
+/// Returns the candidates before number `k` that share a slot with it.
 fn sharing(slots: &[Vec<usize>], k: usize) -> Vec<usize> {
     (0..k).filter(|&e| slots[e].iter().any(|slot| slots[k].contains(slot))).collect()
 }
 
-/// What a rank knows at the beginning of a round.
+/// A rank's knowledge at the beginning of a round.
 pub(crate) struct Known<'a> {
     pub(crate) ordered: &'a Ordered<'a>,
     pub(crate) rivals: &'a [Option<Candidate>],
     pub(crate) free: &'a [bool],
 }
 
-/// What became of the candidates, by their indices.
+/// Outcomes of the candidates, by their indices.
 struct Fates {
-    /// Whether it was taken in this round.
+    /// Whether the candidate was taken in this round.
     taken: Vec<bool>,
-    /// Whether it was taken or is open: none of its discs had collided by its time.
+    /// Whether the candidate was taken or is open: none of its discs had collided by its time.
     possible: Vec<bool>,
 }
 
 impl Known<'_> {
-    /// Whether a round left these. `before` is what had been taken until then.
+    /// Checks the candidates that a round left. `before` contains the candidates taken in earlier
+    /// rounds.
     pub(crate) fn judge(&self, before: &[Candidate], after: &After) -> Result<(), String> {
         let all = &self.ordered.all;
         let fates = self.fates(before, after);
@@ -94,7 +95,7 @@ impl Known<'_> {
         self.judge_discs(&fates, after)
     }
 
-    /// What became of the candidates, if what is said to be taken was.
+    /// Returns the outcomes of the candidates, provided that the reported candidates were taken.
     fn fates(&self, before: &[Candidate], after: &After) -> Fates {
         let Ordered { all, slots, earlier, .. } = self.ordered;
         let new = all.iter().map(|c| after.taken.contains(c) && !before.contains(c));
@@ -106,7 +107,8 @@ impl Known<'_> {
         Fates { taken, possible }
     }
 
-    /// Why a candidate is not certain, in words.
+    /// Explains in words why a candidate is not certain. Returns `None` if the candidate is
+    /// certain.
     fn obstacle(&self, k: usize, fates: &Fates) -> Option<String> {
         if !fates.possible[k] {
             return Some("one of its discs has collided".into());
@@ -118,7 +120,7 @@ impl Known<'_> {
         }
     }
 
-    /// The rival that a candidate does not come before, in words.
+    /// Describes the rival that precedes a candidate. Returns `None` if no rival does.
     fn rival(&self, k: usize) -> Option<String> {
         let Ordered { numbers, all, slots, .. } = self.ordered;
         let is_before = |rival: Candidate| !order(&all[k], &rival).is_lt();
@@ -130,13 +132,13 @@ impl Known<'_> {
         })
     }
 
-    /// The open candidates that come before one and share a disc with it.
+    /// Returns the open candidates that precede candidate `k` and share a disc with it.
     fn open_before(&self, k: usize, fates: &Fates) -> impl Iterator<Item = usize> {
         let earlier = self.ordered.earlier[k].iter().copied();
         earlier.filter(|&e| fates.possible[e] && !fates.taken[e])
     }
 
-    /// The open candidates that are the earliest of a disc.
+    /// Returns the open candidates that are the earliest of a disc.
     fn front(&self, fates: &Fates) -> Vec<Candidate> {
         let Ordered { all, slots, .. } = self.ordered;
         let is_first = |k: &usize| {

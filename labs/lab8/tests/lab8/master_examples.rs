@@ -27,7 +27,7 @@ pub(crate) fn table_of_offsets(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The first two of these blocks that are so far apart.
+/// Returns the first two of these blocks with a distance of `apart`.
 fn some_apart(blocks: &[usize], apart: usize, workers: usize) -> String {
     let pairs = blocks.iter().flat_map(|i| blocks.iter().map(move |j| (i, j)));
     let mut there = pairs.filter(|(i, j)| i < j && distance(**i, **j, workers) == apart);
@@ -59,7 +59,7 @@ fn job_words(job: Job) -> String {
 
 pub(crate) fn table_of_searches(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
-        // Radius 1, in a row at the same height.
+        // Discs of radius 1 in a row, all at the same height.
         let discs: Vec<Disc> =
             [(10.0, 4.0), (14.0, 0.0), (18.0, -4.0), (22.0, 4.0), (26.0, 0.0), (30.0, -4.0)]
                 .map(|(x, vx)| Disc::new(x, 5.0, vx, 0.0))
@@ -86,12 +86,12 @@ fn candidates(list: Vec<Candidate>) -> String {
     if words.is_empty() { "-".into() } else { words.join(", ") }
 }
 
-/// Discs of these numbers, all at the same place.
+/// Returns discs with these numbers, all at the same position.
 fn numbered(numbers: &[usize]) -> Vec<DiscWire> {
     numbers.iter().map(|&number| DiscWire::new(number, &Disc::default())).collect()
 }
 
-/// The numbers of each list, with a bar between lists.
+/// Lists the disc numbers of each list, with a bar between lists.
 fn lists_of(lists: &[Vec<DiscWire>]) -> String {
     lists.iter().map(|list| numbers(list)).collect::<Vec<_>>().join("|")
 }
@@ -100,7 +100,7 @@ fn numbers(list: &[DiscWire]) -> String {
     spaced(list.iter().map(|wire| wire.number))
 }
 
-/// Rows of a table, by name, of one rank.
+/// Rows of a table about one rank, by name.
 type Rows = Vec<(&'static str, String)>;
 
 pub(crate) fn handed_out(random: &mut Random, ask: &mut impl Ask) {
@@ -153,7 +153,7 @@ pub(crate) fn after_a_step(_: &mut Random, ask: &mut impl Ask) {
         let blocks = Cut { rows: 10, ranks: 5 };
         let deal = Deal { workers: 5, offsets: vec![0, 1, 3] };
         let taken = [pair(0.25, 0, 7), Candidate { time: 0.5, hit: Hit::WallX(4) }];
-        // Where the discs are after the step.
+        // The discs after the step.
         let after: Vec<Disc> =
             (0..10).map(|k| Disc::new(10.0 * f64::from(k) + 5.0, 5.0, -1.0, 0.0)).collect();
         let mut told =
@@ -171,7 +171,7 @@ pub(crate) fn after_a_step(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The discs of worker 0 before and after it hears of the step.
+/// Shows the discs of worker 0 before and after it receives the results of the step.
 fn of_worker_0(held: &[Range<usize>], arrived: &[DiscWire]) -> Table {
     let before: Vec<Disc> =
         (0..10).map(|k| Disc::new(10.0 * f64::from(k), 5.0, 2.0, 0.0)).collect();
@@ -221,7 +221,8 @@ pub(crate) fn three_steps(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The step, x and vx of each of four discs, and how many collisions of pairs and with walls there were.
+/// Returns a row: the step, x and vx of each of four discs, and the numbers of collisions with
+/// discs and with walls.
 fn row_of(step: usize, discs: &[Disc]) -> [String; 7] {
     let of = |k: usize| format!("{} {}", discs[k].x + 0.0, discs[k].vx + 0.0);
     let pairs: u32 = discs.iter().map(|disc| disc.pair_collisions).sum();

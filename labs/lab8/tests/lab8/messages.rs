@@ -1,4 +1,4 @@
-//! Questions about messages, which all ranks answer together.
+//! Questions about messages that all ranks answer together.
 
 use std::thread::sleep;
 use std::time::Duration;
@@ -12,10 +12,11 @@ use mpi::traits::*;
 use oracle::{Ask, Random, begins_send, digest, truth, whole};
 use oracle_mpi::{DiscsOnRanks, Rank, on_each};
 
-/// The discs of a list in a long run.
+/// Number of discs of a list in a long run.
 const LONG: usize = 1000;
 
-/// A list of discs for each worker or rank: nothing, a few, or more than the library keeps aside.
+/// Draws a list of discs for each worker or rank: empty, short, or longer than the library can
+/// buffer.
 fn lists(random: &mut Random, count: usize, most: usize) -> Vec<Vec<DiscWire>> {
     (0..count).map(|_| list(random, most)).collect()
 }
@@ -39,13 +40,14 @@ fn name_of(team: Team, rank: &Rank<'_>, most: usize) -> String {
     format!("{}, a master that {works}, lists of up to {most} discs", rank.name())
 }
 
-/// One rank, a few, and a number that nobody knows.
+/// Draws numbers of ranks: one, a few, and a random number.
 fn counts(random: &mut Random) -> [usize; 3] {
     [1, 2, 3 + random.below(4)]
 }
 
-/// What each rank gets of the master's lists, and how many sends the master begins before it waits for one: a
-/// worker that is not ready must not keep the others waiting.
+/// Asks for the list that each rank receives from the master, and for the number of begun sends.
+/// These are the sends that the master begins before it waits for a send. A worker that is not
+/// ready must not delay the others.
 pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
     let counts = counts(random);
     on_each(ask, "8.4", &counts, random, |rank, random, ask| {
@@ -71,19 +73,19 @@ pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// How many sends were begun in the last call before one was waited for.
+/// Returns the number of sends that the last call began before it waited for a send.
 fn sends_begun() -> usize {
     let made = calls_made();
     let begun = made.iter().take_while(|call| !call.starts_with("MPI_Wait"));
     begun.filter(|call| begins_send(call)).count()
 }
 
-/// The lists that a rank sends to others.
+/// Returns the number of lists that a rank sends to others.
 fn sends(team: Team, rank: &Rank<'_>) -> usize {
     if rank.is_root() { team.workers - usize::from(team.master_works) } else { 0 }
 }
 
-/// What the master has of the workers' lists, in the order of workers.
+/// Asks for the workers' lists that the master has received, in the order of workers.
 pub(crate) fn collects(random: &mut Random, ask: &mut impl Ask) {
     let counts = counts(random);
     on_each(ask, "8.5", &counts, random, |rank, random, ask| {
@@ -116,9 +118,9 @@ pub(crate) fn collects(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Has the highest rank send first, and each other one when the master has had time to take that list: a master
-/// that takes what arrives first gets another order. No rank waits for the end of another one's send, so a send may
-/// also wait for its receive.
+/// Makes the highest rank send first, and each other rank after the master had time to receive that
+/// list. A master that takes lists in the order of arrival then gets a different order. No rank
+/// waits for the end of another rank's send, so a send may also wait for its receive.
 fn wait_for_the_rank_above(world: &SimpleCommunicator) {
     let rank = world.rank();
     if (1..world.size() - 1).contains(&rank) {
@@ -130,8 +132,8 @@ fn wait_for_the_rank_above(world: &SimpleCommunicator) {
     }
 }
 
-/// Two discs meet in step 2 and never again: what travels in few and in many steps after the first, in which all
-/// travels.
+/// Asks for the bytes sent in short and long runs after the first step, in which all discs are
+/// sent. Two discs meet in step 2 and never again.
 pub(crate) fn quiet_steps(random: &mut Random, ask: &mut impl Ask) {
     let runs = DiscsOnRanks::new("8.7", VARIANTS, "master-workers", &[]);
     on_each(ask, "8.7", &[1, 2, 3], random, |rank, _, ask| {
@@ -165,14 +167,15 @@ fn two_that_meet() -> Scene {
     Scene::new(1000.0, 1.0, discs.to_vec()).expect("all are inside")
 }
 
-/// The bytes that the busiest rank has sent after the first of so many steps.
+/// Returns the bytes that the busiest rank sends in `steps` steps after the first.
 fn bytes_of(counters: &[(&'static str, f64)], steps: u32) -> f64 {
     let bytes = counters.iter().find(|(name, _)| *name == "bytes per step, busiest rank");
     bytes.map_or(0.0, |(_, bytes)| (bytes * f64::from(steps - 1)).round())
 }
 
-/// To whom a rank without a master talks where discs are slow and strips high: to the two beside it, by a number and a
-/// list each time, as often as all add up something. All together they only agree on numbers.
+/// Asks for the partners of a rank without a master, where discs are slow and strips high. A rank
+/// exchanges a number and a list with its two neighbours, as often as all ranks add up a number.
+/// Collective calls carry only numbers.
 pub(crate) fn neighbours(random: &mut Random, ask: &mut impl Ask) {
     let runs = DiscsOnRanks::new("8.13", VARIANTS, "spatial-cuts", &[]);
     on_each(ask, "8.13", &[5], random, |rank, _, ask| {
@@ -191,7 +194,8 @@ pub(crate) fn neighbours(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Whether the last calls sent to more than two ranks in a round, and how many brought lists to all.
+/// Returns whether the last calls sent to more than two ranks in a round, and how many calls sent
+/// lists to all.
 fn to_many_or_all() -> Vec<f64> {
     let made = calls_made();
     let count = |name: &str| made.iter().filter(|call| **call == name).count();
@@ -202,7 +206,8 @@ fn to_many_or_all() -> Vec<f64> {
     vec![truth(many), others as f64]
 }
 
-/// When the wall collisions are found: after the ghosts are on their way, and before they are waited for.
+/// Asks whether the wall collisions are searched after the ghosts were sent, and before the wait
+/// for them.
 pub(crate) fn walls_meanwhile(random: &mut Random, ask: &mut impl Ask) {
     let runs = DiscsOnRanks::new("8.13", VARIANTS, "spatial-cuts", &[]);
     on_each(ask, "8.13", &[3], random, |rank, _, ask| {
@@ -223,8 +228,8 @@ pub(crate) fn walls_meanwhile(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Whether something else than a started message stands before a search for walls, or something else than a wait
-/// behind it.
+/// Returns whether a search for walls follows anything but a started message, or precedes anything
+/// but a wait.
 fn walls_alone() -> bool {
     let made = calls_made();
     let is_search = |at: &usize| made[*at] == "walls_of";

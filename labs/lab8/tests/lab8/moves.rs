@@ -1,4 +1,4 @@
-//! Questions about which rank moves a disc.
+//! Questions about the rank that moves a disc.
 
 use common::hard::Disc;
 use hard_disc_ranks::{Decisions, DiscWire};
@@ -9,7 +9,7 @@ use solution7::{Candidate, Hit, Square, resolve};
 use super::candidates::{Found, discs_of};
 use super::wires::{DISC, same_discs, wires};
 
-/// The discs of a rank after all decisions of a step.
+/// Discs of a rank after all decisions of a step.
 struct Case {
     here: Vec<Disc>,
     owns: Vec<bool>,
@@ -18,7 +18,8 @@ struct Case {
 
 const SQUARE: Square = Square { side: 1e5, radius: 1.0 };
 
-/// Own discs and ghosts that are free, that were taken here, or elsewhere.
+/// Asks about a rank's discs and ghosts that are free, that this rank took, or that another rank
+/// took.
 pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
     for (number, discs) in [1, 2, 9, 33, 300, 4097].into_iter().cycle().take(90).enumerate() {
         let case = Case::drawn(random, discs + 2);
@@ -47,7 +48,7 @@ impl Case {
             let [a, b] = [decisions.numbers[slot], decisions.numbers[slot + 1]];
             let pair = Hit::Pair(a, b);
             let hit = [Some(pair), Some(pair), Some(Hit::WallY(a)), None, None][random.below(5)];
-            // Without a collision here it is free, or was taken elsewhere.
+            // A disc without a collision on this rank is free, or another rank took it.
             decisions.free[slot] = hit.is_none() && random.below(2) == 0;
             decisions.free[slot + 1] = hit != Some(pair);
             decisions.taken.extend(hit.map(|hit| Candidate { time: 0.4, hit }));
@@ -55,7 +56,7 @@ impl Case {
         Self { here, owns, decisions }
     }
 
-    /// The discs that this rank moves, each looked at by itself.
+    /// Returns the discs that this rank moves. Each disc is considered separately.
     fn right(&self) -> Vec<DiscWire> {
         let Self { here, owns, decisions } = self;
         let mut right = Vec::new();
@@ -74,7 +75,7 @@ impl Case {
         right
     }
 
-    /// A disc after a collision, which only the discs of the collision take part in.
+    /// Returns a disc after a collision, with only the discs of the collision in the scene.
     fn collided(&self, taken: &Candidate, number: u32) -> Disc {
         let Decisions { numbers, .. } = &self.decisions;
         let slots = discs_of(taken).map(|disc| numbers.iter().position(|n| *n == disc));
@@ -85,7 +86,7 @@ impl Case {
     }
 }
 
-/// Two and two stand side by side, and may collide.
+/// Draws discs that are placed side by side in pairs, and may collide.
 fn side_by_side(random: &mut Random, slot: usize) -> Disc {
     let x = 20.0 + 12.0 * (slot / 2) as f64 + 4.0 * (slot % 2) as f64;
     let vx = if slot.is_multiple_of(2) { 2.5 } else { -2.5 };

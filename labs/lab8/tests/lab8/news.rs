@@ -1,4 +1,4 @@
-//! Questions about news: what partners tell each other, and what a rank makes of it.
+//! Questions about news: what partners tell each other, and how a rank uses it.
 
 use std::collections::BTreeSet;
 
@@ -11,15 +11,15 @@ use super::candidates::{
     CANDIDATE, Found, NUMBERS, among, discs_of, of_value, sorted, value, words,
 };
 
-/// Numbers of discs of which a rank has some.
+/// Numbers of discs in the scene; a rank has some of them.
 const DISCS: [u32; 5] = [1, 3, 9, 33, 300];
 
-/// What a partner hears.
+/// Asks for the news that a partner receives.
 pub(crate) fn tells(random: &mut Random, ask: &mut impl Ask) {
     for (case, discs) in DISCS.into_iter().cycle().take(200).enumerate() {
         let found = Found::drawn(random, discs + 2);
         let mut decisions = found.decisions();
-        // Not all that were found are open and the earliest of a disc.
+        // Some of the found candidates are not open, or not the earliest of a disc.
         let all = sorted(found.candidates.clone());
         let (taken, open) = all.split_at(all.len() / 2);
         decisions.taken = taken.to_vec();
@@ -49,7 +49,7 @@ fn numbers(wire: &CandidateWire) -> Vec<f64> {
     [value(&wire.into()).as_slice(), &[truth(wire.is_taken())]].concat()
 }
 
-/// A piece of news in words.
+/// Describes a piece of news in words.
 fn told(numbers: &[f64]) -> String {
     let Some((taken, candidate)) = numbers.split_last().filter(|_| numbers.len() > NUMBERS) else {
         return "nothing".into();
@@ -88,7 +88,7 @@ fn same(found: &[String], right: &[String]) -> Result<(), String> {
     ))
 }
 
-/// What a rank makes of news, three times: candidates that are open or taken.
+/// Asks for a rank's state after it has received news three times, of open and of taken candidates.
 pub(crate) fn hears(random: &mut Random, ask: &mut impl Ask) {
     for (case, discs) in DISCS.into_iter().cycle().take(200).enumerate() {
         let found = Found::drawn(random, discs + 2);
@@ -113,7 +113,7 @@ pub(crate) fn hears(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// A candidate that another rank tells of.
+/// A candidate that another rank reports.
 struct News {
     candidate: Candidate,
     is_taken: bool,
@@ -131,7 +131,7 @@ impl News {
 fn drawn(random: &mut Random, discs: u32, time: usize) -> Vec<News> {
     let numbers: Vec<u32> = (0..2 * discs + 6).collect();
     let mut all = among(random, &numbers);
-    // In the end next to nothing is told, and old rivals are forgotten.
+    // The last message contains almost nothing, and old rivals are forgotten.
     all.truncate(if time == 2 { random.below(2) } else { all.len() });
     let mut news = |candidate| News { candidate, is_taken: random.below(3) == 0 };
     all.into_iter().map(&mut news).collect()
@@ -169,7 +169,7 @@ fn heard(found: &Found, all_news: &[Vec<News>], answer: &[f64]) -> Result<(), St
     Ok(())
 }
 
-/// The candidates of a disc that are taken, or those that are open.
+/// Returns the candidates of a disc that are taken, or the candidates that are open.
 fn of(news: &[News], disc: u32, is_taken: bool) -> impl Iterator<Item = Candidate> {
     let has = move |news: &&News| discs_of(&news.candidate).any(|other| other == disc);
     let all = news.iter().filter(move |news| news.is_taken == is_taken);

@@ -9,9 +9,10 @@ use solution7::{Candidate, Lab7};
 
 use super::candidates::{meeting, pair, sorted, words};
 
-/// A tower of eight discs on three ranks. Discs 2 and 5 are at the cuts, and known on both sides.
+/// Shows the news for a tower of eight discs on three ranks. Discs 2 and 5 are at the cuts, and
+/// known on both sides.
 pub(crate) fn table_of_news(_: &mut Random, ask: &mut impl Ask) {
-    // On a fresh starter this task's todo comes first.
+    // Calls this task's function first, so that an unsolved starter stops at this task's `todo!`.
     news_for(&Decisions::default(), 0);
     ask.example(|| {
         let found = [
@@ -36,7 +37,7 @@ pub(crate) fn table_of_news(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// What a rank knows before the first round.
+/// Returns a rank's knowledge before the first round.
 fn of_tower(rank: usize, found: &[Candidate]) -> Decisions {
     let reach = [(0, 0), (0, 0), (0, 1), (1, 1), (1, 1), (1, 2), (2, 2), (2, 2)];
     let reach = reach.map(|(first, last)| Reach { first, last });
@@ -47,7 +48,7 @@ fn of_tower(rank: usize, found: &[Candidate]) -> Decisions {
     decisions
 }
 
-/// The ranks tell each other their news, row by row, and hear them.
+/// Passes the news between all ranks, and adds them to the table row by row.
 fn tell(all: &mut [Decisions], table: &mut Columns) {
     let mut mail: Vec<Vec<CandidateWire>> = Vec::new();
     for partner in 0..all.len() {
@@ -71,7 +72,7 @@ fn told(news: &[CandidateWire]) -> String {
     told.collect::<Vec<_>>().join(", ")
 }
 
-/// Which discs meet.
+/// Names the discs of each candidate.
 fn meetings(candidates: &[Candidate]) -> String {
     spaced(sorted(candidates.to_vec()).iter().map(meeting))
 }

@@ -1,4 +1,4 @@
-//! Questions about whole runs: the bits of one rank, what is counted, and the lab's own program.
+//! Questions about whole runs: the bits of one rank, the counters, and the lab's own program.
 
 use std::fs;
 use std::path::Path;
@@ -13,7 +13,7 @@ use oracle_mpi::DiscsOnRanks;
 
 use super::crowds::{all_scenes, wide, zigzag};
 
-/// Steps of a run whose bits are compared.
+/// Number of steps of a run whose bits are compared.
 const STEPS: usize = 6;
 
 const MASTER_WORKERS: &str = "master-workers";
@@ -43,10 +43,10 @@ pub(crate) fn blocks_again(random: &mut Random, ask: &mut impl Ask) {
     bits_of_sequential(&master_workers(&[3]).set("keep", 0.0), random, ask);
 }
 
-/// The report's program is given, but stands on tasks 8.1 to 8.5.
+/// Asks for the report's program, which is given but uses tasks 8.1 to 8.5.
 pub(crate) fn as_reported(random: &mut Random, ask: &mut impl Ask) {
     let runs = DiscsOnRanks::new("8.7", VARIANTS, "as-reported", &[1, 2, 3, 4, 5]);
-    // On a fresh starter this task's todo comes first.
+    // Runs this task's functions first, so that an unsolved starter stops at the task's `todo!`.
     bits_of_sequential(&runs.first(a_step_of_master_workers), random, ask);
 }
 
@@ -67,8 +67,8 @@ pub(crate) fn shares_with_master(random: &mut Random, ask: &mut impl Ask) {
     shares(&master_workers(&[4]), random, ask);
 }
 
-/// Whether ranks share the search for pairs: of four ranks three are workers, or each has a strip with as many discs as
-/// another.
+/// Asks whether ranks share the search for pairs. Three of four ranks are workers, or each rank has
+/// a strip with an equal number of discs.
 fn shares(runs: &DiscsOnRanks, random: &mut Random, ask: &mut impl Ask) {
     let scene = wide(random);
     let names = ["pair tests, busiest rank", "pair tests"];
@@ -101,7 +101,8 @@ pub(crate) fn counts_with_cuts(_: &mut Random, ask: &mut impl Ask) {
     spatial_cuts(&[1, 4]).counters_of(ask, &solution7::VARIANTS[0], (&scene, 3), &names);
 }
 
-/// 40 discs to a unit of height, whose boxes reach less than a unit beyond each of three cuts.
+/// Asks about 40 discs per unit of height, whose boxes reach less than a unit beyond each of three
+/// cuts.
 pub(crate) fn only_what_crosses(_: &mut Random, ask: &mut impl Ask) {
     let scene = scenes::random(4000, 0.1, 2.0, 813);
     let names = ["ghosts per step, all ranks", "bytes per step, busiest rank"];
@@ -136,7 +137,7 @@ pub(crate) fn program_with_cuts(_: &mut Random, ask: &mut impl Ask) {
     ask.in_tests_only(|| killed_rank_ends_the_job("8.13", SPATIAL_CUTS));
 }
 
-/// A job that simulates `input` by a variant, written to a file in `folder`.
+/// Returns a job that simulates `input` with a variant. The input is written to a file in `folder`.
 fn job(task: &str, folder: &Path, variant: &str, ranks: usize, input: &str) -> Job {
     let program = option_env!("CARGO_BIN_EXE_lab8").or(option_env!("CARGO_BIN_EXE_solution8"));
     let path = folder.join("input.txt");
@@ -148,7 +149,7 @@ fn job(task: &str, folder: &Path, variant: &str, ranks: usize, input: &str) -> J
 fn killed_rank_ends_the_job(task: &str, variant: &str) {
     let folder = tempfile::tempdir().expect("the temporary folder is writable");
     let long = |steps: u64| format!("40 30 1 {steps} perf");
-    // Only a program that works has a middle to be killed in.
+    // Only a correct program can be killed in the middle of a run.
     job(task, folder.path(), variant, 3, &long(3)).arg("--json").succeed();
     let out = folder.path().join("never-complete.txt");
     let job = job(task, folder.path(), variant, 3, &long(1_000_000_000)).arg("-o").arg(&out);

@@ -11,12 +11,12 @@ use solution7::{Candidate, Hit, Square};
 
 use super::candidates::{Found, pair, sorted, words};
 
-/// Three strips of height 10.
+/// Returns three strips of height 10.
 fn three_strips() -> Strips {
     Strips { bottom: 0.0, height: 10.0, cuts: Cuts { starts: vec![0, 1, 2, 3] } }
 }
 
-/// Discs at these heights with these velocities along y, numbered from 0.
+/// Returns discs at these heights with these velocities along y, numbered from 0.
 fn flying(all: &[(f64, f64)]) -> Vec<DiscWire> {
     let disc = |(number, &(y, vy)): (usize, &(f64, f64))| {
         DiscWire::new(number, &Disc::new(5.0, y, 0.0, vy))
@@ -24,7 +24,7 @@ fn flying(all: &[(f64, f64)]) -> Vec<DiscWire> {
     all.iter().enumerate().map(disc).collect()
 }
 
-/// From where to where the box of a disc of radius 1 goes along y.
+/// Formats the extent along y of the box of a disc of radius 1.
 fn box_of(disc: &DiscWire) -> String {
     let end = disc.y + disc.vy;
     format!("{} to {}", disc.y.min(end) - 1.0, disc.y.max(end) + 1.0)
@@ -113,7 +113,7 @@ fn rival_words(rival: Option<&Candidate>) -> String {
     }
 }
 
-/// What became of a candidate.
+/// Names the outcome of a candidate.
 fn end_of(decisions: &Decisions, candidate: &Candidate) -> &'static str {
     let is_free = decisions.slots(candidate).all(|slot| decisions.free[slot]);
     if decisions.taken.contains(candidate) {
@@ -167,7 +167,7 @@ pub(crate) fn table_of_moves(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Six discs in a tower on three ranks: two in each strip.
+/// Shows a step of six discs in a tower on three ranks, two discs in each strip.
 pub(crate) fn one_step(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "8.13", &[3], random, |rank, _, ask| {
         let rows = rank.call("a step", |_| rows_of_a_step());
@@ -195,7 +195,7 @@ fn rows_of_a_step() -> Vec<(&'static str, String)> {
     rows
 }
 
-/// The discs of a rank, each with its height.
+/// Lists the discs of a rank, each with its height.
 fn heights(own: &[DiscWire]) -> String {
     let words: Vec<String> =
         own.iter().map(|disc| format!("{} at {}", disc.number, disc.y)).collect();

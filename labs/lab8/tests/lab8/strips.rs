@@ -1,4 +1,5 @@
-//! Questions about strips: which a box reaches, which rank looks at a pair, and who gets ghosts.
+//! Questions about strips: the strips that a box reaches, the rank that tests a pair, and the
+//! receivers of ghosts.
 
 use hard_disc_ranks::{DiscWire, Reach, Strips};
 use lab8::{ghosts_for, looks_at, reached};
@@ -7,7 +8,7 @@ use solution6::Cuts;
 
 use super::wires::{DISC, same_discs, wires};
 
-/// Rows from some height on, cut into strips for `ranks` ranks, some of them empty.
+/// Returns rows above some height, cut into strips for `ranks` ranks. Some strips are empty.
 fn strips(random: &mut Random, ranks: usize, rows: usize) -> Strips {
     let mut starts: Vec<usize> = (1..ranks).map(|_| random.below(rows + 1)).collect();
     starts.extend([0, rows]);
@@ -16,7 +17,7 @@ fn strips(random: &mut Random, ranks: usize, rows: usize) -> Strips {
     Strips { bottom: random.below(100) as f64 * height, height, cuts: Cuts { starts } }
 }
 
-/// The rank of a height: the edges at or below it are counted.
+/// Returns the rank of a height. It is the number of edges at or below the height.
 fn rank_of(strips: &Strips, y: f64) -> usize {
     let Strips { bottom, height, cuts: Cuts { starts } } = strips;
     let rows = starts[starts.len() - 1];
@@ -24,7 +25,8 @@ fn rank_of(strips: &Strips, y: f64) -> usize {
     (0..starts.len() - 1).find(|&rank| (starts[rank]..starts[rank + 1]).contains(&row)).unwrap_or(0)
 }
 
-/// Discs in few and many strips whose boxes end within one, on an edge, a hair beside it, or beyond all.
+/// Draws a disc in few or many strips. Its box ends within a strip, on an edge, slightly beside an
+/// edge, or outside all strips.
 fn flying(random: &mut Random, strips: &Strips, reach: f64, number: u64) -> DiscWire {
     let rows = *strips.cuts.starts.last().expect("there are rows");
     let edge = |random: &mut Random| strips.bottom + random.below(rows + 1) as f64 * strips.height;
@@ -35,14 +37,14 @@ fn flying(random: &mut Random, strips: &Strips, reach: f64, number: u64) -> Disc
     DiscWire { y, vy, number, x: random.between(0.0, 1.0), vx: 0.5, ..DiscWire::default() }
 }
 
-/// The ranks that the box of a disc reaches.
+/// Returns the ranks that the box of a disc reaches.
 fn box_of(strips: &Strips, disc: &DiscWire, reach: f64) -> Reach {
     let (start, end) = (disc.y, disc.y + disc.vy);
     let first = rank_of(strips, start.min(end) - reach);
     Reach { first, last: rank_of(strips, start.max(end) + reach) }
 }
 
-/// Which strips a box reaches.
+/// Asks for the strips that a box reaches.
 pub(crate) fn boxes(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..1500 {
         let many = case % 50 == 0;
@@ -65,7 +67,7 @@ pub(crate) fn boxes(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Which rank looks at a pair.
+/// Asks for the rank that tests a pair.
 pub(crate) fn lookers(_: &mut Random, ask: &mut impl Ask) {
     let all = || (0..5).flat_map(|first| (first..5).map(move |last| Reach { first, last }));
     for (a, b) in all().flat_map(|a| all().map(move |b| (a, b))) {
@@ -77,7 +79,8 @@ pub(crate) fn lookers(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// None, few and many discs for partners in any order, some of which get none.
+/// Asks for the discs that partners receive: none, few and many discs, partners in any order, some
+/// without discs.
 pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(4097).into_iter().flat_map(|n| [n, n]).chain([70_000]) {
         let ranks = 2 + random.below(6);

@@ -1,4 +1,5 @@
-//! The question what ranks decide together, each with its own candidates and the news of the others.
+//! The question about the joint decision of ranks that have their own candidates and the news of
+//! the others.
 
 use std::collections::BTreeSet;
 
@@ -9,9 +10,10 @@ use solution7::{Candidate, Hit, take_in_order};
 
 use super::candidates::{CANDIDATE, Found, NUMBERS, of_value, time, value, words};
 
-/// Two to five ranks decide the same candidates, each of which one rank has found.
+/// Asks two to five ranks for their decision about the same candidates. Each candidate was found by
+/// one rank.
 pub(crate) fn together(random: &mut Random, ask: &mut impl Ask) {
-    // On a fresh starter this task's todo comes first.
+    // Calls this task's function first, so that an unsolved starter stops at this task's `todo!`.
     news_for(&Decisions::default(), 0);
     for case in 0..200 {
         let ranks = 2 + case % 4;
@@ -25,14 +27,15 @@ pub(crate) fn together(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Candidates of discs that several ranks may have, each with the rank that has found it.
+/// Candidates of discs that several ranks may have, each with the rank that found it.
 struct Ranks {
     reach: Vec<Reach>,
     found: Vec<(usize, Candidate)>,
 }
 
 impl Ranks {
-    /// Each candidate is known to the one rank that looks at its pair, or to the owner of the disc.
+    /// Draws candidates. Each candidate is known to the rank that tests its pair, or to the owner
+    /// of its disc.
     fn drawn(random: &mut Random, ranks: usize, discs: usize) -> Self {
         let mut reach = Vec::new();
         for _ in 0..discs {
@@ -55,7 +58,7 @@ impl Ranks {
         Self { reach, found }
     }
 
-    /// Round after round, until nobody has anything open or to tell.
+    /// Runs rounds until no rank has open candidates or news.
     fn decide(&self) -> Vec<f64> {
         let ranks = 1 + self.reach.iter().map(|reach| reach.last).max().unwrap_or(0);
         let mut all: Vec<Decisions> = (0..ranks).map(|rank| self.decisions(rank)).collect();
@@ -93,7 +96,7 @@ impl Ranks {
         found.decisions()
     }
 
-    /// Whether that is what happens of the candidates by lab 7.
+    /// Checks that the outcomes of the candidates are the same as in lab 7.
     fn is_decided(&self, found: &[f64]) -> Result<(), String> {
         if found.first() != Some(&1.0) {
             return Err("after 100 rounds some candidate is still open".into());
@@ -123,7 +126,7 @@ impl Ranks {
     }
 }
 
-/// What the other ranks tell a rank.
+/// Returns the news that the other ranks send to a rank.
 fn news_to(all: &[Decisions], to: usize) -> Vec<CandidateWire> {
     let others = (0..all.len()).filter(|from| *from != to);
     others.flat_map(|from| news_for(&all[from], to)).collect()

@@ -1,4 +1,4 @@
-//! Questions about what workers are told after a step, and what they make of it.
+//! Questions about the messages to workers after a step, and about the workers' updates.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -13,7 +13,8 @@ use solution7::{Candidate, Hit};
 use super::candidates::discs_of;
 use super::wires::{DISC, disc, same_discs, wires};
 
-/// Discs of held blocks that have collided: few and many, with walls and with discs of any block.
+/// Asks for the messages about discs of held blocks that have collided: few and many, with walls
+/// and with discs of any block.
 pub(crate) fn told_discs(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(4097).into_iter().chain([70_000]).filter(|&n| n > 0) {
         let discs: Vec<Disc> = (0..n).map(|_| disc(random)).collect();
@@ -27,7 +28,7 @@ pub(crate) fn told_discs(random: &mut Random, ask: &mut impl Ask) {
         );
         let found = || {
             let mut found = collided(&discs, &blocks, &held, &taken);
-            // In any order.
+            // The order does not matter.
             found.sort_by_key(|wire| wire.number);
             wires(&found)
         };
@@ -42,7 +43,7 @@ pub(crate) fn told_discs(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Collisions of `n` discs in a step, each disc in one at most.
+/// Draws collisions of `n` discs in a step. Each disc is in at most one collision.
 fn happened(random: &mut Random, n: usize) -> Vec<Candidate> {
     let mut free: Vec<u32> = (0..n as u32).collect();
     random.shuffle(&mut free);
@@ -60,7 +61,8 @@ fn happened(random: &mut Random, n: usize) -> Vec<Candidate> {
     taken
 }
 
-/// Held blocks that move or not, and discs that arrive, also from blocks that are not held.
+/// Asks for the held blocks, moving or not, after discs have arrived, including discs of blocks
+/// that are not held.
 pub(crate) fn updates(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(1025).into_iter().filter(|&n| n > 0).flat_map(|n| [n; 3]) {
         let before: Vec<Disc> = (0..n).map(|_| disc(random)).collect();
@@ -94,7 +96,7 @@ fn numbered(discs: &[Disc]) -> Vec<DiscWire> {
     discs.iter().enumerate().map(|(number, disc)| DiscWire::new(number, disc)).collect()
 }
 
-/// A disc at the end of a step in which it has not collided.
+/// Returns a disc at the end of a step in which it has not collided.
 fn flown(discs: &[Disc], number: usize, held: &[Range<usize>], moves: bool) -> Disc {
     let disc = discs[number];
     if moves && held.iter().any(|block| block.contains(&number)) {

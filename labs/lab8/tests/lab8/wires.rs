@@ -4,24 +4,24 @@ use common::hard::Disc;
 use hard_disc_ranks::DiscWire;
 use oracle::Random;
 
-/// Numbers of a disc in an answer.
+/// Count of numbers per disc in an answer.
 const NUMBERS: usize = 7;
 
-/// What these numbers are, for questions.
+/// Description of these numbers for questions.
 pub(crate) const DISC: &str = "number, x y vx vy, collisions with discs and with walls";
 
-/// The numbers of a disc.
+/// Returns the numbers of a disc.
 pub(crate) fn wire(wire: &DiscWire) -> [f64; NUMBERS] {
     let counts = [wire.pair_collisions, wire.wall_collisions].map(f64::from);
     [wire.number as f64, wire.x, wire.y, wire.vx, wire.vy, counts[0], counts[1]]
 }
 
-/// The numbers of all discs of a list.
+/// Returns the numbers of all discs of a list.
 pub(crate) fn wires(all: &[DiscWire]) -> Vec<f64> {
     all.iter().flat_map(wire).collect()
 }
 
-/// Compares a list of discs with the right one, in order, and names the first disc at fault.
+/// Compares a list of discs with the correct list, in order, and names the first wrong disc.
 pub(crate) fn same_discs(found: &[f64], right: &[DiscWire]) -> Result<(), String> {
     if !found.len().is_multiple_of(NUMBERS) {
         return Err("the list is not complete".into());
@@ -48,7 +48,7 @@ pub(crate) fn same_discs(found: &[f64], right: &[DiscWire]) -> Result<(), String
     })
 }
 
-/// A disc's numbers in words.
+/// Describes a disc's numbers in words.
 fn state(disc: &[f64]) -> String {
     let [x, y, vx, vy] = [disc[1], disc[2], disc[3], disc[4]];
     format!(
@@ -57,7 +57,7 @@ fn state(disc: &[f64]) -> String {
     )
 }
 
-/// A disc that has collided before.
+/// Draws a disc that has collided before.
 pub(crate) fn disc(random: &mut Random) -> Disc {
     let mut number = || random.signed(1e-3, 1e3);
     let disc = Disc::new(number(), number(), number(), number());

@@ -1,4 +1,4 @@
-//! The device, if there is one. On a machine without one tests have nothing to run on, and say so.
+//! The device, if there is one. On a machine without a device, tests cannot run and report this.
 
 use std::collections::BTreeSet;
 use std::io::{self, Write};
@@ -9,10 +9,10 @@ use device_discs::hard::HardKernels;
 use device_discs::soft::SoftKernels;
 use lab9::Lab9;
 
-/// The device, for a question of a task: `None` if there is none.
+/// Returns the device for a question of a task. `None` if there is no device.
 ///
 /// # Panics
-/// The task is still open, whether there is a device or not.
+/// If the task is still open, with or without a device.
 pub(crate) fn adapter(task: &str) -> Option<&'static Gpu> {
     visit(task);
     match Gpu::shared() {
@@ -25,13 +25,13 @@ pub(crate) fn adapter(task: &str) -> Option<&'static Gpu> {
     }
 }
 
-/// The device, if there is one that computes in double precision.
+/// Returns the device. `None` if no device computes in double precision.
 pub(crate) fn adapter_with_doubles(task: &str) -> Option<&'static Gpu> {
     adapter(task)
         .filter(|gpu| gpu.expect_real::<f64>().inspect_err(|error| skip("left out", error)).is_ok())
 }
 
-/// Stops at the todo of a task before anything else can.
+/// Stops at the `todo!` of a task before anything else can stop.
 fn visit(task: &str) {
     let source = match task {
         "9.1" => {
@@ -50,8 +50,8 @@ fn visit(task: &str) {
     refuse_todo(&[source]);
 }
 
-/// Says once that tests, or parts of them, do not run here. `eprintln` would be kept from the
-/// reader, since a test that has nothing to run on passes.
+/// Reports once that tests, or parts of them, do not run here. The test harness would hide the
+/// output of `eprintln`, because a test that cannot run passes.
 fn skip(what: &str, why: &GpuError) {
     static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     let line = format!("{what}: {why}\n");

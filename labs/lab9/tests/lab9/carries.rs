@@ -1,4 +1,5 @@
-//! Questions about positions in single precision: the column and the offset that a particle comes to.
+//! Questions about positions in single precision: the column and the offset of a particle after a
+//! move.
 
 use device::{Gpu, Kernel, Launch, Launcher, Readback, Real, Work};
 use device_discs::soft::SoftKernels;
@@ -7,8 +8,8 @@ use oracle::{Ask, Random};
 
 use super::adapter::adapter;
 
-/// A kernel around `carry`. A place is a column, an offset and a distance, and becomes a column, an offset and a
-/// velocity.
+/// A kernel that calls `carry`. It replaces a column, an offset and a distance by a column, an
+/// offset and a velocity.
 const PROBE: &str = "
 const DT: real = 0.0005;
 
@@ -28,7 +29,8 @@ fn probe(
 }
 ";
 
-/// Far and near, ahead and back, from the middle of a bin and from its edges: distances that rounding loses too.
+/// Asks about long and short distances from the middle of a bin and from its edges. The distances
+/// are forwards and backwards, and some are lost by rounding.
 pub(crate) fn carried(random: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.8") else { return };
     let edge = 1.0_f32.next_down();

@@ -10,12 +10,12 @@ use super::adapter::adapter;
 use super::launched::rivals;
 use super::lists::sorted;
 
-/// A chooser with workgroups of 64.
+/// Returns a chooser with workgroups of 64.
 pub(super) fn chooser(gpu: &'static Gpu) -> Chooser<Lab9> {
     Chooser::new(gpu, 64, None).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Few and many candidates, many of them at one time.
+/// Asks for the choice among few and many candidates, many of them at the same time.
 pub(crate) fn choices(random: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.5") else { return };
     let mut chooser = chooser(gpu);

@@ -1,4 +1,4 @@
-//! The worked examples: what can be checked by hand, and what the lab makes of it.
+//! The worked examples: cases that can be checked by hand, and the lab's results.
 
 use common::hard::{Disc, Scene};
 use common::soft;
@@ -40,7 +40,7 @@ pub(crate) fn launch_table(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Four discs of radius 1 in a square of side 20.
+/// Returns four discs of radius 1 in a square of side 20.
 fn four_discs() -> Scene {
     let discs = vec![
         Disc::new(4.0, 4.0, 3.0, 0.0),
@@ -51,7 +51,7 @@ fn four_discs() -> Scene {
     Scene::new(20.0, 1.0, discs).expect("the scene is sound")
 }
 
-/// Where discs are and how fast they fly.
+/// Shows the positions and velocities of discs.
 fn table_of(discs: &[Disc]) -> Table {
     let mut table = Table::new(["disc", "x", "y", "vx", "vy"]);
     for (i, disc) in discs.iter().enumerate() {
@@ -121,7 +121,7 @@ pub(crate) fn pair_numbers(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// The pairs of a row of the rectangle of `n` discs, in ascending order.
+/// Lists the pairs of a row of the rectangle of `n` discs, in ascending order.
 fn pairs_in_row(gpu: &Gpu, source: &str, n: usize, row: u32) -> String {
     let scene = line(n);
     let search = Search { rows: row..row + 1, everything: true, ..Search::of(&scene, source) };
@@ -163,7 +163,7 @@ pub(crate) fn summed_blocks(_: &mut Random, ask: &mut impl Ask) {
         let blocks: Vec<&[u32]> = numbers.chunks(THREADS).collect();
         let alone = blocks.iter().map(|block| sums_before(gpu, block, THREADS as u32));
         let alone: Vec<Vec<u32>> = alone.collect();
-        // What a block holds all in all: the sum before its last number, and that number.
+        // The total of a block: the sum before its last number, plus that number.
         let sums: Vec<u32> =
             blocks.iter().zip(&alone).map(|(block, sums)| block[2] + sums[2]).collect();
         let before = sums_before(gpu, &sums, THREADS as u32);
@@ -236,7 +236,7 @@ pub(crate) fn single_step(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// x and y in cutoffs, vx and vy. Of either zero the positive one.
+/// Formats x and y in cutoffs, vx and vy. Negative zero becomes zero.
 fn rounded(particle: &soft::Particle) -> [String; 4] {
     let soft::Particle { x, y, vx, vy, .. } = *particle;
     let [x, y] = [x, y].map(|at| format!("{:.3}", at / soft::CUTOFF));

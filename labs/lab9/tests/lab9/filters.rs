@@ -1,4 +1,4 @@
-//! Questions about the filter: which pairs it passes on, and the list that they are in.
+//! Questions about the filter: the pairs that it passes on, and the list of these pairs.
 
 use std::collections::BTreeSet;
 
@@ -14,18 +14,18 @@ pub(super) fn numbers(all: &[[u32; 2]]) -> Vec<f64> {
     all.as_flattened().iter().map(|number| f64::from(*number)).collect()
 }
 
-/// The pairs of such numbers.
+/// Returns the pairs that these numbers represent.
 pub(super) fn pairs_of(numbers: &[f64]) -> Vec<[u32; 2]> {
     let (pairs, _) = numbers.as_chunks();
     pairs.iter().map(|pair: &[f64; 2]| pair.map(|number| number as u32)).collect()
 }
 
-/// All pairs a < b of `n` discs.
+/// Returns all pairs a < b of `n` discs.
 pub(super) fn all_pairs(n: u32) -> impl Iterator<Item = [u32; 2]> {
     (0..n).flat_map(move |a| (a + 1..n).map(move |b| [a, b]))
 }
 
-/// `n` discs of radius 1 on a part of the square, that fly up to `speed`.
+/// Draws `n` discs of radius 1 on a part of the square, with speeds up to `speed`.
 pub(super) fn drawn(random: &mut Random, n: u64, fraction: f64, speed: f64) -> Scene {
     let side = (n as f64 * std::f64::consts::PI / fraction).sqrt();
     let seed = 1 + random.below(1_000_000_000) as u32;
@@ -33,16 +33,16 @@ pub(super) fn drawn(random: &mut Random, n: u64, fraction: f64, speed: f64) -> S
     scene.draw().expect("the scene is sound")
 }
 
-/// Discs whose collisions are to be found.
+/// Discs whose collisions the filter must find.
 struct Filtered {
     name: String,
     scene: Scene,
-    /// Where discs graze each other or touch, many other pairs may be passed on.
+    /// Whether few other pairs may be passed on. Many may be where discs graze each other or touch.
     strict: bool,
 }
 
 impl Filtered {
-    /// Scenes of all kinds, and drawn ones.
+    /// Returns scenes of all kinds, and random scenes.
     fn all(random: &mut Random) -> Vec<Self> {
         let named = hard::scenes::all().into_iter().map(|(name, scene)| {
             let strict = ["crowded", "overfull", "thin", "fast"].contains(&name);
@@ -74,7 +74,7 @@ impl Filtered {
         ask.judge(&question, found, |found| self.verdict(found));
     }
 
-    /// Whether all pairs that collide are passed on, each once, and hardly any other.
+    /// Checks that all pairs that collide are passed on, each pair once, and few other pairs.
     fn verdict(&self, found: &[f64]) -> Result<(), String> {
         let Some((count, pairs)) = found.split_first() else { return Err("no list".into()) };
         let pairs = pairs_of(pairs);
@@ -112,7 +112,7 @@ pub(crate) fn filter_in_double(random: &mut Random, ask: &mut impl Ask) {
     Filtered::all(random).iter().for_each(|filtered| filtered.ask::<f64>(gpu, ask));
 }
 
-/// Pairs that single precision cannot tell from others.
+/// Asks about touching pairs that single precision cannot distinguish from separating pairs.
 pub(crate) fn slow_contacts(random: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.2") else { return };
     let scene = touching(|| random.between(0.0, std::f64::consts::TAU));
@@ -127,10 +127,11 @@ pub(crate) fn slow_contacts(random: &mut Random, ask: &mut impl Ask) {
     ask.exact(question, found, || (0..200).map(f64::from).collect());
 }
 
-/// More pairs than the list has room for, and as many.
+/// Asks about more pairs than the list has room for, and about a number that fills the list.
 pub(crate) fn a_full_list(random: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.2") else { return };
-    // A device's memory comes in pieces of two pairs: an even number of them fills it exactly.
+    // A device allocates memory for two pairs at a time, so an even number of pairs fills it
+    // exactly.
     let n = 80 + 4 * random.below(10) as u64;
     let scene = drawn(random, n, 0.3, 2.0);
     let all = n * (n - 1) / 2;

@@ -1,4 +1,4 @@
-//! Kernels around the lab's own, what they write, and scenes for them.
+//! Kernels that call the lab's kernels, their output, and scenes for them.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -10,7 +10,7 @@ use device_discs::soft::{Scan, SoftKernels};
 use lab9::Lab9;
 use solution7::{Candidate, Hit, Square};
 
-/// A launch that all devices can run: every invocation has several turns.
+/// A launch that all devices can run. Every invocation has several turns.
 pub(super) const SMALL: Launch = Launch { groups: [7, 1], threads: 32 };
 
 const WRITE: &str = "
@@ -27,7 +27,8 @@ fn write(
 }
 ";
 
-/// Whether a kernel that writes 7 and on into four numbers runs in `groups` workgroups, and the numbers.
+/// Runs a kernel that writes 7, 8, … into four numbers, in `groups` workgroups. Returns whether the
+/// launch succeeds, and the numbers.
 pub(super) fn written(gpu: &Gpu, groups: u32) -> (Result<(), GpuError>, Vec<u32>) {
     let memory = Lab9::checked(gpu, "memory", || gpu.storage("numbers", 16));
     let memory = memory.expect("nothing is wrong with it").expect("there is so much memory");
@@ -40,7 +41,7 @@ pub(super) fn written(gpu: &Gpu, groups: u32) -> (Result<(), GpuError>, Vec<u32>
     (ended, numbers)
 }
 
-/// A kernel around the filter: every pair a < b is looked at by an invocation of its own.
+/// A kernel that calls the filter. Every pair a < b is tested by its own invocation.
 pub(super) const ALL_PAIRS: &str = "
 @compute @workgroup_size(THREADS)
 fn probe(
@@ -58,7 +59,7 @@ fn probe(
 }
 ";
 
-/// A kernel around `pair_at`: the pairs of some rows of the rectangle.
+/// A kernel that calls `pair_at` and lists the pairs of some rows of the rectangle.
 pub(super) const RECTANGLE: &str = "
 @compute @workgroup_size(THREADS)
 fn probe(
@@ -75,7 +76,7 @@ fn probe(
 }
 ";
 
-/// A kernel that only deals.
+/// A kernel that only deals pairs.
 pub(super) const DEALT: &str = "
 @compute @workgroup_size(THREADS)
 fn probe(
@@ -86,7 +87,7 @@ fn probe(
 }
 ";
 
-/// A kernel in which a single invocation does the work of number `turn` of four, by `find`.
+/// Returns a kernel in which a single invocation does the work of number `turn` of four, by `find`.
 pub(super) fn turn_of(find: &str, turn: u32) -> String {
     format!(
         "
@@ -103,27 +104,27 @@ fn probe(
     )
 }
 
-/// A run of a kernel `probe` around the filter.
+/// A run of a kernel `probe` that calls the filter.
 pub(super) struct Search<'a> {
     pub(super) scene: &'a Scene,
-    /// The kernel, and what it calls besides the filter.
+    /// The kernel, with its functions besides the filter.
     pub(super) source: &'a str,
     /// The rows of work.
     pub(super) rows: Range<u32>,
     /// Whether every pair may collide.
     pub(super) everything: bool,
-    /// How many pairs the list has room for.
+    /// Number of pairs for which the list has room.
     pub(super) room: u64,
 }
 
-/// How many pairs a kernel has counted, and its list.
+/// The number of pairs that a kernel has counted, and its list.
 pub(super) struct Found {
     pub(super) count: u32,
     pub(super) list: Vec<[u32; 2]>,
 }
 
 impl<'a> Search<'a> {
-    /// A search with room for 100 pairs.
+    /// Returns a search with room for 100 pairs.
     pub(super) fn of(scene: &'a Scene, source: &'a str) -> Self {
         Self { scene, source, rows: 0..0, everything: false, room: 100 }
     }
@@ -160,8 +161,8 @@ fn storage(gpu: &Gpu, bytes: u64) -> wgpu::Buffer {
     gpu.storage("the probe's memory", bytes).expect("there is memory")
 }
 
-/// 100 pairs, at angles of `turn`, that touch and close in so slowly that single precision cannot tell it
-/// from parting.
+/// Returns 100 touching pairs, at angles of `turn`, that approach extremely slowly. Single
+/// precision cannot distinguish this approach from separating.
 pub(super) fn touching(mut turn: impl FnMut() -> f64) -> Scene {
     let radius = 0.01;
     let apart = 2.0 * radius * (1.0 - 1e-12);
@@ -182,16 +183,17 @@ pub(super) fn touching(mut turn: impl FnMut() -> f64) -> Scene {
     Scene::new(1.0, radius, discs).expect("all are inside")
 }
 
-/// `n` discs on a line.
+/// Returns `n` discs on a line.
 pub(super) fn line(n: usize) -> Scene {
     let discs = (0..n).map(|i| Disc::new(1.0 + i as f64, 1.0, 0.0, 0.0)).collect();
     Scene::new(n as f64 + 1.0, 1.0, discs).expect("all are inside")
 }
 
-/// The sum of all numbers before each, added up on the device by workgroups of `threads`.
+/// Returns for each number the sum of all numbers before it, added up on the device by workgroups
+/// of `threads`.
 pub(super) fn sums_before(gpu: &Gpu, numbers: &[u32], threads: u32) -> Vec<u32> {
     let n = numbers.len() as u64;
-    // In memory of exactly this size, as arrayLength counts.
+    // The buffer has exactly this size, because arrayLength depends on it.
     let values = gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: None,
         size: n * 4,
@@ -209,7 +211,7 @@ pub(super) fn sums_before(gpu: &Gpu, numbers: &[u32], threads: u32) -> Vec<u32> 
     sums
 }
 
-/// What a finder finds where every pair of discs may collide, and every disc with a wall.
+/// Returns the results of a finder if every two discs may collide, and every disc may hit a wall.
 pub(super) fn everything_found<R: Real>(
     finder: &mut Finder<Lab9, R>,
     scene: &Scene,
@@ -221,7 +223,7 @@ pub(super) fn everything_found<R: Real>(
     Ok(found)
 }
 
-/// Candidates among 300 discs at few times, so that most have a rival.
+/// Draws candidates among 300 discs at few times, so that most candidates have a rival.
 pub(super) fn rivals(count: usize, mut below: impl FnMut(usize) -> usize) -> Vec<Candidate> {
     let times = [0.0, -0.0, 0.5, 0.5 + f64::EPSILON, 1.0 / 3.0, 1.0, 5e-324, 1e-300];
     let mut hits = BTreeSet::new();

@@ -1,4 +1,4 @@
-//! Questions about launches: how large they are, and what is refused.
+//! Questions about launches: their sizes, and the launches that are refused.
 
 use device::{Gpu, GpuError, Kernel, Launch, LaunchError, Launcher};
 use lab9::{HARD_VARIANTS, Lab9};
@@ -8,18 +8,20 @@ use wgpu::Limits;
 use super::adapter::adapter;
 use super::launched::written;
 
-/// What a launch is asked for, and the limits of the device.
+/// A requested launch, and the limits of the device.
 struct Order {
     blocks: u32,
     threads: u32,
-    /// The most workgroups along an axis.
+    /// Greatest number of workgroups along an axis.
     most: u32,
-    /// The most invocations of a workgroup along x. In all a workgroup has at most 256.
+    /// Greatest number of invocations of a workgroup along x. A workgroup has at most 256
+    /// invocations in total.
     wide: u32,
 }
 
 impl Order {
-    /// Few and many workgroups, at the limits of a device and beside them, and beyond 24 bits.
+    /// Draws few and many workgroups, at the limits of a device, beside the limits, and beyond 24
+    /// bits.
     fn drawn(random: &mut Random, case: usize) -> Self {
         let most = [65_535, 2 + random.below(2000) as u32][case % 2];
         let wide = [128, 512][random.below(2)];
@@ -45,7 +47,7 @@ impl Order {
         }
     }
 
-    /// What [`shape`] is for this number of workgroups.
+    /// Returns the correct [`shape`] for this number of workgroups.
     fn right(&self, blocks: u32) -> Vec<f64> {
         let fit = self.wide.min(256);
         let rows = blocks.div_ceil(self.most);
@@ -59,14 +61,14 @@ impl Order {
     }
 }
 
-/// Whether a launch has at least so many workgroups, and no row too many. Rows may be cut in several
-/// ways.
+/// Returns whether a launch has at least `blocks` workgroups, and no superfluous row. Rows may be
+/// cut in several ways.
 pub(super) fn suffices(launch: Launch, blocks: u32, most: u32) -> bool {
     let [x, y] = launch.groups.map(u64::from);
     x <= most.into() && x * y >= blocks.into() && x * y - x < blocks.into()
 }
 
-/// A launch, or what is wrong with it.
+/// Returns the numbers of a launch, or of its error.
 fn shape(launch: Result<Launch, LaunchError>, blocks: u32, most: u32) -> Vec<f64> {
     let numbers = match launch {
         Ok(launch) => {
@@ -109,7 +111,7 @@ pub(crate) fn launches(random: &mut Random, ask: &mut impl Ask) {
     );
 }
 
-/// A launch that never ran is an error, and so is a kernel that is no WGSL.
+/// Asks for the errors of a launch that cannot run, and of a kernel that is not valid WGSL.
 pub(crate) fn refusals(_: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.1") else { return };
     let limit = gpu.limits().max_compute_workgroups_per_dimension;
@@ -128,7 +130,8 @@ fn refuses_no_wgsl(gpu: &Gpu) -> bool {
     matches!(Lab9::checked(gpu, "write", kernel), Err(GpuError::Refused { .. }))
 }
 
-/// Whether a kernel is refused with a reason in so many workgroups, and what it has written.
+/// Returns whether a kernel in `groups` workgroups is refused with a reason, and the numbers that
+/// it has written.
 fn refused_and_written(gpu: &Gpu, groups: u32) -> Vec<f64> {
     let (ended, written) = written(gpu, groups);
     let refused = matches!(ended, Err(GpuError::Refused { what, why }) if what != why);

@@ -1,4 +1,4 @@
-//! Questions about lists of candidates: what the host confirms, and lists that grow.
+//! Questions about lists of candidates: the candidates that the host confirms, and lists that grow.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,8 @@ use solution7::{Candidate, Hit, Square, pair_hit, wall_hit};
 use super::adapter::adapter;
 use super::launched::{SMALL, everything_found, line};
 
-/// Kind (0 to 3 for a corner, an x wall, a y wall, a pair), discs, time of each.
+/// Returns kind (0 to 3 for a corner, an x wall, a y wall, a pair), discs and time of each
+/// candidate.
 pub(super) fn values(candidates: &[Candidate]) -> Vec<[f64; 4]> {
     let value = |c: &Candidate| {
         let [kind, a, b] = match c.hit {
@@ -26,14 +27,14 @@ pub(super) fn values(candidates: &[Candidate]) -> Vec<[f64; 4]> {
     candidates.iter().map(value).collect()
 }
 
-/// The same in an order of their own: a device has no fixed one.
+/// Returns the numbers of candidates in sorted order, because a device produces no fixed order.
 pub(super) fn sorted(candidates: &[Candidate]) -> Vec<f64> {
     let mut values = values(candidates);
     values.sort_by(|a, b| a.partial_cmp(b).expect("they are numbers"));
     values.concat()
 }
 
-/// Discs, and what a device passed on.
+/// Discs, and the candidates that a device passed on.
 struct PassedOn {
     square: Square,
     discs: Vec<Disc>,
@@ -41,7 +42,7 @@ struct PassedOn {
 }
 
 impl PassedOn {
-    /// Pairs and walls that collide or not.
+    /// Draws pairs and walls that collide or do not collide.
     fn drawn(random: &mut Random, n: usize) -> Self {
         let square = Square { side: 3.0 * (n as f64 + 4.0).sqrt(), radius: 1.0 };
         let disc = |_| {
@@ -67,7 +68,8 @@ impl PassedOn {
     }
 }
 
-/// One list after the other into the same candidates: more, fewer, none.
+/// Asks for the confirmed candidates of several lists in one vector: longer, shorter, and empty
+/// lists.
 pub(crate) fn confirmed(random: &mut Random, ask: &mut impl Ask) {
     let mut candidates = Vec::new();
     for n in random.sizes(4097).into_iter().chain([257, 1, 0]) {
@@ -88,13 +90,14 @@ pub(crate) fn confirmed(random: &mut Random, ask: &mut impl Ask) {
 /// A list for all pairs and all walls of some discs.
 struct Grown {
     discs: usize,
-    /// For how many candidates a new device has memory. `None` for the device of the question before.
+    /// Number of candidates for which a new device has memory. `None` for the device of the
+    /// previous question.
     room: Option<u64>,
 }
 
 impl Grown {
-    /// Lists that grow, that have been longer before, and for which the device has no memory: then
-    /// parts of the rows have room, or not even one.
+    /// Returns lists that grow, that were longer before, and that exceed the device's memory. In
+    /// the last case the memory suffices for parts of the rows, or not even for one row.
     fn all(random: &mut Random) -> Vec<Self> {
         let [few, some, more] = [30, 700, 1100].map(|least| least + random.below(100));
         let room = 1024 + random.below(60) as u64;
@@ -125,7 +128,8 @@ impl Grown {
         }
     }
 
-    /// Each disc comes with all discs after it and with the walls: as many as there are discs, in one row.
+    /// Returns the number of candidates, twice: found, and different. Empty if the device has no
+    /// room for one row.
     fn right(&self) -> Vec<f64> {
         let all = self.discs * (self.discs + 1) / 2;
         let has_room = self.room.is_none_or(|room| room >= self.discs as u64);

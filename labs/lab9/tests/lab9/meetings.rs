@@ -1,8 +1,9 @@
-//! Questions about the numbers that a workgroup shares: does a barrier lie between any two accesses of different
-//! invocations to one of them, if one access writes?
+//! Questions about barriers between accesses of different invocations to the same shared number. A
+//! barrier is needed between two such accesses if one of them writes.
 //!
-//! A device may run invocations in an order in which a missing barrier does no harm. So the shared numbers are
-//! replaced by numbers that remember who has read and written them since the last barrier.
+//! A device may run invocations in an order in which a missing barrier is harmless. Therefore the
+//! shared numbers are replaced by numbers that record their readers and writers since the last
+//! barrier.
 
 use device::{Gpu, Kernel, Launch, Launcher, Readback, Work};
 use device_discs::soft::SoftKernels;
@@ -11,15 +12,17 @@ use oracle::{Ask, Random};
 
 use super::adapter::adapter;
 
-/// The barriers that are counted, more than a right program needs.
+/// Number of barriers that are counted; a correct program needs fewer.
 const MEETINGS: u32 = 64;
 
-/// How a conflict is told: the barriers met before it, times this, and the number in question.
+/// Factor of the barrier count in the code of a conflict. The code is the number of barriers before
+/// the conflict, times this factor, plus the index of the number.
 const PLACES: u32 = 1 << 16;
 
-/// What an invocation does to a number is noted as barriers times 65,536 plus its own number, so that the greatest
-/// note is of the present. Of two notes, one for the first invocation and one for the last, at least one is
-/// another invocation's if there is such.
+/// A kernel that records accesses. An access is recorded as barriers times 65,536 plus the number
+/// of the invocation, so that the greatest record is the latest. One record is kept for the first
+/// invocation and one for the last, so at least one of them belongs to a different invocation if
+/// such an access exists.
 const WATCHED: &str = "
 @group(0) @binding(2) var<storage, read_write> conflict: atomic<u32>;
 @group(0) @binding(3) var<storage, read_write> meetings: array<atomic<u32>>;
@@ -88,7 +91,8 @@ pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// The first conflict, or -1, and how many invocations of three workgroups have come to each barrier.
+/// Returns the first conflict (or -1), and for each barrier the number of invocations of three
+/// workgroups that reached it.
 fn watched(gpu: &Gpu, n: u32, threads: u32) -> Vec<f64> {
     let sources = [Lab9::scan(), WATCHED];
     let kernel = Lab9::checked(gpu, "scan_blocks", || {

@@ -1,4 +1,5 @@
-//! Questions about the numbers of pairs: the rectangle of all pairs, and who takes which.
+//! Questions about the numbers of pairs: the rectangle of all pairs, and the invocation that takes
+//! each pair.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +11,7 @@ use super::adapter::adapter;
 use super::filters::{all_pairs, numbers, pairs_of};
 use super::launched::{DEALT, RECTANGLE, Search, line, turn_of};
 
-/// Every pair has a number, and every number a pair.
+/// Asks for the numbers of all pairs: every pair has a number, and every number has a pair.
 pub(crate) fn rectangles(random: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.4") else { return };
     let source = format!("{RECTANGLE}{}", Lab9::balanced());
@@ -34,13 +35,13 @@ pub(crate) fn rectangles(random: &mut Random, ask: &mut impl Ask) {
 
 const MANY: u32 = 100_000;
 
-/// The pair at a row and a column of the rectangle of [`MANY`] discs. Their number is even: see the
-/// picture in balanced.wgsl.
+/// Returns the pair at a row and a column of the rectangle of [`MANY`] discs. [`MANY`] is even: see
+/// the picture in balanced.wgsl.
 fn pair_at(row: u32, column: u32) -> [u32; 2] {
     if column < row + 1 { [column, row + 1] } else { [MANY - 1 - column, MANY - 1 - row] }
 }
 
-/// Rows whose pairs have numbers beyond 32 bits, and early ones.
+/// Asks about rows whose pair numbers exceed 32 bits, and about early rows.
 pub(crate) fn late_rows(random: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.4") else { return };
     let source = format!("{DEALT}{}", Lab9::balanced());
@@ -59,7 +60,7 @@ pub(crate) fn late_rows(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Whether the pairs of a row, and no others, are dealt.
+/// Checks that the pairs of a row, and no others, are dealt.
 fn are_of_row(found: &[f64], row: u32) -> Result<(), String> {
     let Some((count, pairs)) = found.split_first() else { return Err("no list".into()) };
     let different: BTreeSet<_> = pairs_of(pairs).into_iter().collect();
@@ -75,7 +76,7 @@ fn are_of_row(found: &[f64], row: u32) -> Result<(), String> {
     ))
 }
 
-/// Whether four invocations share the work on all rows: none does over two thirds of it.
+/// Asks whether four invocations share the work on all rows: each does at most two thirds of it.
 pub(crate) fn turns(ask: &mut impl Ask, deal: Deal) {
     let (task, find, source) = match deal {
         Deal::Discs => ("9.3", "find_of_discs", Lab9::basic()),

@@ -17,12 +17,12 @@ fn two_thousand() -> Scene {
     hard::scenes::random(2000, 0.2, 2.0, 50)
 }
 
-/// A task's name, and a finder's.
+/// Returns the name of the task that a finder belongs to.
 fn task_of(deal: Deal) -> &'static str {
     if deal == Deal::Discs { "9.3" } else { "9.4" }
 }
 
-/// The candidates of scenes of all kinds, in single precision and in double.
+/// Asks for the candidates of scenes of all kinds, in single precision and in double precision.
 pub(crate) fn candidates(random: &mut Random, ask: &mut impl Ask, deal: Deal) {
     let Some(gpu) = adapter(task_of(deal)) else { return };
     let mut scenes = hard::scenes::all();
@@ -37,7 +37,7 @@ pub(crate) fn candidates(random: &mut Random, ask: &mut impl Ask, deal: Deal) {
     }
 }
 
-/// Through one engine on a small launch, so that every invocation has several turns.
+/// Asks one engine for candidates with a small launch, so that every invocation has several turns.
 fn candidates_of<R: Real>(
     gpu: &'static Gpu,
     ask: &mut impl Ask,
@@ -68,12 +68,12 @@ fn candidates_of<R: Real>(
     }
 }
 
-/// The number of candidates, and what they are.
+/// Returns the number of candidates, followed by the candidates.
 fn with_number(candidates: &[Candidate]) -> Vec<f64> {
     [vec![candidates.len() as f64], sorted(candidates)].concat()
 }
 
-/// Whether candidates are those of each step of lab 7's sequential program.
+/// Checks that candidates are the same as in each step of lab 7's sequential program.
 fn are_of_steps(found: &[f64], scene: &Scene, steps: usize) -> Result<(), String> {
     let sequential = solution7::VARIANTS.iter().find(|variant| variant.name == "sequential");
     let sequential = sequential.expect("lab 7 has it");
@@ -94,7 +94,7 @@ fn are_of_steps(found: &[f64], scene: &Scene, steps: usize) -> Result<(), String
     Ok(())
 }
 
-/// Whether a step has these candidates.
+/// Checks that a step has these candidates.
 fn are_right(found: &[f64], right: &[Candidate]) -> Result<(), String> {
     if found[0] != right.len() as f64 {
         return Err(format!("{} candidates, and not {}", found[0], right.len()));
@@ -110,7 +110,7 @@ fn are_right(found: &[f64], right: &[Candidate]) -> Result<(), String> {
     }
 }
 
-/// All collisions that a step can have.
+/// Returns all collisions that a step can have.
 fn candidates_of_all_pairs(discs: &[Disc], square: Square) -> Vec<Candidate> {
     let walls = (0..).zip(discs).filter_map(|(i, disc)| wall_hit(i, disc, square));
     let pairs = all_pairs(discs.len() as u32);
@@ -118,8 +118,8 @@ fn candidates_of_all_pairs(discs: &[Disc], square: Square) -> Vec<Candidate> {
     walls.chain(pairs).collect()
 }
 
-/// The bytes of lab 7's sequential program, and steps that are the model's. A variant in double
-/// precision is asked only where the device has it.
+/// Asks for the bytes of lab 7's sequential program, and for steps that agree with the model. A
+/// variant in double precision is asked only if the device supports double precision.
 pub(crate) fn same_bytes(
     random: &mut Random,
     ask: &mut impl Ask,

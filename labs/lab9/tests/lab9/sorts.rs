@@ -13,7 +13,7 @@ pub(super) fn whole(all: &[u32]) -> Vec<f64> {
     all.iter().copied().map(f64::from).collect()
 }
 
-/// Sums of few and many numbers, by workgroups of few and many threads.
+/// Asks for the prefix sums of few and many numbers, by workgroups of few and many threads.
 pub(crate) fn scans(random: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.6") else { return };
     for threads in [1, 2, 8, 32, 64, 96, 256] {
@@ -38,13 +38,13 @@ fn before_each(numbers: &[u32]) -> Vec<f64> {
     numbers.iter().map(before).collect()
 }
 
-/// An engine of soft discs in double precision, with workgroups of `threads`.
+/// Returns an engine of soft discs in double precision, with workgroups of `threads`.
 pub(super) fn engine(gpu: &'static Gpu, threads: u32) -> SoftDiscs<Lab9, Double> {
     let options = Options { threads, bin: 1.0, in_flight: 1, statistics: false };
     SoftDiscs::new(gpu, options, None).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Bins that one workgroup of the prefix sum has room for: longer sums are another task.
+/// Asks about bins that fit into one workgroup of the prefix sum. Longer sums are a different task.
 pub(crate) fn bins(random: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter_with_doubles("9.7") else { return };
     let n = 120 + random.below(60);
@@ -53,7 +53,7 @@ pub(crate) fn bins(random: &mut Random, ask: &mut impl Ask) {
     bins_of_each(gpu, 256, &scenes, ask);
 }
 
-/// More bins than a workgroup has invocations.
+/// Asks about more bins than a workgroup has invocations.
 pub(crate) fn many_bins(_: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter_with_doubles("9.7") else { return };
     for threads in [1, 7, 64] {
@@ -63,7 +63,7 @@ pub(crate) fn many_bins(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Through one engine.
+/// Asks one engine for the bins of each scene.
 fn bins_of_each(
     gpu: &'static Gpu,
     threads: u32,
@@ -77,7 +77,7 @@ fn bins_of_each(
     }
 }
 
-/// The order of particles before each of six steps.
+/// Asks for the order of particles before each of six steps.
 fn bins_of(engine: &mut SoftDiscs<Lab9, Double>, name: &str, scene: &Scene, ask: &mut impl Ask) {
     for step in 0..6 {
         let question = format!(
@@ -100,7 +100,8 @@ fn bins_of(engine: &mut SoftDiscs<Lab9, Double>, name: &str, scene: &Scene, ask:
     }
 }
 
-/// Whether particles are in order by bin and by id, and bins begin where they do.
+/// Checks that particles are in order by bin and by id, and that the starts of the bins are
+/// correct.
 fn are_sorted(found: &[f64], scene: &Scene) -> Result<(), String> {
     let n = scene.len();
     let grid = Grid::new(scene.size(), n, 1.0);
@@ -132,7 +133,7 @@ fn are_sorted(found: &[f64], scene: &Scene) -> Result<(), String> {
     Ok(())
 }
 
-/// A particle at rest at (x, y) cutoffs.
+/// Returns a particle at rest at (x, y) cutoffs.
 pub(super) fn at(x: f64, y: f64) -> Particle {
     Particle { x: x * CUTOFF, y: y * CUTOFF, ..Particle::default() }
 }

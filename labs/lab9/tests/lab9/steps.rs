@@ -7,13 +7,13 @@ use oracle::{Ask, Random, Runs, scenes};
 
 use super::adapter::{adapter, adapter_with_doubles};
 
-/// Runs of `soft-f64` in workgroups of 256: `None` if the machine has no double precision.
+/// Returns runs of `soft-f64` in workgroups of 256. `None` if the machine has no double precision.
 fn double() -> Option<Runs> {
     let runs = || Runs::new("9.7", VARIANTS, "soft-f64").set("workgroup", 256.0);
     adapter_with_doubles("9.7").map(|_| runs())
 }
 
-/// Bins that one workgroup of the prefix sum has room for.
+/// Asks for steps with bins that fit into one workgroup of the prefix sum.
 pub(crate) fn double_steps(random: &mut Random, ask: &mut impl Ask) {
     let Some(runs) = double() else { return };
     runs.resynchronised(ask, &scenes::dense(), 20);
@@ -50,18 +50,18 @@ pub(crate) fn statistics(_: &mut Random, ask: &mut impl Ask) {
     runs.statistics_of_each_step(ask, &scenes::dense(), 5);
 }
 
-/// Runs of `soft-f32`: `None` if there is no device.
+/// Returns runs of `soft-f32`. `None` if there is no device.
 pub(super) fn single() -> Option<Runs> {
     adapter("9.8").map(|_| Runs::new("9.8", VARIANTS, "soft-f32"))
 }
 
-/// 2,000 particles in a box of a hundred bins by a hundred: positions that count from its corner in
-/// single precision are off by a hundred times as much as those that count from the bin's.
+/// Returns 2,000 particles in a box of 100 × 100 bins. In single precision, positions relative to
+/// the corner of the box have a hundred times the error of positions relative to the bin.
 fn wide() -> Scene {
     scenes::lattice_with_jitter(2000, 100.05 * CUTOFF, 1.0, 9)
 }
 
-/// The first step, with bins of three cutoffs.
+/// Asks for the first step, with bins of three cutoffs.
 pub(crate) fn single_steps(random: &mut Random, ask: &mut impl Ask) {
     let Some(runs) = single() else { return };
     let runs = runs.set("workgroup", 256.0).set("bin", 3.0);
@@ -71,8 +71,9 @@ pub(crate) fn single_steps(random: &mut Random, ask: &mut impl Ask) {
     runs.resynchronised(ask, &scenes::spread(random, many, 15.3 * CUTOFF, 0.5), 1);
 }
 
-/// What the roundings of one step can make is derived for each particle from its neighbours: see
-/// tests/oracle/src/single.rs, and the book, chapter 9, *What single precision owes*.
+/// Asks for one step of many particles. The rounding error of a particle is derived from its
+/// neighbours: see tests/oracle/src/single.rs, and the book, chapter 9, *What single precision
+/// owes*.
 pub(crate) fn single_steps_of_many(_: &mut Random, ask: &mut impl Ask) {
     let Some(runs) = single() else { return };
     let runs = runs.in_single(|scene| Grid::new(scene.size(), scene.len(), 1.0).side);
