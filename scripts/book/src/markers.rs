@@ -2,12 +2,11 @@
 //!
 //! The list of markers is at [`fill`].
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::Result;
 
 use crate::entries::Data;
 use crate::{labs, printed, reports, variants};
-use lab_kit::quiz;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, quiz};
 
 /// Replaces the markers of a chapter by generated text.
 ///
@@ -60,7 +59,6 @@ pub(crate) fn fill(data: &mut Data, markdown: &str) -> Result<String> {
 ///
 /// The quiz is empty if the kit has no known-wrong programs.
 fn quiz(kit: &Kit, argument: &str) -> Result<String> {
-    let (lab, program) = argument.split_once(' ').context("a quiz has a lab and a program")?;
-    let lab: Lab = lab.parse().map_err(|e| anyhow!("quiz: {e}"))?;
+    let (lab, program) = quiz::marked(argument)?;
     Ok(quiz::markdown(kit, lab, program)?.unwrap_or_default())
 }

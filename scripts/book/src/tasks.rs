@@ -1,6 +1,5 @@
 //! Adds a lab's tasks to its chapter: an anchor where each task begins, and folded hints.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use anyhow::{Result, ensure};
@@ -36,23 +35,27 @@ pub(crate) fn placed(kit: &Kit, file: &Path, text: &str, with_hints: bool) -> Re
         open.push(Task { facts: &facts.tasks[&hints.task.to_string()], hints });
     }
     let mut out = String::new();
-    let mut here: Vec<Task> = Vec::new();
+    // The hints of the tasks whose section this is.
+    let mut folds = String::new();
     let mut in_code = false;
     for line in text.split_inclusive('\n') {
         in_code ^= line.starts_with("```");
         if !line.starts_with('#') || in_code {
-            out += &linked(line, &facts.tasks);
+            out += &linked(line, &hints);
             continue;
         }
-        out += &folds(&here, with_hints);
+        out += &folds;
         out.push_str(line);
         let heading = line.trim_start_matches('#').trim();
-        here = open.extract_if(.., |task| task.facts.section == heading).collect();
-        for task in &here {
+        folds.clear();
+        for task in open.extract_if(.., |task| task.facts.section == heading) {
             out += &task.place();
+            if with_hints {
+                folds += &folded(task.hints);
+            }
         }
     }
-    out += &folds(&here, with_hints);
+    out += &folds;
     let lost = open.first().map(|task| &*task.facts.section);
     ensure!(lost.is_none(), "no section '{}'", lost.unwrap_or_default());
     Ok(out)
@@ -69,7 +72,7 @@ impl Task<'_> {
     /// `task-N-M`.
     fn place(&self) -> String {
         let Hints { task, title, .. } = self.hints;
-        let anchor = anchor(&task.to_string());
+        let anchor = task.anchor();
         format!(
             "\n<p class=\"task\" id=\"{anchor}\"><a href=\"#{anchor}\">Task {task}</a> {title} \
              <span>{} h, {}</span></p>\n",
@@ -84,26 +87,14 @@ pub(crate) fn difficulty(task: &TaskFacts) -> String {
     "●".repeat(task.mark) + &"○".repeat(3_usize.saturating_sub(task.mark))
 }
 
-/// Returns the anchor of a task, such as `task-2-4`.
-pub(crate) fn anchor(task: &str) -> String {
-    format!("task-{}", task.replace('.', "-"))
-}
-
 /// Returns the row of a table of tasks with a link to the task. Any other line stays as it is.
-fn linked(line: &str, tasks: &BTreeMap<String, TaskFacts>) -> String {
-    let number = line.strip_prefix("| ").and_then(|rest| rest.split_once(" |"));
-    match number {
-        Some((number, rest)) if tasks.contains_key(number) => {
-            format!("| [{number}](#{}) |{rest}", anchor(number))
+fn linked(line: &str, hints: &[Hints]) -> String {
+    for Hints { task, .. } in hints {
+        if let Some(rest) = line.strip_prefix(&format!("| {task} |")) {
+            return format!("| [{task}](#{}) |{rest}", task.anchor());
         }
-        _ => line.to_owned(),
     }
-}
-
-/// Returns the hints of some tasks, with a fold for each task.
-fn folds(tasks: &[Task], with_hints: bool) -> String {
-    let shown = tasks.iter().filter(|_| with_hints);
-    shown.map(|task| folded(task.hints)).collect()
+    line.to_owned()
 }
 
 fn folded(hints: &Hints) -> String {

@@ -13,7 +13,7 @@
 //! refutation = "The first bin is …"   # of the three that are wrong
 //! ```
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, anyhow, ensure};
 use serde::Deserialize;
 
 use crate::answers::{self, MarkedFile, Part};
@@ -44,6 +44,15 @@ pub struct Answer {
     pub why: String,
     /// Reason why it is not the cause; `None` for the right explanation.
     pub refutation: Option<String>,
+}
+
+/// Reads the words of a marker `{{#quiz LAB PROGRAM}}`: the lab and its known-wrong program.
+///
+/// # Errors
+/// If a word is missing, or if the first word is not a lab.
+pub fn marked(words: &str) -> Result<(Lab, &str)> {
+    let (lab, program) = words.split_once(' ').context("a quiz has a lab and a program")?;
+    Ok((lab.parse().map_err(|error| anyhow!("quiz: {error}"))?, program))
 }
 
 /// Returns the quiz about a lab's known-wrong `program`, as Markdown.

@@ -99,7 +99,7 @@ fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
         let facts = kit.facts(task.lab)?;
         let section = facts.tasks.get(&task.to_string()).map(|task| format!(", {}", task.section));
         let section = section.unwrap_or_default();
-        let address = format!("lab{}.html#task-{}", task.lab, task.to_string().replace('.', "-"));
+        let address = format!("lab{}.html#{}", task.lab, task.anchor());
         let place = format!(
             "chapter {}{section}: 'cargo lab book --serve', then localhost:3000/{address}",
             task.lab

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result};
 
 use super::copied::{add, add_all};
 use lab_kit::excerpt::excerpt;
@@ -80,11 +80,11 @@ fn with_quizzes(kit: &Kit, labs: &[Lab], text: &str) -> Result<String> {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {
         let marker = line.trim().strip_prefix("{{#quiz ").and_then(|l| l.strip_suffix("}}"));
-        let Some((lab, program)) = marker.and_then(|marker| marker.split_once(' ')) else {
+        let Some(words) = marker else {
             out.push_str(line);
             continue;
         };
-        let lab: Lab = lab.parse().map_err(|e| anyhow!("{line}: {e}"))?;
+        let (lab, program) = quiz::marked(words)?;
         if labs.last() != Some(&lab) {
             out += &quiz::markdown(kit, lab, program)?.unwrap_or_default();
         }

@@ -30,6 +30,11 @@ impl Task {
         let lab = parts.next()?.parse().ok()?;
         Some(Self { lab, number: parts.next()?.parse().ok()? })
     }
+
+    /// Returns the anchor of the task in its chapter, such as `task-3-2`.
+    pub fn anchor(self) -> String {
+        format!("task-{}-{}", self.lab, self.number)
+    }
 }
 
 impl fmt::Display for Task {
