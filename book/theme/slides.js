@@ -5,7 +5,8 @@
   const slides = [...document.querySelectorAll("main > .slide")];
   if (slides.length === 0 || slides[0] !== document.querySelector("main").firstElementChild) return;
   const root = document.documentElement;
-  const steps = { ArrowRight: 1, ArrowDown: 1, PageDown: 1, " ": 1, ArrowLeft: -1, ArrowUp: -1, PageUp: -1 };
+  const steps = { ArrowRight: 1, ArrowDown: 1, PageDown: 1, " ": 1, End: Infinity };
+  Object.assign(steps, { ArrowLeft: -1, ArrowUp: -1, PageUp: -1, Home: -Infinity });
 
   const distance = slide => Math.abs(slide.getBoundingClientRect().top);
   const current = () => slides.reduce((best, slide, k) => (distance(slide) < distance(slides[best]) ? k : best), 0);
