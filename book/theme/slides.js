@@ -9,23 +9,30 @@
   Object.assign(steps, { ArrowLeft: -1, ArrowUp: -1, PageUp: -1, Home: -Infinity });
 
   const distance = slide => Math.abs(slide.getBoundingClientRect().top);
-  const current = () => slides.reduce((best, slide, k) => (distance(slide) < distance(slides[best]) ? k : best), 0);
+  let at = 0;
   const show = number => {
-    slides[number].scrollIntoView({ behavior: "instant" });
+    at = Math.min(Math.max(number, 0), slides.length - 1);
+    slides[at].scrollIntoView({ behavior: "instant" });
     const name = root.classList.contains("with-notes") ? "notes" : "slide";
-    history.replaceState(null, "", `#${name}-${number + 1}`);
+    history.replaceState(null, "", `#${name}-${at + 1}`);
   };
+  // A reader can scroll, too.
+  addEventListener("scrollend", () => {
+    at = slides.reduce((best, slide, k) => (distance(slide) < distance(slides[best]) ? k : best), 0);
+  });
+  // In a window of a different size each slide is elsewhere. A phone, where slides are not screens, changes its height
+  // whenever it hides its address.
+  addEventListener("resize", () => at > 0 && innerWidth > 600 && show(at));
 
   document.body.addEventListener("keydown", event => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("dialog[open], input")) return;
     const step = steps[event.key];
     if (!step && event.key !== "n") return;
-    const number = current();
     if (!step) root.classList.toggle("with-notes");
     event.preventDefault();
     // mdBook, which listens further out, would turn the page.
     event.stopPropagation();
-    show(Math.min(Math.max(number + (step ?? 0), 0), slides.length - 1));
+    show(at + (step ?? 0));
   });
 
   const [, name, number] = location.hash.match(/^#(slide|notes)-?(\d*)$/) ?? [];
