@@ -4,7 +4,7 @@ use std::path::Path;
 
 /// The kinds of figures, by their first tag, and the scripts that they need.
 const FIGURES: [(&str, &[&str]); 2] =
-    [("<figure class=\"live\"", &BOXES), ("<figure class=\"steps\"", &["steps"])];
+    [("<figure class=\"live\"", &BOXES), ("<figure class=\"steps\"", &["pictures", "steps"])];
 
 /// The scripts of the boxes, in the order of their dependencies. They are in book/src/live.
 const BOXES: [&str; 13] = [
@@ -28,11 +28,14 @@ const BOXES: [&str; 13] = [
 pub(crate) fn scripts(page: String, depth: usize) -> String {
     let root = "../".repeat(depth);
     let wanted = FIGURES.iter().filter(|(figure, _)| page.contains(figure));
-    let tags: String = wanted
-        .flat_map(|(_, scripts)| *scripts)
-        .map(|name| format!("<script src=\"{root}live/{name}.js\"></script>\n"))
-        .collect();
-    if tags.is_empty() { page } else { format!("{page}\n\n{tags}") }
+    let mut names: Vec<&str> = wanted.flat_map(|(_, scripts)| *scripts).copied().collect();
+    if names.is_empty() {
+        return page;
+    }
+    // It reads what the others have made.
+    names.push("address");
+    let tag = |name| format!("<script src=\"{root}live/{name}.js\"></script>\n");
+    format!("{page}\n\n{}", names.into_iter().map(tag).collect::<String>())
 }
 
 const LICENCE: &str = "Code, text and figures of this book are licensed under \
@@ -63,7 +66,7 @@ mod tests {
         let page = scripts("<figure class=\"live\" data-box=\"idea\">".into(), 1);
         assert!(page.contains("<script src=\"../live/random.js\"></script>"), "{page}");
         let page = scripts("<figure class=\"steps\">".into(), 0);
-        assert_eq!(page.matches("<script").count(), 1, "{page}");
+        assert_eq!(page.matches("<script").count(), 3, "{page}");
         assert!(page.contains("<script src=\"live/steps.js\"></script>"), "{page}");
     }
 
