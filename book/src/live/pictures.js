@@ -95,7 +95,7 @@
     const columns = kind => names.flatMap((name, k) => (name.startsWith(kind) ? [{ name, cell: k + 1 }] : []));
     const [threads, guards] = [columns("thread"), columns("lock")];
     const high = HIGH * Math.max(threads.length, guards.length);
-    const middle = k => HIGH * (k + 0.5);
+    const middle = k => HIGH * (Number(k) + 0.5);
     const line = (thread, lock, kind) =>
       `<line class="${kind}" x1="96" y1="${middle(thread)}" x2="224" y2="${middle(lock)}"></line>`;
     return at => {
@@ -133,7 +133,7 @@
       made.forEach((bars, column) => {
         const shown = numbers(rows[at][column + 1]);
         bars.forEach((bar, k) => {
-          bar.textContent = shown[k] ?? "";
+          bar.dataset.number = shown[k] ?? "";
           bar.style.height = `${(100 * (shown[k] ?? 0)) / most}%`;
         });
       });

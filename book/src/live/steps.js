@@ -34,7 +34,12 @@
     if (!picture) return undefined;
     const element = make(box, "div", { className: `steps-picture is-${picture}`, ariaHidden: "true" });
     element.style.setProperty("--columns", table.names.length);
-    return pictures.kinds[picture](element, { ...table, holds: new RegExp(holds) });
+    const draw = pictures.kinds[picture](element, { ...table, holds: new RegExp(holds) });
+    return at => {
+      draw(at);
+      // It grows but does not shrink, so the buttons stay where they are.
+      element.style.minHeight = `${element.offsetHeight}px`;
+    };
   }
 
   function build(figure) {
@@ -109,7 +114,7 @@
     });
     // It opens where there is something to see.
     const hasNumbers = text => NUMBERS.test(text) && /\d/.test(text);
-    show(rows.findIndex(([name, ...cells]) => !OTHER.test(name) && cells.some(hasNumbers)));
+    show(Math.max(0, rows.findIndex(([name, ...cells]) => !OTHER.test(name) && cells.some(hasNumbers))));
   }
 
   document.querySelectorAll("figure.steps:not(.is-steps)").forEach(build);

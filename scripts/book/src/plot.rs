@@ -62,9 +62,9 @@ pub(crate) fn plot(rows: &[Row]) -> String {
     for row in &rows {
         out += &row.drawn(&axis);
     }
-    out += "</div>\n<figcaption>Nanoseconds per particle and step on one worker. ";
+    out += "</div>\n<figcaption>Nanoseconds per particle and step on one worker (1k is 1,000). ";
     for (time, radius) in rows[0].times.iter().zip(RADII) {
-        out += &format!("<svg class=\"plot-key\">{}</svg> n = {} ", dot(50.0, radius), time.n);
+        out += &format!("<svg class=\"plot-key\">{}</svg> n&nbsp;=&nbsp;{} ", dot(50.0, radius), time.n);
     }
     out + "Point at a row for its numbers. The number before a name is the lab.</figcaption>\n</figure>\n"
 }
@@ -140,7 +140,9 @@ impl Axis {
         let mut ticks = String::new();
         for power in self.first..=self.last {
             let at = self.at(10f64.powi(power));
-            let text = Format::default().print(10f64.powi(power));
+            let text = Format::of(".0").unwrap_or_default().print(10f64.powi(power));
+            // On a phone there is no room for thousands.
+            let text = text.replace(",000", "k");
             ticks += &format!("<text x=\"{at:.1}%\" y=\"75%\">{text}</text>");
         }
         format!("<div class=\"plot-row plot-axis\"><span></span><svg>{ticks}</svg></div>\n")
