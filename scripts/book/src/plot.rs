@@ -64,7 +64,11 @@ pub(crate) fn plot(rows: &[Row]) -> String {
     }
     out += "</div>\n<figcaption>Nanoseconds per particle and step on one worker (1k is 1,000). ";
     for (time, radius) in rows[0].times.iter().zip(RADII) {
-        out += &format!("<svg class=\"plot-key\">{}</svg> n&nbsp;=&nbsp;{} ", dot(50.0, radius), time.n);
+        out += &format!(
+            "<svg class=\"plot-key\">{}</svg> n&nbsp;=&nbsp;{} ",
+            dot(50.0, radius),
+            time.n
+        );
     }
     out + "Point at a row for its numbers. The number before a name is the lab.</figcaption>\n</figure>\n"
 }
