@@ -238,6 +238,18 @@ async function filter(page) {
   return found;
 }
 
+// The head of a long table stays in sight.
+async function headStays(page) {
+  const table = page.locator("main table:has(tr:nth-child(30))").first();
+  if ((await table.count()) === 0) return [];
+  const top = await table.evaluate(table => {
+    table.rows[25].scrollIntoView();
+    return table.tHead.rows[0].cells[0].getBoundingClientRect().top;
+  });
+  await page.evaluate(() => scrollTo(0, 0));
+  return top >= 0 && top < 200 ? [] : [`the head of a long table is at ${Math.round(top)} px`];
+}
+
 // A prediction that is committed is shown below its question and beside its answer, and stored. (Chromium without a
 // window loses what a page from a file has stored every now and then, so the page is not loaded again.)
 async function predict(page) {
@@ -341,6 +353,7 @@ async function look(page, file, { width, theme, prints }) {
   (await stepThrough(page)).forEach(note);
   (await restored(page)).forEach(note);
   (await filter(page)).forEach(note);
+  if (width > 1000) (await headStays(page)).forEach(note);
   (await turns(page)).forEach(note);
   (await enlarge(page)).forEach(note);
   (await skip(page)).forEach(note);
