@@ -1,4 +1,4 @@
-// What a reader has set in a figure is in the page's address, so that a link leads to it: #box=list&skin=1.5, or
+// Writes the state of a figure into the page's address, so that a link leads to it: #box=list&skin=1.5, or
 // #steps=2&moment=5 for the second stepper of a page. Needs the figures, so it is the last script.
 "use strict";
 (() => {
@@ -27,7 +27,7 @@
     return control.type === "checkbox" ? (control.checked ? "on" : "off") : control.value;
   }
 
-  // Sets what the address has.
+  // Gives each figure the state that the address contains.
   function restore() {
     const state = new URLSearchParams(location.hash.slice(1));
     for (const { kind, name, figure, controls } of figures) {

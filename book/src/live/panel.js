@@ -16,7 +16,7 @@
     return { sheet, line: make(div, "p", { className: "live-line" }) };
   }
 
-  // What colours and lines mean: words by their marks. In all boxes blue is chosen and orange is in contact.
+  // Adds a legend: the words of each mark. In all boxes blue is chosen and orange is in contact.
   function legend(parent, words) {
     const list = make(parent, "ul", { className: "live-legend" });
     for (const [mark, text] of Object.entries(words))

@@ -15,8 +15,8 @@
     PAIRS = /\d+[-+]\d+/;
   const ofParticles = (name, text) => NUMBERS.test(text) && !OTHER.test(name);
 
-  // Numbers as tiles in the colours of `homes`, those in parentheses dashed. What stands between two bars stays
-  // together.
+  // Fills a cell with numbers as tiles in the colours of `homes`. Tiles in parentheses are dashed, and tiles between
+  // two bars stay together.
   function fill(cell, text, homes) {
     for (const part of text.split(/(?=\|)/)) {
       const span = make(cell, "span"),
@@ -32,7 +32,7 @@
     }
   }
 
-  // The lane that a row's cell is drawn in: that of the receiver if something is sent.
+  // Returns the lane in which a cell is drawn: the receiver's lane if the row is about sending.
   function receiver(name, column) {
     if (/to the rank before/.test(name)) return column - 1;
     if (/to the rank after/.test(name)) return column + 1;
@@ -57,8 +57,8 @@
     }
   }
 
-  // A lane for each column. Its first line has what it holds: the latest row whose name matches `holds`. Its second
-  // line has what the moment is about.
+  // A lane for each column. Its first line shows the particles that it holds: the latest row whose name matches
+  // `holds`. Its second line shows the row of the moment.
   function lanes(element, { names, rows, homes, holds }) {
     const made = names.map(name => {
       const lane = make(element, "div", { className: "lane" });

@@ -29,7 +29,7 @@
     return homes;
   }
 
-  // The picture that a figure asks for, and what draws it at a moment.
+  // Adds the picture that a figure asks for, and returns the function that draws it at a moment.
   function picture(box, { picture, holds = "^$" }, table) {
     if (!picture) return undefined;
     const element = make(box, "div", { className: `steps-picture is-${picture}`, ariaHidden: "true" });
@@ -86,7 +86,7 @@
     moment.addEventListener("input", () => show(moment.value - 1));
     const said = make(buttons, "output", { className: "steps-said" });
     let at = 0;
-    // What is chosen by a button or a key is chosen by the slider too, whose value the address has.
+    // Buttons and keys move the slider, because the address contains its value.
     function go(row) {
       moment.value = row + 1;
       moment.dispatchEvent(new Event("input", { bubbles: true }));

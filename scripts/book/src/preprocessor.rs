@@ -34,7 +34,7 @@ pub(crate) fn run(kit: &Kit) -> Result<ExitCode> {
         if let (BookItem::Chapter(chapter), Ok(())) = (item, &result) {
             match page(&mut data, chapter, with_hints) {
                 Ok(text) if with_hints => chapter.content = text + &end(chapter, &pages, &edit),
-                // Ends are alike on all pages, so the search index must not contain them.
+                // All pages have the same foot, so the search index must not contain it.
                 Ok(text) => chapter.content = text,
                 Err(e) => result = Err(e.context(format!("chapter '{}'", chapter.name))),
             }
