@@ -45,7 +45,6 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         return Ok(ExitCode::SUCCESS);
     }
     index_without_hints(kit)?;
-    fonts_of_slides(&kit.path("book/build"))?;
     if options.check && !check(kit)? {
         return Ok(ExitCode::FAILURE);
     }
@@ -91,32 +90,14 @@ fn index_without_hints(kit: &Kit) -> Result<()> {
 
 /// Returns the search index of a built book.
 fn index(folder: &Path) -> Result<PathBuf> {
-    hashed(folder, "searchindex", ".js")
-}
-
-/// Links the slides to the fonts of the book, whose file has a hash in its name.
-fn fonts_of_slides(build: &Path) -> Result<()> {
-    let slides = build.join("slides.html");
-    // A class's kit has no slides.
-    if !slides.is_file() {
-        return Ok(());
-    }
-    let fonts = hashed(&build.join("fonts"), "fonts", ".css")?;
-    let name = fonts.file_name().unwrap_or_default().to_string_lossy();
-    let text = fs::read_to_string(&slides)?.replace("fonts/fonts.css", &format!("fonts/{name}"));
-    Ok(fs::write(&slides, text)?)
-}
-
-/// Returns the file of a folder whose name has a hash between `start` and `end`.
-fn hashed(folder: &Path, start: &str, end: &str) -> Result<PathBuf> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        if name.starts_with(start) && name.ends_with(end) {
+        if name.starts_with("searchindex") && name.ends_with(".js") {
             return Ok(path);
         }
     }
-    bail!("{} has no {start}*{end}", folder.display())
+    bail!("{} has no search index", folder.display())
 }
 
 fn check(kit: &Kit) -> Result<bool> {
