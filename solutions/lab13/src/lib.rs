@@ -1,4 +1,4 @@
-//! Lab 13, all of it: the solution. The lab is described in `labs/lab13/README.md`.
+//! Lab 13, the fast engine on ranks: the solution. The lab is described in `labs/lab13/README.md`.
 
 mod agree;
 mod balance;
