@@ -148,7 +148,7 @@ impl Watch for Recorder {
         if state.threads.iter().all(|thread| thread.waits) {
             state.over = true;
             drop(state);
-            resume_unwind(Box::new("else both threads would wait for ever"));
+            resume_unwind(Box::new("both threads would wait forever"));
         }
     }
 

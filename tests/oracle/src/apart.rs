@@ -28,7 +28,7 @@ pub fn apart(part: impl FnOnce()) {
     let deep = said.contains("has overflowed its stack");
     assert!(
         !deep,
-        "no stack is left: a function calls itself, and again, for each step of a long way"
+        "the stack overflowed: a function calls itself once for each step of a long path. Use a loop"
     );
     assert!(ended.status.success(), "{said}");
 }

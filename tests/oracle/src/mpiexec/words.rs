@@ -30,18 +30,18 @@ const NOISE: [&str; 20] = [
 const MEANINGS: [(&str, &str); 3] = [
     (
         "Process received signal",
-        "A rank crashed inside the MPI library. Most often two messages that do not belong together have met: ranks \
-         make their calls in different orders, or a rank stops after fewer rounds than another.",
+        "A rank crashed inside the MPI library. The usual cause: two messages that do not belong together have met, \
+         because ranks make their calls in different orders, or one rank stops after fewer rounds than another.",
     ),
     (
         "MPI_ERR_TRUNCATE",
-        "A message was longer than the buffer for it. Either the buffer is too short, or ranks make their \
-         calls in different orders, and two that do not belong together have met.",
+        "A message was longer than its buffer. Either the buffer is too short, or ranks make their calls in different \
+         orders, so that two calls that do not belong together have met.",
     ),
     (
         "all(|(&c, &d)| c + d <= n)",
-        "A part of a Partition or PartitionMut reaches beyond its buffer. The buffer must be as long as all \
-         counts together, and displacements must be those of the same counts.",
+        "A part of a Partition or PartitionMut reaches beyond its buffer. The length of the buffer must be the sum of \
+         the counts, and the displacements must belong to the same counts.",
     ),
 ];
 
@@ -49,8 +49,8 @@ const MEANINGS: [(&str, &str); 3] = [
 const OF_ONE_MESSAGE: [&str; 4] = ["send", "recv", "probe", "wait"];
 
 const MISSING_CALL: &str = "Each rank waits in a call of MPI. So some rank waits for a call that another rank does not \
-                            make: a collective operation that some ranks leave out or make once more, a message that no \
-                            rank sends, or a send that no rank receives.";
+                            make: a collective operation that some ranks omit or repeat, a message that no rank sends, \
+                            or a send that no rank receives.";
 
 const NOT_KNOWN: &str = "A loop does not end, a list grows in each step, or this machine is busy.";
 
@@ -97,7 +97,7 @@ pub(super) fn of_a_failure(stderr: &str) -> String {
     let meanings = MEANINGS.iter().filter(|(words, _)| stderr.contains(words));
     lines.splice(0..0, meanings.map(|(_, meaning)| *meaning));
     if lines.is_empty() {
-        lines.push("a rank ended the job without a word");
+        lines.push("a rank ended the job without a message");
     }
     lines.join("\n")
 }
@@ -145,15 +145,15 @@ mod tests {
         assert_eq!(of_a_failure(said), "rank 0: \nparticle 3 is lost");
         let said = "[vm:3] *** An error occurred in MPI_Reduce\n[vm:3] *** MPI_ERR_TRUNCATE: message truncated\n";
         let said = of_a_failure(said);
-        assert!(said.starts_with("A message was longer than the buffer") && !said.contains("vm:3"));
-        assert_eq!(of_a_failure(""), "a rank ended the job without a word");
+        assert!(said.starts_with("A message was longer than its buffer") && !said.contains("vm:3"));
+        assert_eq!(of_a_failure(""), "a rank ended the job without a message");
     }
 
     #[test]
     fn a_crash_is_explained_and_its_trace_left_out() {
         let said = "malloc(): unaligned tcache chunk detected\n[vm:7] *** Process received signal ***\n[vm:7] Signal: \
-                    Aborted (6)\n[vm:7] [ 0] /lib/libc.so.6(+0x3c0)[0x7f]\n[vm:7] [13] /kit/lab8(+0x1)[0x2]\n[vm:7] *** End \
-                    of error message ***\n";
+                    Aborted (6)\n[vm:7] [ 0] /lib/libc.so.6(+0x3c0)[0x7f]\n[vm:7] [13] /kit/lab8(+0x1)[0x2]\n[vm:7] \
+                    *** End of error message ***\n";
         let said = of_a_failure(said);
         let lines: Vec<&str> = said.lines().collect();
         assert!(lines[0].starts_with("A rank crashed inside the MPI library."), "{said}");
