@@ -17,7 +17,7 @@ pub(crate) fn lists(random: &mut Random, ask: &mut impl Ask) {
             // The first round inserts all particles.
             let some = if round == 0 { n } else { random.below(n + 1) };
             let filled = Filled::drawn(random, bins, n, some);
-            filled.ask(&mut lists, &format!("round {round} of {n} particles in {bins} bins"), ask);
+            filled.ask(&mut lists, &format!("round {round}, {n} particles in {bins} bins"), ask);
         }
     }
 }
@@ -50,11 +50,12 @@ impl Filled {
         // This ends a list that has no end.
         let most = self.inserts.len() + 1;
         for bin in 0..self.bins {
-            let question = format!("{name}: the list of bin {bin}");
+            let question = format!("{name}: particles in the list of bin {bin}");
             ask.exact(&question, || whole(lists.bin(bin).take(most)), || whole(self.list(bin)));
         }
         for one in self.inserts.iter().step_by(1 + self.inserts.len() / 300) {
-            let question = format!("{name}: the particles after particle {}", one.particle);
+            let question =
+                format!("{name}: particles that follow particle {} in its list", one.particle);
             let found = || whole(lists.after(one.particle).take(most));
             ask.exact(&question, found, || {
                 whole(self.list(one.bin).skip_while(|&p| p != one.particle).skip(1))
@@ -77,7 +78,8 @@ pub(crate) fn forwards(random: &mut Random, ask: &mut impl Ask) {
             let row = any_index(random, along);
             let column = any_index(random, along);
             let question = format!(
-                "row {row}, column {column} of {along} rows: the bins after this one, in ascending order"
+                "the bin in row {row}, column {column} of {along} rows: neighbouring bins that come after it, in \
+                 ascending order"
             );
             let found = || {
                 let mut bins = [0; 4];
@@ -112,9 +114,8 @@ pub(crate) fn looks(random: &mut Random, ask: &mut impl Ask) {
         engine.load(&Scene::new(size, particles).expect("all are in the box"));
         engine.step();
         let told = engine.statistics().map_or(0, |seen| seen.pair_tests);
-        let question = format!(
-            "{n} particles in {along} rows of bins that touch: how many pairs were looked at"
-        );
+        let question =
+            format!("{n} particles in {along} rows of bins, which all touch: number of pair tests");
         ask.exact(&question, || whole([told as usize]), || whole([n * (n - 1) / 2]));
     }
 }

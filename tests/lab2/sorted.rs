@@ -44,7 +44,7 @@ fn sort(
 ) {
     bins.refill(particles_of(all));
     let question = format!(
-        "{name}: the particles in memory, bin by bin, those of a bin in the order in which they came"
+        "{name}: particles in memory, bin by bin, and in each bin in the order in which they came"
     );
     ask.exact(
         &question,
@@ -60,8 +60,9 @@ fn sort(
         let row = rows.start + random.below(rows.len());
         let column = random.below(bins.grid().columns());
         let bin = row * bins.grid().columns() + column;
-        let question =
-            format!("{name}: the index at which row {row}, column {column} begins, and its end");
+        let question = format!(
+            "{name}: index at which the bin in row {row}, column {column} begins, and index at which it ends"
+        );
         let found = || {
             let span = bins.span(row, column..column + 1);
             whole([span.start, span.end])
@@ -121,10 +122,11 @@ impl Around {
         let a = gather.acceleration(&self.particle, [&[], some, &[], more, rest], &mut count);
         let place = if self.at_the_cutoff { "at the cutoff" } else { "near and far" };
         let name = format!("particle {} with {n} candidates {place}", self.particle.id);
-        let question = format!("{name}: its acceleration along x and y, summed in ascending id");
+        let question = format!(
+            "{name}: acceleration of the particle, ax ay, summed in ascending order of ids"
+        );
         ask.exact(&question, || vec![a.x, a.y], || self.sum());
-        let question =
-            format!("{name}: how many candidates were looked at, and how many pairs were summed");
+        let question = format!("{name}: number of candidates tested, and number of pairs summed");
         let found = || whole([count.tested as usize, count.seen as usize]);
         ask.exact(&question, found, || whole([n, self.in_reach()]));
     }
