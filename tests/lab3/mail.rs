@@ -118,18 +118,19 @@ pub(crate) fn letters(random: &mut Random, ask: &mut impl Ask) {
         let members = case.mail.len();
         take_posted(&mut case.bins, case.number, &case.mail);
         let name = format!(
-            "a member with {own} particles and {} letters from {members} members, some of which posted none",
+            "a member with {own} particles, and {} letters from {members} members, some of which posted none",
             all.len() - own
         );
-        let question = format!("{name}: id x y vx vy of its particles");
+        let question = format!("{name}: id x y vx vy of each of its particles afterwards");
         ask.exact(&question, || states(case.bins.particles()), || states(&all));
         let question = format!(
-            "{name}: row, column and id of each particle that its bins hold, those of a bin in the order of senders"
+            "{name}: row, column and id of each particle in its bins, and in each bin in the order of the senders"
         );
         ask.exact(&question, || held(&case.bins), || where_they_lie(case.bins.grid(), &all));
-        let question = format!("{name}: letters left in its boxes");
+        let question = format!("{name}: number of letters left in its boxes");
         ask.exact(&question, || case.letters(|to, own| to == own), || whole([0]));
-        let question = format!("{name}: letters in the boxes of other members, one in each");
+        let question =
+            format!("{name}: number of letters in the boxes of other members, one in each");
         ask.exact(
             &question,
             || case.letters(|to, own| to != own),
@@ -138,7 +139,8 @@ pub(crate) fn letters(random: &mut Random, ask: &mut impl Ask) {
     }
     for members in [2, 3] {
         let question = format!(
-            "{members} members have posted a particle each: whether it sorts more than once (1)"
+            "{members} members have posted a particle each: 1 if the receiver sorts its particles more than once, 0 if \
+             not"
         );
         ask.exact(&question, || vec![is_sorted_twice(members)], || vec![0.0]);
     }

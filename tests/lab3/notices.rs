@@ -50,11 +50,12 @@ pub(crate) fn whole(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..20 {
         let posted = drawn(random);
         let notice = Notice::default();
-        let name = format!("notice {case}, 1 and dmin, davg, navg, pair tests, or 0 for no notice");
+        let name =
+            format!("notice {case} (1 and dmin, davg, navg, pair tests; or 0 for no notice)");
         let question = format!("{name}: what is read before it is posted");
         ask.exact(&question, || answer(notice.read()), || vec![0.0]);
         notice.post(&posted);
-        let question = format!("{name}: what is read when it is posted");
+        let question = format!("{name}: what is read after it is posted");
         ask.exact(&question, || answer(notice.read()), || answer(Some(posted)));
         let found = || {
             let all = readings(&posted).into_iter();
@@ -63,7 +64,7 @@ pub(crate) fn whole(random: &mut Random, ask: &mut impl Ask) {
             all.dedup();
             all.concat()
         };
-        let question = format!("{name}: all that may be read while another thread posts it");
+        let question = format!("{name}: everything that may be read while another thread posts it");
         ask.exact(&question, found, || [vec![0.0], answer(Some(posted))].concat());
     }
 }
@@ -72,15 +73,15 @@ pub(crate) fn whole(random: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn orderings(_: &mut Random, ask: &mut impl Ask) {
     let posted = Statistics { dmin: 0.25, davg: 1.5, navg: 4, pair_tests: 9 };
     let found = || readings(&posted).into_iter().flat_map(Reading::into_numbers).collect();
-    let question = "a notice with dmin 0.25, davg 1.5, navg 4 and 9 pair tests: each way in which it may be read while \
-                    another thread posts it";
+    let question = "a notice with dmin 0.25, davg 1.5, navg 4 and 9 pair tests: every way in which it may be read \
+                    while another thread posts it";
     ask.judge(question, found, |found| {
         let mut rest = found;
         while !rest.is_empty() {
             let reading = next_reading(&mut rest).ok_or("the answer is not complete")?;
             let Reading { found, told } = reading;
             if let Some(read) = found.filter(|read| *read != posted) {
-                let both = format!("{read:?} was read, and {posted:?} was posted");
+                let both = format!("{read:?} was read, but {posted:?} was posted");
                 return Err(format!("the flag was seen, but not all numbers: {both}\n{told}"));
             }
             if let Some(words) = too_much(&told) {
@@ -104,10 +105,10 @@ fn too_much(told: &str) -> Option<String> {
         line.contains(", Relaxed") || needed.iter().any(|needed| line.contains(needed))
     };
     if let Some(line) = told.lines().find(|line| !is_needed(line)) {
-        return Some(format!("'{}': a weaker ordering would do", line.trim()));
+        return Some(format!("'{}': a weaker ordering is sufficient", line.trim()));
     }
     let looks = told.lines().filter(|line| line.contains("reads  the flag")).count();
-    (looks > 1).then(|| format!("the flag is read {looks} times, and not once"))
+    (looks > 1).then(|| format!("the flag is read {looks} times instead of once"))
 }
 
 /// Takes a reading off the front of an answer.

@@ -170,9 +170,9 @@ pub(crate) fn slow(_: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn interrupted(_: &mut Random, ask: &mut impl Ask) {
     for times in [1, 2, 3, 40, 1000] {
         let question = format!(
-            "dmin 0.5, davg 0.5, navg 1 and 4 pair tests are added twice, and another thread comes in {times} times \
-             between two operations on each number. It lowers dmin to 0.125, and adds 0.25 to davg and 2 to each \
-             count: dmin, davg, navg, pair tests of the sum"
+            "dmin 0.5, davg 0.5, navg 1 and 4 pair tests are added twice, and another thread interrupts {times} times, \
+             between two operations on each number. Each time it lowers dmin to 0.125, and adds 0.25 to davg and 2 to \
+             each count: dmin, davg, navg, pair tests of the sum"
         );
         ask.judge(&question, || numbers(&sum_of_two(times)), |found| nothing_lost(times, found));
     }
