@@ -86,7 +86,7 @@ impl Changes {
     fn ask(&self, how: &str, regions: &mut Regions, ask: &mut impl Ask) {
         let name = self.name();
         let question =
-            format!("{name}; changes {how}: particle and bin of each that the bins hold");
+            format!("{name}; changes {how}: id and bin of each particle that the bins hold");
         ask.judge(&question, || places(regions), |found| self.are_made(found));
     }
 
@@ -109,14 +109,14 @@ impl Changes {
         }
         match bins.keys().next() {
             None => Ok(()),
-            Some(particle) => Err(format!("particle {particle} is in a bin and was never there")),
+            Some(particle) => Err(format!("a bin holds particle {particle}, which does not exist")),
         }
     }
 
     /// Asks for the changes that each owner has received.
     fn ask_letters(&self, told: &[(usize, Change)], ask: &mut impl Ask) {
         let question = format!(
-            "{}: owner, particle, old and new bin of each change that an owner is told of, in ascending order",
+            "{}: owner, particle, old and new bin of each change that an owner receives, in ascending order",
             self.name()
         );
         let found = || in_order(told.iter().map(|(owner, c)| letter(*owner, c)).collect());
@@ -184,7 +184,7 @@ pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
         for own in all.owners() {
             take(all.cut, own, regions.locks[own].get_mut(), &queues[own]);
         }
-        let question = format!("{}: changes that are left in the queues", all.name());
+        let question = format!("{}: number of changes left in the queues", all.name());
         let left = || queues.iter().map(SegQueue::len).sum();
         ask.exact(&question, || whole([left()]), || whole([0]));
         all.ask("taken from queues", &mut regions, ask);

@@ -103,7 +103,7 @@ impl Watch for Recorder {
         if state.threads.iter().all(|thread| thread.waits) {
             state.over = true;
             self.change.notify_all();
-            resume_unwind(Box::new("both threads would wait for ever"));
+            resume_unwind(Box::new("both threads would wait forever"));
         }
     }
 
@@ -161,7 +161,7 @@ fn two_threads() -> String {
         state.note("both are done", inside(&mut regions, [3, 7]));
     } else {
         state.over = false;
-        state.note("both wait for ever", Default::default());
+        state.note("both wait forever", Default::default());
     }
     state.table.to_string()
 }

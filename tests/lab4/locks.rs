@@ -46,7 +46,7 @@ pub(crate) fn ask_bins(
     right: impl Fn(u32) -> usize,
 ) {
     let question = format!(
-        "{name}: the bin of each of 360 particles, -1 for none, and how many particles all bins hold"
+        "{name}: the bin of each of 360 particles, -1 for none; and the number of particles in all bins"
     );
     ask.judge(
         &question,
@@ -63,7 +63,7 @@ pub(crate) fn ask_bins(
             match found.get(360) {
                 Some(360.0) => Ok(()),
                 all => Err(format!(
-                    "how many particles all bins hold\n     found: {all:?}\n  expected: 360"
+                    "the number of particles in all bins\n     found: {all:?}\n  expected: 360"
                 )),
             }
         },
@@ -110,8 +110,8 @@ pub(crate) fn large_numbers(_: &mut Random, ask: &mut impl Ask) {
         [meter.locks as f64].into_iter().chain(inside.map(|p| f64::from(*p))).collect()
     };
     let question = format!(
-        "particle {particle} changes from bin {from} of 70000, which also holds particle 5, to bin {to}: locks taken, \
-         and the particles in the two bins"
+        "particle {particle}, which changes from bin {from} of 70000 to bin {to}; particle 5 is in the old bin too: \
+         locks taken, and the particles in the two bins"
     );
     ask.exact(&question, found, || vec![2.0, 5.0, f64::from(particle)]);
 }

@@ -38,7 +38,7 @@ impl Case {
         let first = self.particles.first().map_or(0, |p| p.id);
         let n = self.particles.len();
         let along = self.grid.rows();
-        format!("{n} particles, the first of which is particle {first}, in {along} rows of bins")
+        format!("{n} particles in {along} rows of bins, of which particle {first} is the first")
     }
 
     /// Returns the particles after the move, and the changes of bins.
@@ -84,13 +84,14 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
             told.extend([change.particle as usize, change.from, change.to]);
         });
         let name = case.name();
-        let question = format!("{name}: x y vx vy of each");
+        let question = format!("{name}: x y vx vy of each particle");
         ask.exact(&question, || numbers(&particles), || numbers(&case.moved().0));
         let question =
-            format!("{name}: particle, old and new bin of each particle that changed its bin");
+            format!("{name}: particle, old bin and new bin of each change that is reported");
         ask.exact(&question, || whole(told), || whole(case.moved().1));
-        let question =
-            format!("{name}: how many have changed their bin when the first change is told");
+        let question = format!(
+            "{name}: number of particles that have changed their bins when the first change is reported"
+        );
         let right = || whole([case.moved().1.len().min(1)]);
         ask.exact(&question, || whole([case.changed_at_first()]), right);
     }
@@ -114,7 +115,7 @@ pub(crate) fn table(_: &mut Random, ask: &mut impl Ask) {
         move_own(&grid, &mut particles, &at_rest, |change: Change| {
             told[change.particle as usize] = Some(change);
         });
-        let mut table = Table::new(["particle", "x", "y", "x after", "y after", "changed is told"]);
+        let mut table = Table::new(["particle", "x", "y", "x after", "y after", "reported change"]);
         for ((p, after), told) in before.iter().zip(&particles).zip(told) {
             let said = told.map_or("-".into(), |change| {
                 format!("{} from bin {} to bin {}", change.particle, change.from, change.to)

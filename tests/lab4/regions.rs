@@ -16,7 +16,7 @@ pub(crate) fn sizes(random: &mut Random, ask: &mut impl Ask) {
         let count = 1 + random.size(most);
         let found = || whole(Regions::new(bins, count).parts_mut().map(|bins| bins.len()));
         let question =
-            format!("{bins} bins in {count} regions or fewer: the number of bins in each");
+            format!("{bins} bins in {count} regions or fewer: number of bins in each region");
         ask.exact(&question, found, || {
             let each = bins.div_ceil(count);
             whole((0..bins.div_ceil(each)).map(|number| each.min(bins - number * each)))
@@ -34,7 +34,7 @@ pub(crate) fn places(random: &mut Random, ask: &mut impl Ask) {
                 whole([region, index])
             };
             let question =
-                format!("bin {bin}, {each} bins in each region: its region and its index");
+                format!("bin {bin}, {each} bins in each region: its region, and its index there");
             ask.exact(&question, found, || whole([bin / each, bin % each]));
         }
     }
@@ -65,7 +65,7 @@ fn numbers_of(regions: &mut Regions) -> Vec<usize> {
 pub(crate) fn numbers(random: &mut Random, ask: &mut impl Ask) {
     let count = 5 + random.below(300);
     let found = || whole(numbers_of(&mut Regions::new(9 * count, count)));
-    let question = format!("{count} regions of 9 bins: the number of each region's lock");
+    let question = format!("{count} regions of 9 bins: number of each region's lock");
     ask.exact(&question, found, || whole(0..count));
 }
 

@@ -40,13 +40,12 @@ impl Watch for LockOrder {
         drop(orders);
         assert!(
             !held.contains(&lock),
-            "a thread that holds lock {lock} asks for it again, and waits for itself for ever"
+            "a thread asks for lock {lock}, which it holds already, so it would wait for itself forever"
         );
         if let Some(held) = opposite {
             panic!(
-                "a thread holds lock {held} and asks for lock {lock}, and a thread has held lock \
-                 {lock} and asked for lock {held}: if both do it at once, each waits for the other \
-                 for ever"
+                "a thread holds lock {held} and asks for lock {lock}. Earlier, a thread held lock {lock} and asked for \
+                 lock {held}. If both do so at once, each waits for the other forever"
             );
         }
     }

@@ -94,7 +94,7 @@ impl Memory {
     pub(crate) fn store(&self, location: usize, bits: u64, ordering: Ordering) {
         let state = &mut *self.0.lock();
         state.pass_fences();
-        assert!(!state.reads, "the thread that reads writes {}", state.locations[location].name);
+        assert!(!state.reads, "the reading thread writes {}", state.locations[location].name);
         let messages = &state.locations[location].messages;
         state.known[location] = messages.len();
         let known = match ordering {
@@ -115,7 +115,10 @@ impl Memory {
             return state.locations[location].messages[newest].bits;
         }
         state.loads += 1;
-        assert!(state.loads <= MOST, "it looks again and again: it waits");
+        assert!(
+            state.loads <= MOST,
+            "the thread reads again and again until the value changes: it waits"
+        );
         if state.choices.len() < state.loads {
             state.choices.push((0, newest - oldest + 1));
         }
