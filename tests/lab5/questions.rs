@@ -23,7 +23,7 @@ pub(crate) fn few_rows(_: &mut Random, ask: &mut impl Ask) {
             || whole(blocks_of(cut).into_iter().flat_map(ends)),
         );
         ask.exact(
-            &format!("{name}: the rank that owns each row"),
+            &format!("{name}: rank that owns each row"),
             || whole((0..rows).map(|row| cut.owner(row))),
             || whole(owners_of(&blocks_of(cut))),
         );
@@ -48,7 +48,7 @@ pub(crate) fn many_rows(random: &mut Random, ask: &mut impl Ask) {
             });
         }
         for row in [0, rows - 1, random.below(rows), random.below(rows)] {
-            let question = format!("{name}: the rank that owns row {row}");
+            let question = format!("{name}: rank that owns row {row}");
             ask.judge(&question, || whole([cut.owner(row)]), |found| owns(found, row, cut));
         }
     }
@@ -67,21 +67,21 @@ fn begins_there(what: &str, found: Option<&f64>, rank: usize, cut: Cut) -> Resul
     if rounded_down {
         Ok(())
     } else {
-        Err(format!("{what} at row {found}, not at {exact}, rounded down"))
+        Err(format!("{what} at row {found}, but must be at row {exact}, rounded down"))
     }
 }
 
 /// Checks that a rank's block contains the row: the block begins at the row or before it, and the
 /// next block begins after it.
 fn owns(found: &[f64], row: usize, cut: Cut) -> Result<(), String> {
-    let &[rank] = found else { return Err("there is no rank".into()) };
+    let &[rank] = found else { return Err("the answer has no rank".into()) };
     let behind = (row as u128 + 1) * cut.ranks as u128;
     let begins = rank as u128 * cut.rows as u128;
     if rank >= 0.0 && begins < behind && begins + cut.rows as u128 >= behind {
         return Ok(());
     }
     let exact = [rank, rank + 1.0].map(|rank| rank * cut.rows as f64 / cut.ranks as f64);
-    Err(format!("rank {rank} has the rows from {} up to {}, both rounded down", exact[0], exact[1]))
+    Err(format!("rank {rank} owns the rows from {} to {}, both rounded down", exact[0], exact[1]))
 }
 
 /// Asks for the particles that have stayed in a block, and for the particles that have left it.
@@ -104,9 +104,10 @@ pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
         let is_local = |p: &&Particle| block.contains(&blocks.row(p.y));
         let name = format!("case {case}, rows {block:?} of {rows}");
         let right = || wires(particles.iter().filter(is_local));
-        same(&blocks.grid, &format!("{name}, local"), wires(&changed), right, ask);
+        same(&blocks.grid, &format!("{name}, local particles"), wires(&changed), right, ask);
         let right = || wires(particles.iter().filter(|p| !is_local(p)).chain([&before]));
-        let name = format!("{name}, remote, where particle {} was before", before.id);
+        let name =
+            format!("{name}, remote particles, which follow particle {} from before", before.id);
         same(&blocks.grid, &name, wires(&remote), right, ask);
     }
 }
@@ -134,7 +135,7 @@ pub(crate) fn copies(random: &mut Random, ask: &mut impl Ask) {
         let copies = border_copies(&bins, &blocks.cut, &block);
         let border = |row: usize| block.contains(&row) && blocks.is_seen(row, &block);
         let right = || wires(particles.iter().filter(|p| border(blocks.row(p.y))));
-        let name = format!("{}, rows {block:?}: copies", blocks.name(case));
+        let name = format!("{}, rows {block:?}, copies", blocks.name(case));
         same(&blocks.grid, &name, copies, right, ask);
     }
 }
@@ -161,11 +162,11 @@ pub(crate) fn parcels(random: &mut Random, ask: &mut impl Ask) {
             }
         }
         let lists = sort_by_receiver(&blocks.grid, &blocks.cut, &parcels);
-        let question = format!("{}: the number of lists", blocks.name(case));
+        let question = format!("{}: number of lists", blocks.name(case));
         ask.exact(&question, || whole([lists.len()]), || whole([ranks]));
         for rank in 0..ranks {
             let list = lists.get(rank).cloned().unwrap_or_default();
-            let name = format!("{}: what goes to rank {rank}", blocks.name(case));
+            let name = format!("{}, list for rank {rank}", blocks.name(case));
             same(&blocks.grid, &name, list, || receives(&blocks, &parcels, rank), ask);
         }
     }
@@ -202,8 +203,8 @@ pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
             let stay = before.iter().filter(|p| block.contains(&blocks.row(p.y)));
             wires(stay.chain(&arrived))
         };
-        let name = format!("{}, rows {block:?}, new ones from 1000 on", blocks.name(case));
-        let question = format!("{name}: what is in the bins");
+        let name = format!("{}, rows {block:?}, arrivals numbered from 1000 on", blocks.name(case));
+        let question = format!("{name}, particles in the bins");
         same(&blocks.grid, &question, wires(bins.particles()), right, ask);
         let astray = || {
             let all = bins.bins().iter().enumerate();
@@ -211,10 +212,6 @@ pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
                 inside.iter().filter(move |p| blocks.grid.bin(p) != bin).map(|p| p.id as usize)
             }))
         };
-        ask.exact(
-            &format!("{name}: ids of particles that are not in the bin they belong to"),
-            astray,
-            Vec::new,
-        );
+        ask.exact(&format!("{name}: ids of particles that are in a wrong bin"), astray, Vec::new);
     }
 }
