@@ -161,7 +161,7 @@ impl<O: Observer, T: Blocks + Messages> Simulation for Halo<O, T> {
     fn counters(&self) -> Vec<(&'static str, f64)> {
         let mut counters = self.traffic.report(&self.world);
         counters.extend(report_memory(&self.world));
-        counters.push(("times the rows were cut anew", self.recuts as f64));
+        counters.push(("times the rows were cut again", self.recuts as f64));
         counters.push(("particles, fullest rank", self.fullest() as f64));
         counters.extend(self.clock.report(&self.world));
         counters
