@@ -16,7 +16,7 @@ pub(crate) fn spans(random: &mut Random, ask: &mut impl Ask) {
         let v = if case % 7 == 0 { 0.0 } else { speed };
         let reach = unit * random.magnitude(1e-6, 1e3);
         let question = format!(
-            "the box of x = {x:?}, v = {v:?} from λ = {} to {}, reach {reach:?}: low and high",
+            "x = {x:?}, v = {v:?}, λ from {} to {}, reach {reach:?}: low and high of the box",
             window.from, window.to
         );
         let found = || {
@@ -142,11 +142,11 @@ pub(crate) fn looks_around(random: &mut Random, ask: &mut impl Ask) {
             blocks[block].push((k * 7919 % 4097 * 70_001) as u32);
         }
         let question = format!(
-            "{n} discs in blocks {blocks:?}: both discs of each pair that may meet, in ascending order"
+            "{n} discs in blocks {blocks:?}: both discs of each pair that is tested, in ascending order"
         );
         ask.exact(&question, || pairs_looked_at(&blocks), || pairs_that_may_meet(&blocks));
     }
-    let question = "70,000 discs in the whole square: how many pairs may meet";
+    let question = "70,000 discs in the block of the whole square: number of pairs tested";
     ask.exact(question, || whole([looks_in_one_block(70_000)]), || whole([69_999 * 35_000]));
 }
 

@@ -32,8 +32,9 @@ pub(crate) fn columns(random: &mut Random, ask: &mut impl Ask) {
             let behind = &entries[k + 1..];
             let next: Vec<u64> = behind.iter().take(6).map(|entry| entry.cell).collect();
             let question = format!(
-                "{} entries in rows of {columns} columns, entry {k} begins in cell {} and goes on for {} more, those \
-                 behind it begin in {next:?}: the first that shares a column with it, and the first behind these",
+                "{} entries in rows of {columns} columns; entry {k} begins in cell {} and covers {} more, and the \
+                 entries after it begin in {next:?}: first later entry that shares a column with entry {k}, and the \
+                 entry after the last that does",
                 entries.len(),
                 entry.cell,
                 entry.further
@@ -57,8 +58,8 @@ pub(crate) fn far_columns(_: &mut Random, ask: &mut impl Ask) {
     for (cells, further) in [([5, far + 5], 0), ([far - 1, far], 1), ([far - 1, far + 1], 1)] {
         let entries = cells.map(|cell| Entry::new(cell, further, 0, true));
         let question = format!(
-            "entries that begin in cells {cells:?}, and go on for {further} more: the first that shares a column with \
-             entry 0, and the first behind these"
+            "two entries that begin in cells {cells:?}, and cover {further} more: first later entry that shares a \
+             column with entry 0, and the entry after the last that does"
         );
         let found = || {
             let partners = partners(&entries, 0);
@@ -74,7 +75,8 @@ pub(crate) fn far_columns(_: &mut Random, ask: &mut impl Ask) {
 /// Asks about many narrow boxes. A program that compares each box with all the boxes after it does
 /// not finish.
 pub(crate) fn many_columns(_: &mut Random, ask: &mut impl Ask) {
-    let question = "a million boxes one column from the next, of 1, 2 and 3 columns in turn: how often two share one";
+    let question = "a million boxes, each one column after the one before, and 1, 2 or 3 columns wide in turn: number \
+                    of pairs that share a column";
     let found = || {
         within("7.13", 60, || {
             let entries: Vec<Entry> =
@@ -121,15 +123,15 @@ impl Plan {
     /// Returns an error if another number of windows costs less.
     fn is_cheapest(&self, found: &[f64]) -> Result<(), String> {
         let counts: Vec<usize> = (0..=12).map(|k| 1 << k).collect();
-        let &[found] = found else { return Err("there is no number".into()) };
+        let &[found] = found else { return Err("the answer has no number".into()) };
         let Some(&found) = counts.iter().find(|&&count| count as f64 == found) else {
-            return Err(format!("{found} is no power of two from 1 to 4096"));
+            return Err(format!("{found} is not a power of two from 1 to 4096"));
         };
         let cost = self.cost(found);
         let cheaper = counts.into_iter().find(|&count| self.cost(count) < cost * (1.0 - 1e-12));
         match cheaper {
             Some(other) => Err(format!(
-                "{found} windows cost {cost:e}, and {other} windows cost {:e}",
+                "{found} windows cost {cost:e}, but {other} windows cost only {:e}",
                 self.cost(other)
             )),
             None => Ok(()),
@@ -143,8 +145,8 @@ pub(crate) fn plans(random: &mut Random, ask: &mut impl Ask) {
         let plan = Plan::drawn(random, case < 60);
         let Plan { survey, square, crowding } = plan;
         let question = format!(
-            "{survey:?} in a square of side {:?}, radius {:?}, {crowding:?} times as many pairs as expected: the number \
-             of windows",
+            "{survey:?}, a square of side {:?}, radius {:?}, {crowding:?} times as many pairs as expected: number of \
+             windows",
             square.side, square.radius
         );
         let found = || whole([choose_windows(&survey, square, crowding)]);

@@ -94,7 +94,7 @@ fn compare_looks(found: &[f64], right: &[[usize; 3]], third: &str) -> Result<(),
     let most = found.len().max(right.len());
     match (0..most).find(|&k| found.get(k) != right.get(k)) {
         Some(k) => Err(format!(
-            "look {k} of {most}, in ascending order\n     found: {}\n  expected: {}",
+            "number {k} of {most} pairs or parts, in ascending order\n     found: {}\n  expected: {}",
             words(found.get(k).copied()),
             words(right.get(k).copied())
         )),
@@ -117,8 +117,8 @@ pub(crate) fn fixed_loops(random: &mut Random, ask: &mut impl Ask) {
                     whole([own_parts(n, workers), looks].concat())
                 };
                 let question = format!(
-                    "{name} of {n} discs, {workers} workers, fixed parts: the lab's own parts of loops of 0 to {n} \
-                     iterations, begin and end for each worker; and the two discs and the list of each pair"
+                    "{name} of {n} discs, {workers} workers, fixed parts: begin and end for each worker of the lab's \
+                     own parts of loops of 0 to {n} iterations; then two discs and the list of each pair"
                 );
                 ask.judge(&question, found, |found| {
                     let (parts, looks) = Parts::split(found, n, workers)?;
@@ -162,8 +162,8 @@ pub(crate) fn queued_loops(random: &mut Random, ask: &mut impl Ask) {
                 whole([own_parts(n, workers), looks].concat())
             };
             let question = format!(
-                "{name} of {n} discs, {workers} workers, chunks of {chunk}: the lab's own parts of loops of 0 to {n} \
-                 iterations, begin and end for each worker; and disc, first partner and end of each part of a row"
+                "{name} of {n} discs, {workers} workers, chunks of {chunk}: begin and end for each worker of the lab's \
+                 own parts of loops of 0 to {n} iterations; then disc, first partner and end of each part of a row"
             );
             ask.judge(&question, found, |found| {
                 let (parts, looks) = Parts::split(found, n, workers)?;
