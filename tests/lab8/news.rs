@@ -27,8 +27,8 @@ pub(crate) fn tells(random: &mut Random, ask: &mut impl Ask) {
         decisions.told = random.below(taken.len() + 1);
         for partner in [0, 2] {
             let question = format!(
-                "case {case}, {} taken candidates, {} of them told, {} in the front, news for rank {partner}: {CANDIDATE} of \
-                 each, and 1 if it is taken",
+                "case {case}, {} taken candidates, {} of them told, {} in the front, news for rank {partner}: \
+                 {CANDIDATE} of each candidate, and 1 if it is taken",
                 taken.len(),
                 decisions.told,
                 decisions.front.len()
@@ -82,7 +82,7 @@ fn same(found: &[String], right: &[String]) -> Result<(), String> {
     let Some(k) = (0..most).find(|&k| found.get(k) != right.get(k)) else { return Ok(()) };
     let item = |list: &[String]| list.get(k).map_or("nothing".to_owned(), String::clone);
     Err(format!(
-        "item {k}, counted from 0\n     found: {}\n  expected: {}",
+        "number {k} of the news, counted from 0\n     found: {}\n  expected: {}",
         item(found),
         item(right)
     ))
@@ -95,8 +95,8 @@ pub(crate) fn hears(random: &mut Random, ask: &mut impl Ask) {
         let all_news: Vec<Vec<News>> = (0..3).map(|time| drawn(random, discs, time)).collect();
         let lengths: Vec<usize> = all_news.iter().map(Vec::len).collect();
         let question = format!(
-            "case {case}, {} discs, three times news of so many candidates {lengths:?}: after each for every disc whether it \
-             is free (1), and of its rival {CANDIDATE}, all -1 if it has none",
+            "case {case}, {} discs, and news three times, of {lengths:?} candidates. After each news, for each disc: 1 \
+             if it is free; {CANDIDATE} of its rival, all -1 if it has none",
             found.numbers.len()
         );
         let answer = || {
