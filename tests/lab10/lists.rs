@@ -19,7 +19,8 @@ pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {
             engine.rebuild(AnyProcessor);
             let name = format!("{}, skin {:.2} cutoffs, built {round}", case.name(), case.skin);
             let question = format!(
-                "{name}: the particles in sorted order, and the pairs of the outer list, of places in this order"
+                "{name}: ids of the particles in sorted order, then the pairs of the outer list, as places in this \
+                 order"
             );
             let mut pairs = engine.outer.pairs.clone();
             pairs.sort_unstable();
@@ -30,7 +31,7 @@ pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {
                 listed.are_all_within(CUTOFF * (1.0 + case.skin) * (1.0 + 1e-6))
             });
             let question = format!(
-                "{name}: the skin of the outer list in cutoffs, its displacement, and the displacement of the inner list"
+                "{name}: skin of the outer list in cutoffs, its displacement, displacement of the inner list"
             );
             let list = &engine.outer;
             let found = || vec![list.skin / CUTOFF, list.displacement, engine.inner.displacement];
@@ -55,12 +56,17 @@ impl Listed {
         let (ids, pairs) = found.split_at_checked(scene.len()).ok_or("particles are missing")?;
         let mut bodies = Bodies::default();
         for &id in ids {
-            bodies.push(*scene.particles().get(id as usize).ok_or("there is a strange particle")?);
+            bodies.push(
+                *scene
+                    .particles()
+                    .get(id as usize)
+                    .ok_or("there is a particle that is not in the scene")?,
+            );
         }
         let mut sorted = bodies.id.clone();
         sorted.sort_unstable();
         if sorted.iter().enumerate().any(|(id, &found)| id != found as usize) {
-            return Err("a particle is lost".into());
+            return Err("a particle is missing".into());
         }
         let (pairs, _) = pairs.as_chunks::<2>();
         Ok(Self {
@@ -80,8 +86,11 @@ impl Listed {
         if let Some(&odd) = self.pairs.iter().find(|pair| right.binary_search(pair).is_err()) {
             let [i, j] = odd;
             let far = i < j && j < n && self.distance(odd) > reach;
-            let why =
-                if far { "they are too far apart" } else { "a pair is [i, j] with i < j < n" };
+            let why = if far {
+                "the particles are too far apart"
+            } else {
+                "a pair must be [i, j] with i < j < n"
+            };
             return Err(format!("places {i} and {j} are listed: {why}"));
         }
         if self.pairs.len() == right.len() { Ok(()) } else { Err("a pair is listed twice".into()) }
@@ -110,7 +119,8 @@ pub(crate) fn inner_lists(random: &mut Random, ask: &mut impl Ask) {
             engine.rebuild_inner();
             let name = format!("{}, skin {:.2} cutoffs, built {round}", case.name(), case.skin);
             let question = format!(
-                "{name}: the particles in sorted order, the number of outer pairs, the outer pairs, and the inner pairs"
+                "{name}: ids of the particles in sorted order, number of outer pairs, the outer pairs, the inner \
+                 pairs"
             );
             ask.judge(
                 &question,
@@ -118,7 +128,7 @@ pub(crate) fn inner_lists(random: &mut Random, ask: &mut impl Ask) {
                 |found| are_the_near_ones(&case.scene, case.inner_skin(1e-9 * CUTOFF), found),
             );
             let question =
-                format!("{name}: the skin of the inner list in cutoffs, and its displacement");
+                format!("{name}: skin of the inner list in cutoffs, and its displacement");
             let found = || vec![engine.inner.skin / CUTOFF, engine.inner.displacement];
             ask.near(&question, found, || {
                 let right = case.inner_skin(1e-9 * CUTOFF) / CUTOFF;
@@ -137,7 +147,7 @@ fn both_lists(engine: &Engine<NoStatistics>) -> Vec<f64> {
 /// Checks that the inner pairs are the near pairs of the outer list, in the same order.
 fn are_the_near_ones(scene: &Scene, skin: f64, found: &[f64]) -> Result<(), String> {
     let (ids, rest) = found.split_at_checked(scene.len()).ok_or("particles are missing")?;
-    let (count, pairs) = rest.split_first().ok_or("there are no lists")?;
+    let (count, pairs) = rest.split_first().ok_or("the lists are missing")?;
     let listed = Listed::read(scene, &[ids, pairs].concat())?;
     let (outer, inner) =
         listed.pairs.split_at_checked(*count as usize).ok_or("outer pairs are missing")?;
@@ -151,11 +161,13 @@ fn are_the_near_ones(scene: &Scene, skin: f64, found: &[f64]) -> Result<(), Stri
         match right.next() {
             Some(right) if right == pair => {}
             Some(right) => {
-                return Err(format!("inner pair {k}, from 0, is {pair:?}, not {right:?}"));
+                return Err(format!(
+                    "inner pair {k}, counted from 0, is {pair:?}, but must be {right:?}"
+                ));
             }
             None => {
                 return Err(format!(
-                    "inner pair {k}, from 0, is {pair:?}: there should be no more"
+                    "inner pair {k}, counted from 0, is {pair:?}, but there must be no more pairs"
                 ));
             }
         }
@@ -198,7 +210,7 @@ pub(crate) fn margins(random: &mut Random, ask: &mut impl Ask) {
         );
         for (list, which) in [(&engine.outer, "outer"), (&engine.inner, "inner")] {
             let question =
-                format!("{name}: the pairs of the {which} list; `reach` has room for rounding");
+                format!("{name}: pairs of the {which} list. `reach` must leave room for rounding");
             ask.exact(&question, || flat(&list.pairs), || vec![0.0, 1.0]);
         }
     }
@@ -214,18 +226,21 @@ pub(crate) fn chosen_skins(random: &mut Random, ask: &mut impl Ask) {
         let density =
             case.scene.len() as f64 / ((extent.width + CUTOFF) * (extent.height + CUTOFF));
         engine.rebuild(AnyProcessor);
-        let name =
-            format!("{}, the fastest goes {:.4} cutoffs in a step", case.name(), goes / CUTOFF);
+        let name = format!(
+            "{}, the fastest particle goes {:.4} cutoffs in a step",
+            case.name(),
+            goes / CUTOFF
+        );
         // The question asks for a ratio, because another task checks the result of `best_skin`.
         let question = format!(
-            "{name}: the skin of the outer list, over what `best_skin` gives for this density and displacement"
+            "{name}: skin of the outer list, divided by what `best_skin` returns for this density and displacement"
         );
         let found = || vec![engine.outer.skin / best_skin(density, goes)];
         ask.near(&question, found, || vec![Near { right: 1.0, scale: 1.0 }]);
         engine.outer.skin = 1.5 * CUTOFF;
         engine.outer.displacement = 0.0;
         engine.rebuild_inner();
-        let question = format!("{name}, the outer skin is 1.5 cutoffs: the inner skin, in cutoffs");
+        let question = format!("{name}, the outer skin is 1.5 cutoffs: inner skin, in cutoffs");
         ask.near(
             &question,
             || vec![engine.inner.skin / CUTOFF],
