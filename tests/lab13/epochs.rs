@@ -21,12 +21,12 @@ pub(crate) fn right_steps_of_epochs(random: &mut Random, ask: &mut impl Ask) {
         let width = some_depth(random, &moves);
         let shown = if taken < 9 { format!(", moves of {moves:?}") } else { String::new() };
         let question =
-            format!("{taken} steps{shown}, ghosts {width:?} deep: how many steps are right");
+            format!("{taken} steps{shown}, ghosts {width:?} deep: number of steps that are right");
         let found = || vec![right_steps(&moves, width) as f64];
         ask.exact(&question, found, || vec![right_of(&moves, width) as f64]);
     }
     ask.exact(
-        "2 steps in which nothing moves, ghosts exactly two cutoffs deep: how many steps are right",
+        "2 steps in which nothing moves, ghosts exactly two cutoffs deep: number of steps that are right",
         || vec![right_steps(&[0.0, 0.0], 2.0 * CUTOFF) as f64],
         || vec![2.0],
     );
@@ -62,11 +62,14 @@ pub(crate) fn confirmations(random: &mut Random, ask: &mut impl Ask) {
             let mut all = said[rank.number].clone();
             let right = rank.call("confirm", |world| confirm(world, &mut all, steps, width));
             let name = format!(
-                "{}, {steps} steps, ghosts {width:?} deep, the ranks say {said:?}",
+                "{}, {steps} steps, ghosts {width:?} deep, and the numbers {said:?} of the ranks",
                 rank.name()
             );
             ask.exact(
-                &format!("{name}: how many steps are right on all ranks, and the numbers that are said then"),
+                &format!(
+                    "{name}: number of steps that are right on all ranks, then the numbers on \
+                     which the ranks agree"
+                ),
                 || [vec![right as f64], all].concat(),
                 || agreed(&said, steps, width),
             );
