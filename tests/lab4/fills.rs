@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use common::soft::Particle;
 use lab4::{Bin, Regions, claim, rebuild, take_own};
 use oracle::scenes::on_edges;
-use oracle::{Ask, Random, Table, ascending, truth, whole};
+use oracle::{Ask, Random, Table, ascending, integers, truth};
 use solution2::{Grid, SortedBins};
 
 use super::bins::{filled, inside, places, regions_of};
@@ -25,7 +25,7 @@ fn fills(random: &mut Random, ask: &mut impl Ask, fill: impl Fn(&mut Regions, &G
         );
         let poorer = regions.parts_mut().flatten().filter(|bin| bin.capacity() < 30).count();
         let question = format!("{name}: number of bins that released their memory");
-        ask.exact(&question, || whole([poorer]), || whole([0]));
+        ask.exact(&question, || integers([poorer]), || integers([0]));
         let question = format!("{name}: id and bin of each particle that the bins hold");
         let found = || places(&mut regions);
         ask.judge(&question, found, |found| are_in_their_bins(&grid, &particles, found));
@@ -116,7 +116,7 @@ pub(crate) fn owned_rows(random: &mut Random, ask: &mut impl Ask) {
 fn ids<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
     let mut ids: Vec<usize> = particles.into_iter().map(|p| p.id as usize).collect();
     ids.sort_unstable();
-    whole(ids)
+    integers(ids)
 }
 
 /// Returns two bins along each wall, of side 1. Two regions of two bins still hold particles of the

@@ -31,7 +31,7 @@ struct Thread {
 }
 
 impl Thread {
-    fn said(&self) -> String {
+    fn description(&self) -> String {
         let has = match self.has.len() {
             0 => "-".into(),
             1 => "1 lock".into(),
@@ -51,8 +51,8 @@ struct State {
 impl State {
     fn note(&mut self, what: &str, bins: [String; 2]) {
         if !self.over {
-            let said = self.threads.each_ref().map(Thread::said);
-            self.table.row(what, said.into_iter().chain(bins));
+            let description = self.threads.each_ref().map(Thread::description);
+            self.table.row(what, description.into_iter().chain(bins));
         }
     }
 }

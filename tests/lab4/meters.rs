@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use common_threads::{Lock, Stopwatch, Watch};
 use lab4::Meter;
-use oracle::{Ask, Random, Table, whole};
+use oracle::{Ask, Random, Table, integers};
 
 /// Asks about a lock that no other thread wants.
 pub(crate) fn free(random: &mut Random, ask: &mut impl Ask) {
@@ -103,7 +103,7 @@ pub(crate) fn held(_: &mut Random, ask: &mut impl Ask) {
     let question = format!("{name}: number of requests for the locks, by both threads together");
     ask.judge(
         &question,
-        || whole([requests]),
+        || integers([requests]),
         |found| match found {
             [requests] if *requests <= 6.0 => Ok(()),
             _ => Err(format!(

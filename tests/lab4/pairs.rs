@@ -5,7 +5,7 @@ use std::ops::Range;
 use common::Vec2;
 use common::soft::{CUTOFF, Observer, Particle};
 use lab4::{pairs_across, pairs_within};
-use oracle::{Ask, Near, Random, acceleration_of_pair, whole};
+use oracle::{Ask, Near, Random, acceleration_of_pair, integers};
 use solution1::Tally;
 use solution2::{Grid, SortedBins};
 
@@ -78,8 +78,8 @@ fn ask_counts(ask: &mut impl Ask, name: &str, tally: &Tally, right: impl FnOnce(
         format!("{name}: number of pairs reported, each pair twice, and number of pair tests");
     ask.exact(
         &question,
-        || whole([seen.navg as usize, seen.pair_tests as usize]),
-        || whole(right()),
+        || integers([seen.navg as usize, seen.pair_tests as usize]),
+        || integers(right()),
     );
 }
 
