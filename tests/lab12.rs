@@ -61,10 +61,10 @@ oracle::questions! {
     task_12_4 {
         watched_numbers after "12.3" => "A number with its value and its slope at both ends of a step of length 1: the \
                                          time at which it falls through zero.",
-        told_by_the_ends => "A number whose values and slopes at both ends of a step are sufficient: the time at which \
-                             it falls through zero.",
-        told_inside after "12.3" => "A number that turns or falls inside a step: the time at which it falls through \
-                                     zero.",
+        decided_at_the_ends => "A number whose values and slopes at both ends of a step are sufficient: the time at \
+                                which it falls through zero.",
+        decided_inside after "12.3" => "A number that turns or falls inside a step: the time at which it falls through \
+                                        zero.",
         a_touch after "12.3" => "The number (t - 1)² in a step of 2, which touches zero: no time, because it does not \
                                  fall through zero.",
         across_the_cutoff after "12.2, 12.3" => "Two particles that come into reach, one of them past a wall: the \

@@ -169,7 +169,7 @@ oracle::questions! {
     task_3_12 {
         notice_table = handover_examples::notices
             => "A notice: what a thread may read before it is posted, while it is being posted, and afterwards.",
-        whole_notices = notices::whole
+        any_notices = notices::posts
             => "Notices with any numbers: everything that a thread may read while another thread posts them.",
         orderings = notices::orderings
             => "A notice, with the operations of both threads: the numbers that are read. A thread that sees the flag \

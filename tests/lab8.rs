@@ -2,6 +2,8 @@
 mod candidates;
 #[path = "lab8/certain.rs"]
 mod certain;
+#[path = "lab8/collided.rs"]
+mod collided;
 #[path = "lab8/crowds.rs"]
 mod crowds;
 #[path = "lab8/deal.rs"]
@@ -26,8 +28,6 @@ mod strip_examples;
 mod strips;
 #[path = "lab8/together.rs"]
 mod together;
-#[path = "lab8/told.rs"]
-mod told;
 #[path = "lab8/wires.rs"]
 mod wires;
 
@@ -71,9 +71,9 @@ oracle::questions! {
     task_8_6 {
         after_a_step => "Five workers with three blocks of two discs each, and two collisions: the discs that each \
                          worker receives, and the discs of worker 0 before and after.",
-        told_discs = told::told_discs
+        collided_discs = collided::collided_discs
             => "Up to 70,000 discs with collisions, and the blocks of a worker: the discs that the worker receives.",
-        updates = told::updates => "The discs of a worker, and discs that arrive: the worker's discs afterwards.",
+        updates = collided::updates => "The discs of a worker, and discs that arrive: the worker's discs afterwards.",
     }
     task_8_7 {
         three_steps after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
@@ -128,10 +128,10 @@ oracle::questions! {
     task_8_11 {
         table_of_news after "8.10" => "A tower of eight discs on three ranks: the candidates that each rank takes, \
                                        leaves open, and reports to the others in three rounds.",
-        tells = news::tells => "Taken and open candidates of a rank: the news for each partner, the taken candidates \
-                                first.",
-        hears = news::hears => "News from other ranks, three times: the discs that are free, and the rival of each \
-                                disc.",
+        news_for_partners = news::news_for_partners => "Taken and open candidates of a rank: the news for each \
+                                                        partner, the taken candidates first.",
+        news_from_ranks = news::news_from_ranks => "News from other ranks, three times: the discs that are free, and \
+                                                    the rival of each disc.",
         together after "8.10" = together::together
             => "Two to five ranks that exchange their news: the candidates that they take together, which must be \
                 those that one rank would take.",

@@ -5,7 +5,7 @@ use lab10::{Engine, best_skin};
 use neighbour_list_core::kernels::Pair;
 use neighbour_list_core::list::lasting;
 use neighbour_list_core::{AnyProcessor, Bodies, Extent};
-use oracle::{Ask, Near, Random, whole};
+use oracle::{Ask, Near, Random, integers};
 
 use super::scenes::{Case, flat, squared};
 
@@ -24,8 +24,9 @@ pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {
             );
             let mut pairs = engine.outer.pairs.clone();
             pairs.sort_unstable();
-            let found =
-                || [whole(engine.bodies.id.iter().map(|&id| id as usize)), flat(&pairs)].concat();
+            let found = || {
+                [integers(engine.bodies.id.iter().map(|&id| id as usize)), flat(&pairs)].concat()
+            };
             ask.judge(&question, found, |found| {
                 let listed = Listed::read(&case.scene, found)?;
                 listed.are_all_within(CUTOFF * (1.0 + case.skin) * (1.0 + 1e-6))
@@ -140,7 +141,7 @@ pub(crate) fn inner_lists(random: &mut Random, ask: &mut impl Ask) {
 
 fn both_lists(engine: &Engine<NoStatistics>) -> Vec<f64> {
     let outer = &engine.outer.pairs;
-    let ids = whole(engine.bodies.id.iter().map(|&id| id as usize));
+    let ids = integers(engine.bodies.id.iter().map(|&id| id as usize));
     [ids, vec![outer.len() as f64], flat(outer), flat(&engine.inner.pairs)].concat()
 }
 

@@ -16,8 +16,8 @@ pub(crate) fn lengths(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..3000 {
         let mut density = random.magnitude(1e-6, 1e12);
         // A speed for which a window has this number of steps.
-        let whole = 1.0 + random.below(49) as f64;
-        let steps = [random.magnitude(1e-3, 1e3), random.between(1.0, 50.0), whole][case % 3];
+        let integer = 1.0 + random.below(49) as f64;
+        let steps = [random.magnitude(1e-3, 1e3), random.between(1.0, 50.0), integer][case % 3];
         let mut speed = 0.14 / (steps * 2.0 * CUTOFF * SQRT_2 * DT * density);
         match case % 40 {
             0 => speed = 0.0,

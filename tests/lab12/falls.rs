@@ -160,12 +160,12 @@ fn falls(random: &mut Random, ask: &mut impl Ask, kinds: &[Kind]) {
     }
 }
 
-pub(crate) fn told_by_the_ends(random: &mut Random, ask: &mut impl Ask) {
+pub(crate) fn decided_at_the_ends(random: &mut Random, ask: &mut impl Ask) {
     falls(random, ask, &TOLD_BY_THE_ENDS);
 }
 
 /// Asks about numbers that must be evaluated within the step. Every second number is bent.
-pub(crate) fn told_inside(random: &mut Random, ask: &mut impl Ask) {
+pub(crate) fn decided_inside(random: &mut Random, ask: &mut impl Ask) {
     falls(random, ask, &TOLD_INSIDE);
 }
 

@@ -3,7 +3,7 @@
 use common::Vec2;
 use integrators::State;
 use lab12::{CHI, Composition, LAMBDA, Motion, XI, slopes};
-use oracle::{Ask, Near, Random, whole};
+use oracle::{Ask, Near, Random, integers};
 
 /// A record of the requested drifts (0) and kicks (1). Drifts and kicks of zero duration are not
 /// recorded.
@@ -59,7 +59,7 @@ fn by_turns(composition: &Composition, dt: f64) -> Vec<Near> {
 
 /// Returns the numbers of drifts and kicks, followed by their fractions.
 fn numbers(Composition { drifts, kicks }: Composition) -> Vec<f64> {
-    [whole([drifts.len(), kicks.len()]), drifts, kicks].concat()
+    [integers([drifts.len(), kicks.len()]), drifts, kicks].concat()
 }
 
 pub(crate) fn velocity_verlet(_: &mut Random, ask: &mut impl Ask) {
@@ -165,7 +165,7 @@ pub(crate) fn runge_kutta(random: &mut Random, ask: &mut impl Ask) {
         let looks = Looks { at, sum };
         let name = format!("{n} particles in a ring, a step of {:?}", ring.h);
         let question = format!("{name}: number of evaluations");
-        ask.exact(&question, || whole([looks.at.len()]), || vec![4.0]);
+        ask.exact(&question, || integers([looks.at.len()]), || vec![4.0]);
         for k in 0..4 {
             let question = format!("{name}: x and y of each particle in evaluation {}", k + 1);
             let found = || looks.at.get(k).map_or(vec![], |at| flat(at));

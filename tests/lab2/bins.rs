@@ -3,7 +3,7 @@
 use common::Vec2;
 use common::soft::{CUTOFF, Particle};
 use lab2::{Grid, VecBins, take_leavers};
-use oracle::{Ask, Count, Near, Random, acceleration_of_pair, whole};
+use oracle::{Ask, Count, Near, Random, acceleration_of_pair, integers};
 
 use super::particles::{Binned, binned, ids, in_any_order, inside, particles_of};
 
@@ -29,7 +29,7 @@ fn refill(bins: &mut VecBins, n: usize, random: &mut Random, ask: &mut impl Ask)
         "{along} bins along a wall, filled again with {n} particles: number of bins that released their memory"
     );
     let poorer = bins.bins().iter().zip(&before).filter(|(bin, before)| bin.capacity() < **before);
-    ask.exact(&question, || whole([poorer.count()]), || vec![0.0]);
+    ask.exact(&question, || integers([poorer.count()]), || vec![0.0]);
     bins.put(particles[n]);
     let question = format!(
         "{along} bins along a wall, filled again with {n} particles, and particle {n} added afterwards: bin and id of \
@@ -131,8 +131,8 @@ impl Crowd {
             "{name}: number of particles in the bins around it that it was tested against (`tested`), including \
              itself"
         );
-        let looked_at = || whole([count.tested as usize]);
-        ask.exact(&question, looked_at, || whole([self.around(own).count()]));
+        let looked_at = || integers([count.tested as usize]);
+        ask.exact(&question, looked_at, || integers([self.around(own).count()]));
     }
 
     /// Returns the particles in the nine bins around `own`, including `own`.

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use common::Vec2;
 use common::soft::{CUTOFF, Particle};
 use lab2::{Gather, Grid, SortedBins};
-use oracle::{Ask, Count, Random, acceleration_of_pair, whole};
+use oracle::{Ask, Count, Random, acceleration_of_pair, integers};
 
 use super::particles::{Binned, binned, ids, particles_of};
 
@@ -65,10 +65,10 @@ fn sort(
         );
         let found = || {
             let span = bins.span(row, column..column + 1);
-            whole([span.start, span.end])
+            integers([span.start, span.end])
         };
         ask.exact(&question, found, || {
-            whole([bin, bin + 1].map(|end| all.iter().filter(|one| one.bin < end).count()))
+            integers([bin, bin + 1].map(|end| all.iter().filter(|one| one.bin < end).count()))
         });
     }
 }
@@ -127,8 +127,8 @@ impl Around {
         );
         ask.exact(&question, || vec![a.x, a.y], || self.sum());
         let question = format!("{name}: number of candidates tested, and number of pairs summed");
-        let found = || whole([count.tested as usize, count.seen as usize]);
-        ask.exact(&question, found, || whole([n, self.in_reach()]));
+        let found = || integers([count.tested as usize, count.seen as usize]);
+        ask.exact(&question, found, || integers([n, self.in_reach()]));
     }
 
     fn sum(&self) -> Vec<f64> {

@@ -3,7 +3,7 @@
 use common::soft::{CUTOFF, Observer, Particle, Simulation, Statistics};
 use lab3::Vanilla;
 use oracle::scenes::anywhere;
-use oracle::{Ask, Model, Random, whole};
+use oracle::{Ask, Model, Random, integers};
 use solution1::Tally;
 
 use super::bins::states;
@@ -35,9 +35,9 @@ pub(crate) fn steps(random: &mut Random, ask: &mut impl Ask) {
                 model.step();
                 states(&model.particles)
             });
-            let told = Simulation::statistics(&engine).map_or(0, |s| s.pair_tests) as usize;
+            let reported = Simulation::statistics(&engine).map_or(0, |s| s.pair_tests) as usize;
             let question = format!("{name}: number of pair tests reported to the observers");
-            ask.exact(&question, || whole([told]), || whole([n * n]));
+            ask.exact(&question, || integers([reported]), || integers([n * n]));
         }
     }
 }
@@ -72,5 +72,5 @@ pub(crate) fn observers(random: &mut Random, ask: &mut impl Ask) {
     let question = "150 particles on two threads: number of observers that were told about the 150 pair tests of \
                     exactly one particle. If an observer serves several particles, its sums depend on the order of the \
                     threads";
-    ask.exact(question, || whole([of_one]), || whole([150]));
+    ask.exact(question, || integers([of_one]), || integers([150]));
 }

@@ -13,14 +13,14 @@ pub(crate) struct Reading {
     /// The notice that was read. `None` if no notice was found.
     pub(crate) found: Option<Statistics>,
     /// The operations of both threads, in words.
-    pub(crate) told: String,
+    pub(crate) log: String,
 }
 
 impl Reading {
     /// Returns the notice that was read, the length of the words in bytes, and these bytes.
     fn into_numbers(self) -> Vec<f64> {
-        let read = [answer(self.found), vec![self.told.len() as f64]].concat();
-        read.into_iter().chain(self.told.bytes().map(f64::from)).collect()
+        let read = [answer(self.found), vec![self.log.len() as f64]].concat();
+        read.into_iter().chain(self.log.bytes().map(f64::from)).collect()
     }
 }
 
@@ -37,7 +37,7 @@ pub(crate) fn readings(posted: &Statistics) -> Vec<Reading> {
         posted: number("the flag", 0),
     };
     let readings = memory.readings(|| notice.post(posted), || notice.read());
-    readings.into_iter().map(|(found, told)| Reading { found, told }).collect()
+    readings.into_iter().map(|(found, log)| Reading { found, log }).collect()
 }
 
 /// Returns 1 and the numbers of a notice, or 0 if there is no notice.
@@ -46,7 +46,7 @@ fn answer(notice: Option<Statistics>) -> Vec<f64> {
 }
 
 /// Asks for notices with numbers of any size.
-pub(crate) fn whole(random: &mut Random, ask: &mut impl Ask) {
+pub(crate) fn posts(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..20 {
         let posted = drawn(random);
         let notice = Notice::default();
@@ -79,22 +79,22 @@ pub(crate) fn orderings(_: &mut Random, ask: &mut impl Ask) {
         let mut rest = found;
         while !rest.is_empty() {
             let reading = next_reading(&mut rest).ok_or("the answer is not complete")?;
-            let Reading { found, told } = reading;
+            let Reading { found, log } = reading;
             if let Some(read) = found.filter(|read| *read != posted) {
                 let both = format!("{read:?} was read, but {posted:?} was posted");
-                return Err(format!("the flag was seen, but not all numbers: {both}\n{told}"));
+                return Err(format!("the flag was seen, but not all numbers: {both}\n{log}"));
             }
-            if let Some(words) = too_much(&told) {
-                return Err(format!("{words}\n{told}"));
+            if let Some(words) = too_much(&log) {
+                return Err(format!("{words}\n{log}"));
             }
         }
         Ok(())
     });
 }
 
-/// Names an operation in `told` that is stronger than necessary or repeated. Returns `None` if all
+/// Names an operation in `log` that is stronger than necessary or repeated. Returns `None` if all
 /// operations are needed.
-fn too_much(told: &str) -> Option<String> {
+fn too_much(log: &str) -> Option<String> {
     let needed = [
         "writes the flag, Release",
         "reads  the flag, Acquire",
@@ -104,10 +104,10 @@ fn too_much(told: &str) -> Option<String> {
     let is_needed = |line: &&str| {
         line.contains(", Relaxed") || needed.iter().any(|needed| line.contains(needed))
     };
-    if let Some(line) = told.lines().find(|line| !is_needed(line)) {
+    if let Some(line) = log.lines().find(|line| !is_needed(line)) {
         return Some(format!("'{}': a weaker ordering is sufficient", line.trim()));
     }
-    let looks = told.lines().filter(|line| line.contains("reads  the flag")).count();
+    let looks = log.lines().filter(|line| line.contains("reads  the flag")).count();
     (looks > 1).then(|| format!("the flag is read {looks} times instead of once"))
 }
 
@@ -128,5 +128,5 @@ fn next_reading(rest: &mut &[f64]) -> Option<Reading> {
     };
     let length = take(1)?[0] as usize;
     let bytes = take(length)?.iter().map(|byte| *byte as u8).collect();
-    Some(Reading { found, told: String::from_utf8(bytes).ok()? })
+    Some(Reading { found, log: String::from_utf8(bytes).ok()? })
 }

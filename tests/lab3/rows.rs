@@ -1,7 +1,7 @@
 //! Questions about the rows that a worker owns.
 
 use lab3::own_rows;
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 
 /// Asks for the owners of few and many rows among few and many workers, and of the greatest numbers
 /// of rows.
@@ -21,7 +21,7 @@ pub(crate) fn owners(random: &mut Random, ask: &mut impl Ask) {
         );
         let found = || {
             let each = (0..workers).map(|worker| own_rows(worker, workers, rows));
-            whole(each.flat_map(|own| [own.start, own.end]))
+            integers(each.flat_map(|own| [own.start, own.end]))
         };
         ask.judge(&question, found, |found| are_shared_out(rows, found));
     }

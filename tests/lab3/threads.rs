@@ -7,7 +7,7 @@ use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 
 use lab3::on_threads;
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 use parking_lot::Mutex;
 
 /// Time that a thread waits for others that may never come.
@@ -67,9 +67,9 @@ pub(crate) fn gatherings(random: &mut Random, ask: &mut impl Ask) {
             "{threads} threads: number that work at the same time, number that have ended when the call returns, and \
              number that are new and different"
         );
-        ask.exact(&question, || whole([most, ended, different]), || whole([threads; 3]));
+        ask.exact(&question, || integers([most, ended, different]), || integers([threads; 3]));
         let question = format!("{threads} threads: the numbers that they get, in ascending order");
-        ask.exact(&question, || whole(numbers), || whole(0..threads));
+        ask.exact(&question, || integers(numbers), || integers(0..threads));
     }
     // A submission may not start this number of threads.
     ask.in_tests_only(|| {

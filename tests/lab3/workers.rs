@@ -6,7 +6,7 @@ use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Observer, Particle};
 use lab3::{Worker, pool, sum_and_move};
 use oracle::scenes::anywhere;
-use oracle::{Ask, Model, Random, truth, whole};
+use oracle::{Ask, Model, Random, integers, truth};
 use solution1::{Tally, advance};
 use solution2::{Gather, Grid, VecBins};
 
@@ -85,7 +85,7 @@ impl Case {
             }
             counts.extend(count);
         }
-        whole(counts)
+        integers(counts)
     }
 
     fn name(&self) -> String {
@@ -98,7 +98,7 @@ impl Case {
 /// Returns the pairs within the cutoff and the pair tests of each tally.
 pub(crate) fn counts(seen: &[Tally]) -> Vec<f64> {
     let seen = seen.iter().map(|tally| tally.statistics().expect("a tally has statistics"));
-    whole(seen.flat_map(|s| [s.navg as usize, s.pair_tests as usize]))
+    integers(seen.flat_map(|s| [s.navg as usize, s.pair_tests as usize]))
 }
 
 /// Asks for the forces on the particles of some rows. One worker repeats this several times,

@@ -6,26 +6,26 @@ use std::ops::Range;
 use common::soft::Particle;
 use common_mpi::Wire;
 use lab5::{Cut, Parcel, border_copies, replace_ghosts, sort_by_receiver, take_leavers_of_block};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 use solution2::VecBins;
 
 use super::blocks::{Blocks, blocks_of, owners_of, same, wires};
 
 /// Asks for all cuts of few rows among few ranks.
 pub(crate) fn few_rows(_: &mut Random, ask: &mut impl Ask) {
-    const FEW: usize = 30;
-    for (rows, ranks) in (1..=FEW).flat_map(|rows| (1..=FEW).map(move |ranks| (rows, ranks))) {
+    const MOST: usize = 30;
+    for (rows, ranks) in (1..=MOST).flat_map(|rows| (1..=MOST).map(move |ranks| (rows, ranks))) {
         let (cut, name) = (Cut { rows, ranks }, format!("{rows} rows on {ranks} ranks"));
         let ends = |block: Range<usize>| [block.start, block.end];
         ask.exact(
             &format!("{name}: start and end of each block"),
-            || whole((0..ranks).flat_map(|rank| ends(cut.block(rank)))),
-            || whole(blocks_of(cut).into_iter().flat_map(ends)),
+            || integers((0..ranks).flat_map(|rank| ends(cut.block(rank)))),
+            || integers(blocks_of(cut).into_iter().flat_map(ends)),
         );
         ask.exact(
             &format!("{name}: rank that owns each row"),
-            || whole((0..rows).map(|row| cut.owner(row))),
-            || whole(owners_of(&blocks_of(cut))),
+            || integers((0..rows).map(|row| cut.owner(row))),
+            || integers(owners_of(&blocks_of(cut))),
         );
     }
 }
@@ -41,7 +41,7 @@ pub(crate) fn many_rows(random: &mut Random, ask: &mut impl Ask) {
         for rank in [0, ranks - 1, random.below(ranks), random.below(ranks)] {
             let block = || cut.block(rank);
             let question = format!("{name}: start and end of the block of rank {rank}");
-            let found = || whole([block().start, block().end]);
+            let found = || integers([block().start, block().end]);
             ask.judge(&question, found, |found| {
                 begins_there("it starts", found.first(), rank, cut)?;
                 begins_there("it ends", found.get(1), rank + 1, cut)
@@ -49,7 +49,7 @@ pub(crate) fn many_rows(random: &mut Random, ask: &mut impl Ask) {
         }
         for row in [0, rows - 1, random.below(rows), random.below(rows)] {
             let question = format!("{name}: rank that owns row {row}");
-            ask.judge(&question, || whole([cut.owner(row)]), |found| owns(found, row, cut));
+            ask.judge(&question, || integers([cut.owner(row)]), |found| owns(found, row, cut));
         }
     }
 }
@@ -163,7 +163,7 @@ pub(crate) fn parcels(random: &mut Random, ask: &mut impl Ask) {
         }
         let lists = sort_by_receiver(&blocks.grid, &blocks.cut, &parcels);
         let question = format!("{}: number of lists", blocks.name(case));
-        ask.exact(&question, || whole([lists.len()]), || whole([ranks]));
+        ask.exact(&question, || integers([lists.len()]), || integers([ranks]));
         for rank in 0..ranks {
             let list = lists.get(rank).cloned().unwrap_or_default();
             let name = format!("{}, list for rank {rank}", blocks.name(case));
@@ -208,7 +208,7 @@ pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
         same(&blocks.grid, &question, wires(bins.particles()), right, ask);
         let astray = || {
             let all = bins.bins().iter().enumerate();
-            whole(all.flat_map(|(bin, inside)| {
+            integers(all.flat_map(|(bin, inside)| {
                 inside.iter().filter(move |p| blocks.grid.bin(p) != bin).map(|p| p.id as usize)
             }))
         };

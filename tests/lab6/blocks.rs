@@ -2,7 +2,7 @@
 //! ghosts.
 
 use lab6::{Cuts, balanced, interior_rows, neighbours};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 
 /// Asks for the starts of blocks. Rows have few particles, or more than 32 bits can count; the sum
 /// fits into 64 bits.
@@ -27,8 +27,8 @@ pub(crate) fn starts_of_blocks(random: &mut Random, ask: &mut impl Ask) {
         );
         ask.exact(
             &question,
-            || whole(balanced(&counts, ranks).starts),
-            || whole(starts(&counts, ranks)),
+            || integers(balanced(&counts, ranks).starts),
+            || integers(starts(&counts, ranks)),
         );
     }
 }
@@ -109,7 +109,7 @@ pub(crate) fn interiors(_: &mut Random, ask: &mut impl Ask) {
                 );
                 let found = || {
                     let interior = interior_rows(&(start..end), rows);
-                    whole([interior.start, interior.end])
+                    integers([interior.start, interior.end])
                 };
                 ask.judge(&question, found, |found| is_interior(found, start, end, rows));
             }

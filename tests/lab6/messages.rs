@@ -2,7 +2,7 @@
 
 use common_mpi::{Ghost, calls_made};
 use lab6::{exchange_all, exchange_beside};
-use oracle::{Ask, Random, begins_send, digest, no_other_calls, others_within, whole};
+use oracle::{Ask, Random, begins_send, digest, integers, no_other_calls, others_within};
 use oracle_mpi::{Rank, on_each};
 
 /// Number of items of a list in a long run.
@@ -90,7 +90,7 @@ fn counted(before: &[Vec<&str>], all: &[&str]) -> Vec<f64> {
     let under_way = first.iter().rev().take_while(|call| begins(call)).count();
     let others = first.iter().filter(|call| !begins(call) && !waits(call)).count();
     let later = all[first.len()..].iter().filter(|call| !waits(call)).count();
-    whole([before.len(), under_way, others, later])
+    integers([before.len(), under_way, others, later])
 }
 
 fn begins(call: &str) -> bool {

@@ -7,7 +7,7 @@ use common::soft::Particle;
 use common_mpi::Wire;
 use lab6::{Cuts, Leavers, keep_share, sort_leavers};
 use oracle::scenes::on_edges;
-use oracle::{Ask, Random, resident, whole};
+use oracle::{Ask, Random, integers, resident};
 use solution2::Grid;
 
 use super::blocks::{owner, starts};
@@ -140,7 +140,7 @@ pub(crate) fn large_scene(_: &mut Random, ask: &mut impl Ask) {
     let question = "1,048,576 particles in 64 rows on 64 ranks, rank 5: number of particles that it keeps, and bytes \
                     that it needs at most during the replays or reserves for its share; 0 for less than 8 bytes for \
                     each particle of the scene";
-    ask.apart(|ask| ask.exact(question, || kept_of(ALL, ROWS), || whole([ALL / ROWS, 0])));
+    ask.apart(|ask| ask.exact(question, || kept_of(ALL, ROWS), || integers([ALL / ROWS, 0])));
 }
 
 /// Returns the number of particles that the sixth rank keeps, and the memory that it needs. The
@@ -172,7 +172,7 @@ fn share(grid: &Grid, particles: &[Particle], ranks: usize, rank: usize, ask: &m
     let count = particles.len();
     let name = format!("rank {rank} of {ranks}, {count} particles in {} rows", grid.rows());
     let question = format!("{name}: row at which each block starts, then the number of rows");
-    ask.exact(&question, || whole(cuts.starts), || whole(starts_of(grid, particles, ranks)));
+    ask.exact(&question, || integers(cuts.starts), || integers(starts_of(grid, particles, ranks)));
     ask.exact(
         &format!("{name}: ids of the particles that it keeps, in ascending order"),
         || ids(&share),
@@ -184,7 +184,7 @@ fn share(grid: &Grid, particles: &[Particle], ranks: usize, rank: usize, ask: &m
     );
     // A rank that replays the scene once has stored all particles until it knew its own.
     let question = format!("{name}: number of times that it replays the scene");
-    ask.exact(&question, || whole([replays.get()]), || vec![2.0]);
+    ask.exact(&question, || integers([replays.get()]), || vec![2.0]);
 }
 
 /// Returns the starts of the blocks of these particles.

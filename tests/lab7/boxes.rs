@@ -2,7 +2,7 @@
 
 use hard_discs::{Span, Window};
 use lab7::{block_of, blocks_around, look_around, span};
-use oracle::{Ask, Near, Random, beside, whole};
+use oracle::{Ask, Near, Random, beside, integers};
 
 /// Asks for the swept boxes of fast and slow discs, in windows of any length.
 pub(crate) fn spans(random: &mut Random, ask: &mut impl Ask) {
@@ -63,16 +63,20 @@ pub(crate) fn blocks(random: &mut Random, ask: &mut impl Ask) {
             "a box from x = {:?} to {:?} and from y = {:?} to {:?}, in a square of side {side:?}: its block",
             x.low, x.high, y.low, y.high
         );
-        ask.exact(&question, || whole([block_of(x, y, side)]), || whole([smallest(x, y, side)]));
+        ask.exact(
+            &question,
+            || integers([block_of(x, y, side)]),
+            || integers([smallest(x, y, side)]),
+        );
     }
     for block in 0..21 {
         let found = || {
             let mut found = blocks_around(block);
             found.sort_unstable();
-            whole(found)
+            integers(found)
         };
         let question = format!("block {block}: the blocks around it, in ascending order");
-        ask.exact(&question, found, || whole(around(block)));
+        ask.exact(&question, found, || integers(around(block)));
     }
 }
 
@@ -147,7 +151,7 @@ pub(crate) fn looks_around(random: &mut Random, ask: &mut impl Ask) {
         ask.exact(&question, || pairs_looked_at(&blocks), || pairs_that_may_meet(&blocks));
     }
     let question = "70,000 discs in the block of the whole square: number of pairs tested";
-    ask.exact(question, || whole([looks_in_one_block(70_000)]), || whole([69_999 * 35_000]));
+    ask.exact(question, || integers([looks_in_one_block(70_000)]), || integers([69_999 * 35_000]));
 }
 
 fn looks_in_one_block(discs: u32) -> usize {

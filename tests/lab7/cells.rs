@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use hard_discs::{Entry, Square, Survey, expected_work};
 use lab7::{choose_windows, partners};
-use oracle::{Ask, Random, whole, within};
+use oracle::{Ask, Random, integers, within};
 
 use super::words::short;
 
@@ -41,12 +41,12 @@ pub(crate) fn columns(random: &mut Random, ask: &mut impl Ask) {
             );
             let found = || {
                 let partners = partners(&entries, k);
-                whole([partners.start, partners.end])
+                integers([partners.start, partners.end])
             };
             ask.exact(&question, found, || {
                 let last = entry.cell + u64::from(entry.further);
                 let shared = behind.iter().take_while(|entry| entry.cell <= last).count();
-                whole([k + 1, k + 1 + shared])
+                integers([k + 1, k + 1 + shared])
             });
         }
     }
@@ -63,11 +63,11 @@ pub(crate) fn far_columns(_: &mut Random, ask: &mut impl Ask) {
         );
         let found = || {
             let partners = partners(&entries, 0);
-            whole([partners.start, partners.end])
+            integers([partners.start, partners.end])
         };
         ask.exact(&question, found, || {
             let is_shared = cells[1] <= cells[0] + u64::from(further);
-            whole([1, 1 + usize::from(is_shared)])
+            integers([1, 1 + usize::from(is_shared)])
         });
     }
 }
@@ -81,10 +81,10 @@ pub(crate) fn many_columns(_: &mut Random, ask: &mut impl Ask) {
         within("7.13", 60, || {
             let entries: Vec<Entry> =
                 (0..1_000_000).map(|k: u32| Entry::new(u64::from(k), k % 3, k, true)).collect();
-            whole([(0..entries.len()).map(|k| partners(&entries, k).len()).sum()])
+            integers([(0..entries.len()).map(|k| partners(&entries, k).len()).sum()])
         })
     };
-    ask.exact(question, found, || whole([999_998]));
+    ask.exact(question, found, || integers([999_998]));
 }
 
 /// A survey of discs for planning a step: slow or fast, sparse or dense, with or without crowds.
@@ -149,7 +149,7 @@ pub(crate) fn plans(random: &mut Random, ask: &mut impl Ask) {
              windows",
             square.side, square.radius
         );
-        let found = || whole([choose_windows(&survey, square, crowding)]);
+        let found = || integers([choose_windows(&survey, square, crowding)]);
         ask.judge(&question, found, |found| plan.is_cheapest(found));
     }
 }

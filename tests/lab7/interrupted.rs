@@ -15,7 +15,7 @@ use std::time::Duration;
 
 use hard_discs::{Candidate, Hit, LockedCount, SharedCount, Slots};
 use lab7::{append_atomic, append_locked, next_part};
-use oracle::{Ask, Random, truth, whole};
+use oracle::{Ask, Random, integers, truth};
 
 /// Time that a worker waits for another worker that may never come.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -84,8 +84,12 @@ pub(crate) fn interrupted_queue(random: &mut Random, ask: &mut impl Ask) {
         );
         ask.exact(
             &question,
-            || whole(parts_of_two(n, places).into_iter().flat_map(|part| [part.start, part.end])),
-            || whole((0..n).step_by(10).flat_map(|start| [start, start + 10])),
+            || {
+                integers(
+                    parts_of_two(n, places).into_iter().flat_map(|part| [part.start, part.end]),
+                )
+            },
+            || integers((0..n).step_by(10).flat_map(|start| [start, start + 10])),
         );
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use hard_discs::{Schedule, Team};
 use lab7::{fixed_part, inner, nested, outer};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 
 /// A way of sharing out the loops over all pairs.
 pub(crate) type Loop = fn(usize, Team, Schedule, &(dyn Fn(usize, usize, Range<usize>) + Sync));
@@ -114,7 +114,7 @@ pub(crate) fn fixed_loops(random: &mut Random, ask: &mut impl Ask) {
                     let looks = looks(n, team, Schedule::Static, share, |list, a, partners| {
                         partners.take(100).map(|b| [a, b, list]).collect()
                     });
-                    whole([own_parts(n, workers), looks].concat())
+                    integers([own_parts(n, workers), looks].concat())
                 };
                 let question = format!(
                     "{name} of {n} discs, {workers} workers, fixed parts: begin and end for each worker of the lab's \
@@ -159,7 +159,7 @@ pub(crate) fn queued_loops(random: &mut Random, ask: &mut impl Ask) {
                     let step = if which == OUTER { 1 } else { partners.len().max(1) };
                     partners.step_by(step).map(|b| [a, b, b + step]).collect()
                 });
-                whole([own_parts(n, workers), looks].concat())
+                integers([own_parts(n, workers), looks].concat())
             };
             let question = format!(
                 "{name} of {n} discs, {workers} workers, chunks of {chunk}: begin and end for each worker of the lab's \

@@ -2,7 +2,7 @@
 
 use hard_discs::{Candidate, Hit, LockedCount, SharedCount, Slots};
 use lab7::{append_atomic, append_locked, fixed_part, next_part};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 
 use super::words::{EACH, number, values};
 
@@ -16,7 +16,7 @@ pub(crate) fn parts(random: &mut Random, ask: &mut impl Ask) {
             );
             ask.judge(
                 &question,
-                || whole((0..workers).map(part).flat_map(|part| [part.start, part.end])),
+                || integers((0..workers).map(part).flat_map(|part| [part.start, part.end])),
                 |found| are_even_parts(found, n, workers),
             );
         }
@@ -63,14 +63,14 @@ pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
                 // Asks for a few parts more than there are, so that parts after the end are
                 // noticed.
                 let parts = (0..n.div_ceil(chunk) + 2).filter_map(|_| next_part(&next, n, chunk));
-                whole(parts.flat_map(|part| [part.start, part.end]))
+                integers(parts.flat_map(|part| [part.start, part.end]))
             };
             let question = format!(
                 "{n} iterations from the queue in chunks of {chunk}, with two more calls after the end: begin and end \
                  of each part"
             );
             ask.exact(&question, found, || {
-                whole((0..n).step_by(chunk).flat_map(|start| [start, n.min(start + chunk)]))
+                integers((0..n).step_by(chunk).flat_map(|start| [start, n.min(start + chunk)]))
             });
         }
     }

@@ -46,14 +46,21 @@ pub(crate) fn refuses_bad_input() {
         ("a radius of zero", GOOD.replace("10 1 2", "10 0 2"), 1),
     ] {
         let output = program(&input, &["-t", "1"]);
-        let said = String::from_utf8_lossy(&output.stderr);
+        let message = String::from_utf8_lossy(&output.stderr);
         assert!(!output.status.success(), "{what} is accepted, but must be refused");
         assert!(
             output.stdout.is_empty(),
             "{what}: the program writes discs although it refuses the input"
         );
-        assert_eq!(said.lines().count(), 1, "{what} must cause one line of error, not:\n{said}");
-        assert!(said.contains(&format!("line {line}: ")), "{what} in line {line}, it says: {said}");
+        assert_eq!(
+            message.lines().count(),
+            1,
+            "{what} must cause one line of error, not:\n{message}"
+        );
+        assert!(
+            message.contains(&format!("line {line}: ")),
+            "{what} in line {line}, it says: {message}"
+        );
     }
 }
 

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use hard_discs::{Schedule, Team, Workers};
 use lab7::nested;
-use oracle::{Ask, Random, Share, whole};
+use oracle::{Ask, Random, Share, integers};
 
 use super::loops::{INNER, Loop, NESTED, OUTER, SHARES};
 
@@ -22,8 +22,8 @@ pub(crate) fn held_up(_: &mut Random, ask: &mut impl Ask) {
                 "{name} of {N} discs from a queue in parts of {chunk}, 2 workers, of which the worker with disc 0 is \
                  delayed: rows that the other worker does meanwhile"
             );
-            let found = || whole(rows_of_the_other(N, chunk, share));
-            ask.exact(&question, found, || whole(chunk..N - 1));
+            let found = || integers(rows_of_the_other(N, chunk, share));
+            ask.exact(&question, found, || integers(chunk..N - 1));
         }
     }
 }
@@ -101,7 +101,7 @@ fn threads_of(
 pub(crate) fn fresh_teams(_: &mut Random, ask: &mut impl Ask) {
     let question = "both loops of 20 discs, on a team of 2 that waits for work: number of parts of a row's second \
                     worker that a thread of that team did";
-    ask.exact(question, || whole([parts_of_standing_threads()]), || whole([0]));
+    ask.exact(question, || integers([parts_of_standing_threads()]), || integers([0]));
 }
 
 fn parts_of_standing_threads() -> usize {

@@ -15,7 +15,7 @@ use super::wires::{DISC, disc, same_discs, wires};
 
 /// Asks for the messages about discs of held blocks that have collided: few and many, with walls
 /// and with discs of any block.
-pub(crate) fn told_discs(random: &mut Random, ask: &mut impl Ask) {
+pub(crate) fn collided_discs(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(4097).into_iter().chain([70_000]).filter(|&n| n > 0) {
         let discs: Vec<Disc> = (0..n).map(|_| disc(random)).collect();
         let ranks = 1 + random.below(9);

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use common::hard::Disc;
 use hard_disc_ranks::{Deal, Job, Part};
 use lab8::{distance, jobs, offsets, search_job};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 use solution5::Cut;
 use solution7::{Candidate, Hit, pair_hit};
 
@@ -16,7 +16,7 @@ pub(crate) fn few_blocks(_: &mut Random, ask: &mut impl Ask) {
     for workers in (1..70).chain([100, 127, 128, 255, 256, 257, 300, 600]) {
         ask.judge(
             &format!("{workers} workers: the blocks of worker 0"),
-            || whole(offsets(workers)),
+            || integers(offsets(workers)),
             |found| {
                 let found: Vec<usize> = found.iter().map(|&block| block as usize).collect();
                 by_the_rule(&found, workers)
@@ -80,7 +80,7 @@ pub(crate) fn dealt(random: &mut Random, ask: &mut impl Ask) {
             let numbers = |job: Job| [job.row, job.column, job.part as usize];
             ask.judge(
                 &question,
-                || whole(jobs(&deal, worker).into_iter().flat_map(numbers)),
+                || integers(jobs(&deal, worker).into_iter().flat_map(numbers)),
                 |found| {
                     let found: Vec<usize> = found.iter().map(|&number| number as usize).collect();
                     one_of_each_distance(&deal, worker, &found)
@@ -179,8 +179,8 @@ fn search(discs: &[Disc], blocks: &Cut, job: Job, ask: &mut impl Ask) {
     let tests = search_job(discs, blocks, &job, 1.0, &mut found) as usize;
     ask.exact(
         &format!("{name}: number of pair tests"),
-        || whole([tests]),
-        || whole([pairs_of(&job, blocks).len()]),
+        || integers([tests]),
+        || integers([pairs_of(&job, blocks).len()]),
     );
     ask.exact(
         &format!("{name}: {CANDIDATE} of each candidate, and of one from before"),

@@ -9,7 +9,7 @@ use hard_disc_ranks::{DiscWire, Team};
 use lab8::{VARIANTS, collect, hand_out};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::{Ask, Random, begins_send, digest, truth, whole};
+use oracle::{Ask, Random, begins_send, digest, integers, truth};
 use oracle_mpi::{DiscsOnRanks, Rank, on_each};
 
 /// Number of discs of a list in a long run.
@@ -59,7 +59,7 @@ pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
             let found = rank.call("hand_out", |world| hand_out(world, team, own));
             let name = name_of(team, rank, most);
             let question = format!("{name}: number of sends begun before it waits for one");
-            ask.exact(&question, || whole([sends_begun()]), || whole([sends(team, rank)]));
+            ask.exact(&question, || integers([sends_begun()]), || integers([sends(team, rank)]));
             let question = format!("{name}: number of discs that it gets, and two sums of them");
             let worker = team.worker(rank.number as i32);
             let right = || worker.map_or_else(|| sums_of(&[]), |worker| sums_of(&lists[worker]));

@@ -106,7 +106,7 @@ pub(crate) fn counts_with_cuts(_: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn only_what_crosses(_: &mut Random, ask: &mut impl Ask) {
     let scene = scenes::random(4000, 0.1, 2.0, 813);
     let names = ["ghosts per step, all ranks", "bytes per step, busiest rank"];
-    let whole = (4000 * size_of::<DiscWire>()) as f64;
+    let all_bytes = (4000 * size_of::<DiscWire>()) as f64;
     spatial_cuts(&[4]).counters(ask, (&scene, 3), &names, |found| {
         if !(20.0..240.0).contains(&found[0]) {
             return Err(format!(
@@ -114,10 +114,10 @@ pub(crate) fn only_what_crosses(_: &mut Random, ask: &mut impl Ask) {
                 found[0]
             ));
         }
-        match found[1] < whole / 4.0 {
+        match found[1] < all_bytes / 4.0 {
             true => Ok(()),
             false => Err(format!(
-                "a rank sends {} bytes in a step; all discs together have {whole} bytes",
+                "a rank sends {} bytes in a step; all discs together have {all_bytes} bytes",
                 found[1]
             )),
         }

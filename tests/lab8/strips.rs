@@ -3,7 +3,7 @@
 
 use hard_disc_ranks::{DiscWire, Reach, Strips};
 use lab8::{ghosts_for, looks_at, reached};
-use oracle::{Ask, Random, beside, whole};
+use oracle::{Ask, Random, beside, integers};
 use solution6::Cuts;
 
 use super::wires::{DISC, same_discs, wires};
@@ -58,7 +58,7 @@ pub(crate) fn boxes(random: &mut Random, ask: &mut impl Ask) {
              {bottom:?} on, and strips that begin at rows {:?}: first and last rank that the box reaches",
             disc.y, disc.vy, cuts.starts
         );
-        let ends = |reach: Reach| whole([reach.first, reach.last]);
+        let ends = |reach: Reach| integers([reach.first, reach.last]);
         ask.exact(
             &question,
             || ends(reached(&strips, &disc, reach)),
@@ -73,8 +73,8 @@ pub(crate) fn lookers(_: &mut Random, ask: &mut impl Ask) {
     for (a, b) in all().flat_map(|a| all().map(move |b| (a, b))) {
         ask.exact(
             &format!("a pair of discs whose boxes reach {a:?} and {b:?}: ranks that test it"),
-            || whole((0..5).filter(|&rank| looks_at(rank, a, b))),
-            || whole((0..5).filter(|&rank| a.contains(rank) && b.contains(rank)).take(1)),
+            || integers((0..5).filter(|&rank| looks_at(rank, a, b))),
+            || integers((0..5).filter(|&rank| a.contains(rank) && b.contains(rank)).take(1)),
         );
     }
 }
@@ -94,8 +94,8 @@ pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
         let name = format!("{n} own discs, {ranks} strips, partners {partners:?}");
         ask.exact(
             &format!("{name}: number of lists"),
-            || whole([lists.len()]),
-            || whole([partners.len()]),
+            || integers([lists.len()]),
+            || integers([partners.len()]),
         );
         for (k, partner) in partners.iter().enumerate() {
             let question = format!("{name}: {DISC} of each ghost for rank {partner}");

@@ -65,13 +65,13 @@ impl Ranks {
         let mut has_ended = false;
         for _ in 0..100 {
             all.iter_mut().for_each(take_certain);
-            has_ended = all.iter().all(|d| d.front.is_empty() && d.told == d.taken.len());
+            has_ended = all.iter().all(|d| d.front.is_empty() && d.reported == d.taken.len());
             if has_ended {
                 break;
             }
             let news: Vec<Vec<CandidateWire>> = (0..ranks).map(|to| news_to(&all, to)).collect();
             for (decisions, news) in all.iter_mut().zip(&news) {
-                decisions.told = decisions.taken.len();
+                decisions.reported = decisions.taken.len();
                 hear(decisions, news);
             }
         }

@@ -9,7 +9,7 @@ use oracle::{Ask, Random, scenes};
 use super::adapter::{adapter, adapter_with_doubles};
 use super::launched::sums_before;
 
-pub(super) fn whole(all: &[u32]) -> Vec<f64> {
+pub(super) fn integers(all: &[u32]) -> Vec<f64> {
     all.iter().copied().map(f64::from).collect()
 }
 
@@ -24,7 +24,7 @@ pub(crate) fn scans(random: &mut Random, ask: &mut impl Ask) {
             let question = format!(
                 "{n} numbers{list}, workgroups of {threads}: for each number the sum of the numbers before it"
             );
-            let found = || whole(&sums_before(gpu, &numbers, threads));
+            let found = || integers(&sums_before(gpu, &numbers, threads));
             ask.exact(&question, found, || before_each(&numbers));
         }
     }
@@ -95,7 +95,7 @@ fn bins_of(engine: &mut SoftDiscs<Lab9, Double>, name: &str, scene: &Scene, ask:
             engine.read(0, &mut particles);
             let positions = particles.iter().flat_map(|p| [p.x, p.y]).collect();
             let sorted = engine.sort();
-            [positions, whole(&sorted.ids), whole(&sorted.starts)].concat()
+            [positions, integers(&sorted.ids), integers(&sorted.starts)].concat()
         };
         ask.judge(&question, found, |found| are_sorted(found, scene));
     }

@@ -93,7 +93,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         self.n = n;
         self.settle(grid, cuts, share);
         if self.remainder_last {
-            self.cut_anew(Cuts::remainder_last(grid.rows(), self.ranks()));
+            self.cut_again(Cuts::remainder_last(grid.rows(), self.ranks()));
         }
         self.observer = O::default();
         self.traffic = Traffic::default();

@@ -111,7 +111,7 @@ impl Near {
 }
 
 /// Returns integers as an answer.
-pub fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
+pub fn integers(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
     numbers.into_iter().map(|number| number as f64).collect()
 }
 
