@@ -122,11 +122,11 @@ const LONG: usize = 30;
 /// Lines that are given in some file, or that were in an earlier answer, do not count.
 #[test]
 fn no_line_of_an_answer_is_in_a_class_s_tree() {
-    let whole = Kit::find().unwrap();
+    let own_kit = Kit::find().unwrap();
     let (mut public, mut answers) = (String::new(), BTreeSet::new());
-    for number in whole.solutions() {
+    for number in own_kit.solutions() {
         let due = number < lab("3");
-        for file in answers::read_solution(&whole, number).unwrap() {
+        for file in answers::read_solution(&own_kit, number).unwrap() {
             for part in file.parts {
                 if due || matches!(part, Part::Given(_)) {
                     public += part.text();
