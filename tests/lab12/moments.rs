@@ -118,7 +118,7 @@ impl Falling {
             return Err(format!("{outside} evaluations were outside the interval"));
         }
         if looks > 30.0 {
-            return Err(format!("there were {looks} evaluations, but there may be 30"));
+            return Err(format!("there were {looks} evaluations, but at most 30 are allowed"));
         }
         Ok(())
     }

@@ -27,7 +27,7 @@ pub(crate) fn news_for_partners(random: &mut Random, ask: &mut impl Ask) {
         decisions.reported = random.below(taken.len() + 1);
         for partner in [0, 2] {
             let question = format!(
-                "case {case}, {} taken candidates, {} of them told, {} in the front, news for rank {partner}: \
+                "case {case}, {} taken candidates, {} of them reported, {} in the front, news for rank {partner}: \
                  {CANDIDATE} of each candidate, and 1 if it is taken",
                 taken.len(),
                 decisions.reported,
