@@ -111,15 +111,15 @@ fn a_student_pulls_a_lab_beside_their_work() {
 #[test]
 fn a_lab_builds_on_the_students_own_labs_while_late_days_last() {
     let (folder, kit) = handout(&["1"]);
-    let whole = Kit::find().unwrap();
-    lay(&whole, lab("2"), folder.path(), Earlier::Own).unwrap();
+    let own_kit = Kit::find().unwrap();
+    lay(&own_kit, lab("2"), folder.path(), Earlier::Own).unwrap();
     assert!(kit.solutions().is_empty(), "lab 1 may still be handed in");
     let manifest = fs::read_to_string(kit.path("Cargo.toml")).unwrap();
     assert!(manifest.contains(r#"solution1 = { path = "labs/lab1", package = "lab1" }"#));
     let cargo = kit.cargo().args(["tree", "--locked", "--offline", "-p", "lab2"]).output().unwrap();
     let tree = String::from_utf8_lossy(&cargo.stdout);
     assert!(tree.contains("lab1 v"), "{tree}{}", String::from_utf8_lossy(&cargo.stderr));
-    lay(&whole, lab("2"), folder.path(), Earlier::Solutions).unwrap();
+    lay(&own_kit, lab("2"), folder.path(), Earlier::Solutions).unwrap();
     assert_eq!(kit.solutions(), [lab("1")]);
 }
 
