@@ -28,8 +28,8 @@ use sorted::*;
 oracle::questions! {
     task_2_1 {
         bins_table => "A box, the least side of a bin, and a number of particles: the number of bins along a wall, and \
-                       their side, which exceeds the least side by a margin. There are at least one bin and at most \
-                       eight bins for each particle.",
+                       their side, which exceeds the least side by a margin. There is at least one bin, and there are \
+                       at most eight for each particle.",
         columns_table => "A box of side 4 with four bins along a wall: the column, the row and the bin of a position. \
                           A position on a far wall is in the last column or row.",
         grids => "A box of any size with any number of particles: the number of bins along a wall.",
