@@ -123,7 +123,7 @@ mod tests {
     #[test]
     fn it_is_said_where() {
         let bytes = b"fn f() {}\n\n#[no_mangle]\nfn g() {}".to_vec();
-        let said = find(&[("src/data.txt".to_owned(), bytes)].into()).unwrap();
-        assert_eq!(said, "src/data.txt, line 3: no submission may say `no_mangle`");
+        let message = find(&[("src/data.txt".to_owned(), bytes)].into()).unwrap();
+        assert_eq!(message, "src/data.txt, line 3: no submission may say `no_mangle`");
     }
 }

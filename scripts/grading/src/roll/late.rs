@@ -96,9 +96,9 @@ impl Late {
         if time.duration_since(&due).as_secs_f64() <= 60.0 * self.grace {
             return 0;
         }
-        let whole = due.until((Unit::Day, &time)).map_or(0, |span| span.get_days());
-        let begins = due.checked_add(whole.days()).is_ok_and(|begins| begins < time);
-        u32::try_from(whole).unwrap_or(0) + u32::from(begins)
+        let full_days = due.until((Unit::Day, &time)).map_or(0, |span| span.get_days());
+        let begins = due.checked_add(full_days.days()).is_ok_and(|begins| begins < time);
+        u32::try_from(full_days).unwrap_or(0) + u32::from(begins)
     }
 }
 
