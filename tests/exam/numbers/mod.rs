@@ -2,19 +2,27 @@
 //! order.
 
 mod discs;
+pub mod draw;
 mod engines;
 mod messages;
 mod threads;
 
 use std::collections::BTreeMap;
 
+use draw::Inputs;
 use oracle::whole;
 
 /// A question and its numbers.
 type Numbers = (&'static str, Vec<f64>);
 
-pub(crate) fn all() -> BTreeMap<&'static str, Vec<f64>> {
-    [threads::numbers(), messages::numbers(), discs::numbers(), engines::numbers()]
+/// Computes the numbers of all answers, from the numbers that the questions print.
+pub fn all(inputs: &mut Inputs) -> BTreeMap<&'static str, Vec<f64>> {
+    [
+        threads::numbers(inputs),
+        messages::numbers(inputs),
+        discs::numbers(inputs),
+        engines::numbers(inputs),
+    ]
         .concat()
         .into_iter()
         .collect()

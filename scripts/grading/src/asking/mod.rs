@@ -74,6 +74,8 @@ pub(crate) struct Said {
     pub(crate) wrong: Option<String>,
     /// Share of the answers that are right, from 0 to 1.
     pub(crate) share: f64,
+    /// Names of the questions with a wrong answer.
+    pub(crate) failed: Vec<String>,
     /// Output of the program, cut to a maximal length.
     pub(crate) printed: String,
 }
@@ -131,12 +133,30 @@ impl Questions {
                 said[at].asked += asked.answers;
                 continue;
             }
-            said[at].add(self.ask_one(sandbox, folder, asked, seed)?, asked.limit);
-            if said[at].said.wrong.is_some() {
+            let answered = self.ask_one(sandbox, folder, asked, seed)?;
+            if !answered.judged.wrong.is_empty() {
+                said[at].said.failed.push(asked.question.test.clone());
                 wrong.insert(task.clone());
             }
+            said[at].add(answered, asked.limit);
         }
         Ok(said.into_iter().map(Marks::end).collect())
+    }
+
+    /// Runs a program on a task's worked example. Returns the example's text and the output.
+    pub(crate) fn example(
+        &self,
+        sandbox: &Sandbox,
+        folder: &Path,
+        task: &str,
+        seed: u64,
+    ) -> Result<Option<(&str, String)>> {
+        let mut questions = self.all.iter().map(|asked| &asked.question);
+        let Some(question) = questions.find(|question| question.task == task) else {
+            return Ok(None);
+        };
+        let answers = Answers::of(sandbox, folder, question, seed, PATIENCE * sandbox.limits.run)?;
+        Ok(Some((&question.text, answers.finished.stderr)))
     }
 
     /// Asks a submission a question.
