@@ -47,7 +47,7 @@ fn root(inputs: &mut Inputs) -> Vec<Numbers> {
 
 fn neighbours(inputs: &mut Inputs) -> Vec<Numbers> {
     let eager = inputs.one("6.2 eager", &[4096.0, 8192.0, 16_384.0]);
-    let ghosts = inputs.also("6.2 ghosts", (eager / 24.0).floor());
+    let ghosts = (eager / 24.0).floor();
     inputs.also("6.2 bytes", 24.0 * ghosts);
     let alpha = inputs.one("6.4 alpha", &[2.0, 1.0, 5.0]);
     let bytes = inputs.one("6.4 bytes", &[24_000.0, 36_000.0, 18_000.0]);

@@ -23,9 +23,9 @@ pub fn all(inputs: &mut Inputs) -> BTreeMap<&'static str, Vec<f64>> {
         discs::numbers(inputs),
         engines::numbers(inputs),
     ]
-        .concat()
-        .into_iter()
-        .collect()
+    .concat()
+    .into_iter()
+    .collect()
 }
 
 /// Returns for each number the sum of all numbers before it.

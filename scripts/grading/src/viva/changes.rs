@@ -181,3 +181,65 @@ impl Change {
         sources
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::{Change, Line, changes, only_change, own_lines, renamed};
+    use crate::record::number;
+    use lab_kit::Kit;
+    use lab_kit::files::read_text;
+    use lab_kit::submission::{Sources, of_solution};
+
+    #[test]
+    fn a_known_mistake_fits_a_line_with_different_names() {
+        let new = "for (particle, a) in own.iter_mut().zip(&self.all) {";
+        let old = "for (particle, a) in own.iter_mut().zip(&mut all) {";
+        let own = "for (disc, pull) in bin.iter_mut().zip(&mut rest) {";
+        let found = renamed(old, new, own).unwrap();
+        assert_eq!(found, "for (disc, pull) in bin.iter_mut().zip(&self.all) {");
+        assert_eq!(renamed("a.push(b);", "", "a.pop(b);"), None);
+        assert_eq!(renamed("a + a", "", "x + y"), None);
+        let body = "a;\n\n// why\nb;\nc;\n";
+        assert_eq!(only_change(body, "a;\nx;\nc;\n"), Some(("b;", "x;")));
+        assert_eq!(only_change(body, "a;\nc;\n"), Some(("b;", "")));
+        assert_eq!(only_change(body, "x;\nb;\ny;\n"), None);
+    }
+
+    #[test]
+    fn a_change_replaces_its_line() {
+        let sources: Sources = [("src/a.rs".into(), b"a\n  b\nc\n".to_vec())].into();
+        let line = Line { path: "src/a.rs".into(), at: 1, text: "b".into(), task: None };
+        let change = Change { line, new: "x".into(), story: None };
+        assert_eq!(change.applied(&sources)["src/a.rs"], b"a\nx\nc\n");
+    }
+
+    /// The sources of questions are those of a whole sheet, so no program is built here.
+    #[test]
+    fn each_outcome_has_an_oral_question_about_a_core_task() {
+        let kit = Kit::find().unwrap();
+        let mut asked = BTreeSet::new();
+        for lab in kit.solutions() {
+            let lines = own_lines(&kit, lab, &of_solution(&kit, lab).unwrap()).unwrap();
+            let facts = kit.facts(lab).unwrap();
+            for change in changes(&kit, lab, &lines).unwrap() {
+                let task = change.line.task.map(|task| task.to_string()).unwrap_or_default();
+                asked.extend(facts.tasks.get(&task).filter(|task| !task.optional).map(|_| task));
+            }
+        }
+        let mut outcomes = 0;
+        let page = read_text(&kit.path("book/src/instructor/outcomes.md")).unwrap();
+        let rows = page.lines().map(|line| line.split(" | ").map(str::trim).collect::<Vec<_>>());
+        for row in rows.filter(|row| row[0].trim_matches(['|', ' ']).parse::<u8>().is_ok()) {
+            // Tasks such as `3.1, 3.3–3.12`.
+            let runs: Vec<_> = row[2].split(", ").map(|run| run.split_once('–').unwrap_or((run, run))).collect();
+            let is_of = |task: &String| {
+                runs.iter().any(|(first, last)| (number(first)..=number(last)).contains(&number(task)))
+            };
+            assert!(asked.iter().any(is_of), "{row:?}");
+            outcomes += 1;
+        }
+        assert_eq!(outcomes, 18);
+    }
+}

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, anyhow, bail, ensure};
 use clap::Args;
 use tempfile::TempDir;
 
@@ -60,7 +60,7 @@ pub(crate) struct Options {
 
 /// Writes the sheets.
 pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
-    let (lab, run, build) = (options.lab, Duration::from_secs(10), Duration::from_secs(120));
+    let (lab, run, build) = (options.lab, Duration::from_secs(10), Duration::from_secs(600));
     let facts = rubric::read(kit, lab)?;
     let loopback = facts.workers == Workers::Ranks;
     let sandbox = Sandbox::find(kit, false, Limits { run, build, loopback })?;
@@ -117,7 +117,8 @@ impl Examiner<'_> {
         if let Some(why) = forbidden::find(&sources) {
             bail!("{why}");
         }
-        let Some(own) = self.asked(&sources, seed)? else { bail!("it does not compile") };
+        let own = self.asked(&sources, seed)?;
+        let own = own.map_err(|why| anyhow!("it does not compile: {why}"))?;
         let mut lines = own_lines(self.kit, self.lab, &sources)?;
         let tasks: Vec<&String> = self.facts.tasks.keys().collect();
         lines.retain(|line| {
@@ -143,7 +144,7 @@ impl Examiner<'_> {
                 continue;
             }
             sheet.tried += 1;
-            let Some(said) = self.asked(&change.applied(&sources), seed)? else { continue };
+            let Ok(said) = self.asked(&change.applied(&sources), seed)? else { continue };
             let results = tasks.iter().copied().zip(own.iter().zip(&said));
             if sheet.ask_about_change(&sources, &change, results) {
                 changed.push(change.line.task);
@@ -152,11 +153,14 @@ impl Examiner<'_> {
         Ok(sheet)
     }
 
-    /// Asks a program all questions. Returns the result of each task; `None` if it does not compile.
-    fn asked(&self, sources: &Sources, seed: u64) -> Result<Option<Vec<Said>>> {
-        let Ok(folder) = self.tree.build(&self.sandbox, sources)? else { return Ok(None) };
+    /// Asks a program all questions. Returns the result of each task, or the compiler's errors.
+    fn asked(&self, sources: &Sources, seed: u64) -> Result<Result<Vec<Said>, String>> {
+        let folder = match self.tree.build(&self.sandbox, sources)? {
+            Ok(folder) => folder,
+            Err(why) => return Ok(Err(why)),
+        };
         let tasks = self.facts.tasks.keys().map(String::as_str);
-        self.questions.ask(&self.sandbox, folder.path(), tasks, seed).map(Some)
+        self.questions.ask(&self.sandbox, folder.path(), tasks, seed).map(Ok)
     }
 
     /// Adds a question about the number of executions of a line, and one about lines that run at the
