@@ -143,22 +143,6 @@ impl Questions {
         Ok(said.into_iter().map(Marks::end).collect())
     }
 
-    /// Runs a program on a task's worked example. Returns the example's text and the output.
-    pub(crate) fn example(
-        &self,
-        sandbox: &Sandbox,
-        folder: &Path,
-        task: &str,
-        seed: u64,
-    ) -> Result<Option<(&str, String)>> {
-        let mut questions = self.all.iter().map(|asked| &asked.question);
-        let Some(question) = questions.find(|question| question.task == task) else {
-            return Ok(None);
-        };
-        let answers = Answers::of(sandbox, folder, question, seed, PATIENCE * sandbox.limits.run)?;
-        Ok(Some((&question.text, answers.finished.stderr)))
-    }
-
     /// Asks a submission a question.
     ///
     /// Before an answer counts as wrong, the solution answers the same question with the same seed.

@@ -14,8 +14,6 @@ pub(crate) struct Question {
     pub(crate) test: String,
     /// Other tasks that the question needs.
     pub(crate) after: Vec<String>,
-    /// Sentence that a student reads.
-    pub(crate) text: String,
 }
 
 /// Reads the questions, in order.
@@ -34,8 +32,7 @@ fn question(line: &str) -> Option<Question> {
     let task = module.strip_prefix("task_")?.replacen('_', ".", 1);
     let after = after.split(',').map(str::trim).filter(|task| !task.is_empty());
     let after = after.map(String::from).collect();
-    let text = fields.next()?.to_owned();
-    Some(Question { task, test: format!("{module}::{name}"), after, text })
+    Some(Question { task, test: format!("{module}::{name}"), after })
 }
 
 #[cfg(test)]
@@ -44,16 +41,13 @@ mod tests {
 
     #[test]
     fn a_row_is_read() {
-        let row = |task: &str, test: &str, after: &[&str], text: &str| {
+        let row = |task: &str, test: &str, after: &[&str]| {
             let after = after.iter().map(ToString::to_string).collect();
-            Some(Question { task: task.into(), test: test.into(), after, text: text.into() })
+            Some(Question { task: task.into(), test: test.into(), after })
         };
         let line = "question|task_3_12|forces|3.1, 3.3|What | is asked.";
-        assert_eq!(
-            question(line),
-            row("3.12", "task_3_12::forces", &["3.1", "3.3"], "What | is asked.")
-        );
-        assert_eq!(question("question|task_1_1|a||x"), row("1.1", "task_1_1::a", &[], "x"));
+        assert_eq!(question(line), row("3.12", "task_3_12::forces", &["3.1", "3.3"]));
+        assert_eq!(question("question|task_1_1|a||x"), row("1.1", "task_1_1::a", &[]));
         assert_eq!(question("running 1 test"), None);
     }
 }

@@ -1,10 +1,8 @@
 //! Changes of one line in a student's own code: known mistakes, and small mutations.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use anyhow::Result;
-use ra_ap_rustc_lexer::{FrontmatterAllowed, TokenKind, tokenize};
 use similar::{DiffTag, TextDiff};
 
 use lab_kit::answers::{self, Task};
@@ -23,6 +21,8 @@ pub(super) struct Line {
     pub(super) text: String,
     /// Task whose `todo!` the line replaces; `None` in the student's own functions.
     pub(super) task: Option<Task>,
+    /// Whether the line before it ends a statement or begins a block.
+    pub(super) begins: bool,
 }
 
 /// A different text for one line.
@@ -36,27 +36,18 @@ pub(super) struct Change {
 }
 
 /// Operators and calls that a mutation replaces.
-const SWAPS: [(&str, &str); 15] = [
+const SWAPS: [(&str, &str); 10] = [
     (" < ", " <= "),
     (" <= ", " < "),
     (" > ", " >= "),
-    (" >= ", " > "),
     (" + 1", ""),
-    (" - 1", ""),
     (" + ", " - "),
     (" - ", " + "),
-    (" += ", " -= "),
-    ("..=", ".."),
     (" && ", " || "),
     (".min(", ".max("),
-    (".max(", ".min("),
     ("Release", "Relaxed"),
     (".par_iter_mut()", ".iter_mut()"),
 ];
-
-/// Words of the language, which no student can rename.
-const WORDS: [&str; 12] =
-    ["as", "else", "for", "if", "in", "let", "match", "move", "mut", "return", "self", "while"];
 
 /// Returns the lines of code that differ from the lab's starter.
 pub(super) fn own_lines(kit: &Kit, lab: Lab, sources: &Sources) -> Result<Vec<Line>> {
@@ -66,24 +57,25 @@ pub(super) fn own_lines(kit: &Kit, lab: Lab, sources: &Sources) -> Result<Vec<Li
         let before = given.get(Path::new(path)).map_or(&[][..], Vec::as_slice);
         let [before, after] = [before, bytes].map(String::from_utf8_lossy);
         // Indents differ where a student added a block.
-        let old: Vec<&str> = before.lines().map(str::trim).collect();
-        let new: Vec<&str> = after.lines().map(str::trim).collect();
+        let [old, new] =
+            [&before, &after].map(|text| text.lines().map(str::trim).collect::<Vec<_>>());
+        let is_code = |line: &str| !line.is_empty() && !line.starts_with("//");
         for change in TextDiff::from_slices(&old, &new).ops() {
-            if change.tag() == DiffTag::Equal {
-                continue;
-            }
             let task = old[change.old_range()].iter().find_map(|line| Some(todo(line)?.0.task));
-            let is_code = |at: &usize| !new[*at].is_empty() && !new[*at].starts_with("//");
-            for at in change.new_range().filter(is_code) {
-                let text = new[at].to_owned();
-                lines.push(Line { path: path.clone(), at, text, task });
+            let changed = change.new_range().filter(|_| change.tag() != DiffTag::Equal);
+            for at in changed.filter(|at| is_code(new[*at])) {
+                let (path, text) = (path.clone(), new[at].to_owned());
+                let last = new[..at].iter().rfind(|line| is_code(line));
+                let begins = last.is_none_or(|line| line.ends_with(['{', '}', ';']));
+                lines.push(Line { path, at, text, task, begins });
             }
         }
     }
     Ok(lines)
 }
 
-/// Returns all changes of a student's lines, known mistakes first.
+/// Returns all changes of a student's lines: known mistakes if the answer's line is theirs, and
+/// mutations.
 pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>> {
     let files = answers::read_solution(kit, lab)?;
     let mut changes = Vec::new();
@@ -91,18 +83,19 @@ pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>
         let mut regions = files.iter().flat_map(|file| file.regions());
         let Some(region) = regions.find(|region| region.id == known.region) else { continue };
         let Some((old, new)) = only_change(&region.body, &known.body) else { continue };
-        let places = lines.iter().filter(|line| line.task == Some(known.region.task));
-        let renamed = places.filter_map(|line| Some((line, renamed(old, new, &line.text)?)));
-        if let [(line, new)] = &renamed.collect::<Vec<_>>()[..] {
-            let story = Some(known.story.clone());
-            changes.push(Change { line: (*line).clone(), new: new.clone(), story });
-        }
+        let own =
+            lines.iter().find(|line| line.task == Some(known.region.task) && line.text == old);
+        changes.extend(own.map(|line| {
+            let (new, story) = (new.to_owned(), Some(known.story.clone()));
+            Change { line: line.clone(), new, story }
+        }));
     }
     for line in lines.iter().filter(|line| !line.text.contains('"')) {
-        let swapped = SWAPS.iter().filter(|(from, _)| line.text.contains(from));
-        let swapped = swapped.map(|(from, to)| line.text.replacen(from, to, 1));
-        let removed = is_whole(&line.text).then(String::new);
-        for new in swapped.chain(removed) {
+        let text = &line.text;
+        let swaps = SWAPS.iter().filter(|(from, _)| text.contains(from));
+        let swapped = swaps.map(|(from, to)| text.replacen(from, to, 1));
+        let is_call = line.begins && text.ends_with(");") && !text.contains('=');
+        for new in swapped.chain(is_call.then(String::new)) {
             changes.push(Change { line: line.clone(), new, story: None });
         }
     }
@@ -111,11 +104,10 @@ pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>
 
 /// Returns the only line that differs, and its new text; `None` if several differ.
 fn only_change<'a>(old: &'a str, new: &'a str) -> Option<(&'a str, &'a str)> {
-    let lines = |text: &'a str| -> Vec<&'a str> {
+    let [old, new] = [old, new].map(|text| {
         let code = text.lines().map(str::trim);
-        code.filter(|line| !line.is_empty() && !line.starts_with("//")).collect()
-    };
-    let (old, new) = (lines(old), lines(new));
+        code.filter(|line| !line.is_empty() && !line.starts_with("//")).collect::<Vec<_>>()
+    });
     let same = old.iter().zip(&new).take_while(|(old, new)| old == new).count();
     match (&old[same..], &new[same..]) {
         ([old, rest @ ..], after) if rest == after => Some((old, "")),
@@ -124,61 +116,15 @@ fn only_change<'a>(old: &'a str, new: &'a str) -> Option<(&'a str, &'a str)> {
     }
 }
 
-/// Whether a line is a statement that can be removed.
-fn is_whole(line: &str) -> bool {
-    let count = |open, close| line.matches(open).count() == line.matches(close).count();
-    let starts = ["let ", "return", "use ", ".", "}", ")"];
-    line.ends_with(';')
-        && !starts.iter().any(|start| line.starts_with(start))
-        && count('(', ')')
-        && count('{', '}')
-}
-
-/// Returns `new` with a student's names, if `own` is the line `old` with different names.
-fn renamed(old: &str, new: &str, own: &str) -> Option<String> {
-    let (old, own) = (tokens(old), tokens(own));
-    let mut names = BTreeMap::new();
-    let same = old.len() == own.len()
-        && old.iter().zip(&own).all(|(old, own)| match (old, own) {
-            ((old, true), (own, true)) => names.entry(*old).or_insert(*own) == own,
-            (old, own) => old == own,
-        });
-    let text = |(text, is_name): (&str, bool)| {
-        let name = names.get(text).filter(|_| is_name);
-        name.map_or(text, |name| name).to_owned()
-    };
-    same.then(|| tokens(new).into_iter().map(text).collect())
-}
-
-/// Returns the tokens of a line, and whether each is the name of a variable.
-fn tokens(line: &str) -> Vec<(&str, bool)> {
-    let (mut all, mut at): (Vec<(&str, bool)>, _) = (Vec::new(), 0);
-    for token in tokenize(line, FrontmatterAllowed::No) {
-        let text = &line[at..at + token.len as usize];
-        at += text.len();
-        let before = all.last().map_or("", |(text, _)| *text);
-        let is_name = token.kind == TokenKind::Ident
-            && text.starts_with(|c: char| c.is_lowercase() || c == '_')
-            && !WORDS.contains(&text)
-            && ![".", ":"].contains(&before)
-            && !line[at..].starts_with(['(', ':', '!']);
-        all.push((text, is_name));
-    }
-    all
-}
-
 impl Change {
-    /// Returns the sources with the change.
-    pub(super) fn applied(&self, sources: &Sources) -> Sources {
-        let mut sources = sources.clone();
-        let Line { path, at, .. } = &self.line;
-        if let Some(bytes) = sources.get_mut(path) {
+    /// Makes the change.
+    pub(super) fn apply(&self, sources: &mut Sources) {
+        if let Some(bytes) = sources.get_mut(&self.line.path) {
             let text = String::from_utf8_lossy(bytes).into_owned();
             let mut lines: Vec<&str> = text.lines().collect();
-            lines[*at] = &self.new;
+            lines[self.line.at] = &self.new;
             *bytes = (lines.join("\n") + "\n").into_bytes();
         }
-        sources
     }
 }
 
@@ -186,21 +132,14 @@ impl Change {
 mod tests {
     use std::collections::BTreeSet;
 
-    use super::{Change, Line, changes, only_change, own_lines, renamed};
+    use super::{Change, Line, changes, only_change, own_lines};
     use crate::record::number;
     use lab_kit::Kit;
     use lab_kit::files::read_text;
     use lab_kit::submission::{Sources, of_solution};
 
     #[test]
-    fn a_known_mistake_fits_a_line_with_different_names() {
-        let new = "for (particle, a) in own.iter_mut().zip(&self.all) {";
-        let old = "for (particle, a) in own.iter_mut().zip(&mut all) {";
-        let own = "for (disc, pull) in bin.iter_mut().zip(&mut rest) {";
-        let found = renamed(old, new, own).unwrap();
-        assert_eq!(found, "for (disc, pull) in bin.iter_mut().zip(&self.all) {");
-        assert_eq!(renamed("a.push(b);", "", "a.pop(b);"), None);
-        assert_eq!(renamed("a + a", "", "x + y"), None);
+    fn a_known_mistake_of_one_line_is_found() {
         let body = "a;\n\n// why\nb;\nc;\n";
         assert_eq!(only_change(body, "a;\nx;\nc;\n"), Some(("b;", "x;")));
         assert_eq!(only_change(body, "a;\nc;\n"), Some(("b;", "")));
@@ -209,10 +148,11 @@ mod tests {
 
     #[test]
     fn a_change_replaces_its_line() {
-        let sources: Sources = [("src/a.rs".into(), b"a\n  b\nc\n".to_vec())].into();
-        let line = Line { path: "src/a.rs".into(), at: 1, text: "b".into(), task: None };
-        let change = Change { line, new: "x".into(), story: None };
-        assert_eq!(change.applied(&sources)["src/a.rs"], b"a\nx\nc\n");
+        let mut sources: Sources = [("src/a.rs".into(), b"a\n  b\nc\n".to_vec())].into();
+        let (path, text) = ("src/a.rs".into(), "b".into());
+        let line = Line { path, at: 1, text, task: None, begins: false };
+        Change { line, new: "x".into(), story: None }.apply(&mut sources);
+        assert_eq!(sources["src/a.rs"], b"a\nx\nc\n");
     }
 
     /// The sources of questions are those of a whole sheet, so no program is built here.
@@ -233,9 +173,11 @@ mod tests {
         let rows = page.lines().map(|line| line.split(" | ").map(str::trim).collect::<Vec<_>>());
         for row in rows.filter(|row| row[0].trim_matches(['|', ' ']).parse::<u8>().is_ok()) {
             // Tasks such as `3.1, 3.3–3.12`.
-            let runs: Vec<_> = row[2].split(", ").map(|run| run.split_once('–').unwrap_or((run, run))).collect();
+            let runs: Vec<_> =
+                row[2].split(", ").map(|run| run.split_once('–').unwrap_or((run, run))).collect();
             let is_of = |task: &String| {
-                runs.iter().any(|(first, last)| (number(first)..=number(last)).contains(&number(task)))
+                runs.iter()
+                    .any(|(first, last)| (number(first)..=number(last)).contains(&number(task)))
             };
             assert!(asked.iter().any(is_of), "{row:?}");
             outcomes += 1;

@@ -8,17 +8,17 @@ mod changes;
 mod sheet;
 mod trace;
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
 use anyhow::{Result, anyhow, bail, ensure};
 use clap::Args;
-use tempfile::TempDir;
 
 use self::changes::{Line, changes, own_lines};
 use self::sheet::Sheet;
-use self::trace::{PARTICLES, STEPS, Trace, probed};
+use self::trace::{PARTICLES, STEPS, Trace, probe};
 use crate::asking::{JUDGE, Judge, Questions, Said};
 use crate::build::Tree;
 use crate::escape::line;
@@ -37,6 +37,10 @@ const QUESTIONS: usize = 5;
 /// Maximal number of changed programs that are built for a sheet. Some do not compile, and some
 /// pass all tests.
 const TRIES: usize = 16;
+
+/// Question about a changed line.
+const CHANGED: &str =
+    "Here is your program with one line changed. Which test fails, what does a user see, and why?";
 
 /// Write oral questions about each student's own program (for instructors)
 ///
@@ -117,123 +121,112 @@ impl Examiner<'_> {
         if let Some(why) = forbidden::find(&sources) {
             bail!("{why}");
         }
-        let own = self.asked(&sources, seed)?;
+        let own = self.failures(&sources, seed)?;
         let own = own.map_err(|why| anyhow!("it does not compile: {why}"))?;
         let mut lines = own_lines(self.kit, self.lab, &sources)?;
-        let tasks: Vec<&String> = self.facts.tasks.keys().collect();
-        lines.retain(|line| {
-            let task = line.task.map(|task| task.to_string());
-            task.and_then(|task| tasks.iter().position(|own| **own == task))
-                .is_none_or(|at| own[at].wrong.is_none())
-        });
+        lines.retain(|line| line.task.is_none_or(|task| !own.contains_key(&task.to_string())));
         ensure!(!lines.is_empty(), "no task of it is right");
-        let mut random = Random::new(seed);
-        let mut sheet = Sheet::default();
-        if let Ok(folder) = self.tree.build(&self.sandbox, &probed(&sources, &lines))? {
-            self.ask_about_runs(&folder, &sources, &lines, &mut random, &mut sheet)?;
-        }
+        let (mut random, mut sheet) = (Random::new(seed), Sheet::default());
+        self.ask_about_runs(&sources, &lines, &mut random, &mut sheet)?;
         let mut changes = changes(self.kit, self.lab, &lines)?;
         // Known mistakes come first, because their keys explain them.
         changes.sort_by_cached_key(|change| (change.story.is_none(), random.bits()));
-        let mut changed = Vec::new();
+        let mut asked = BTreeSet::new();
+        let mut tries = 0..TRIES;
         for change in changes {
-            if sheet.len() == QUESTIONS || sheet.tried == TRIES {
+            let is_new = !asked.contains(&change.line.task);
+            if sheet.questions.len() == QUESTIONS || is_new && tries.next().is_none() {
                 break;
             }
-            if change.line.task.is_some() && changed.contains(&change.line.task) {
-                continue;
+            let mut changed = sources.clone();
+            change.apply(&mut changed);
+            let failures = if is_new { self.failures(&changed, seed)? } else { continue };
+            let Ok(failures) = failures else { continue };
+            let mut key = String::new();
+            for (task, Said { failed, wrong, .. }) in &failures {
+                if !own.contains_key(task) && !failed.is_empty() {
+                    let wrong = wrong.as_deref().unwrap_or_default();
+                    key +=
+                        &format!("Fails: `{}`.\n\n```text\n{wrong}\n```\n\n", failed.join("`, `"));
+                }
             }
-            sheet.tried += 1;
-            let Ok(said) = self.asked(&change.applied(&sources), seed)? else { continue };
-            let results = tasks.iter().copied().zip(own.iter().zip(&said));
-            if sheet.ask_about_change(&sources, &change, results) {
-                changed.push(change.line.task);
+            if !key.is_empty() {
+                key += &change
+                    .story
+                    .map_or(String::new(), |story| format!("A known mistake: {story}"));
+                asked.extend(change.line.task.map(Some));
+                sheet.ask(&sources, &change.line, &change.new, CHANGED, key);
             }
         }
         Ok(sheet)
     }
 
-    /// Asks a program all questions. Returns the result of each task, or the compiler's errors.
-    fn asked(&self, sources: &Sources, seed: u64) -> Result<Result<Vec<Said>, String>> {
+    /// Asks a program all questions. Returns the tasks that are wrong, or the compiler's errors.
+    fn failures(
+        &self,
+        sources: &Sources,
+        seed: u64,
+    ) -> Result<Result<BTreeMap<String, Said>, String>> {
         let folder = match self.tree.build(&self.sandbox, sources)? {
             Ok(folder) => folder,
             Err(why) => return Ok(Err(why)),
         };
         let tasks = self.facts.tasks.keys().map(String::as_str);
-        self.questions.ask(&self.sandbox, folder.path(), tasks, seed).map(Ok)
+        let said = self.questions.ask(&self.sandbox, folder.path(), tasks, seed)?;
+        let all = self.facts.tasks.keys().cloned().zip(said);
+        Ok(Ok(all.filter(|(_, said)| said.wrong.is_some()).collect()))
     }
 
-    /// Adds a question about the number of executions of a line, and one about lines that run at the
-    /// same time.
+    /// Asks how often a line runs with one worker more, and which lines run at the same time.
     fn ask_about_runs(
         &self,
-        folder: &TempDir,
         sources: &Sources,
         lines: &[Line],
         random: &mut Random,
         sheet: &mut Sheet,
     ) -> Result<()> {
-        let run =
-            |variant: &str, workers| Trace::of_run(&self.sandbox, folder.path(), variant, workers);
-        let variants = self.facts.variants.iter().filter(|variant| variant.task.is_some());
-        let variants: Vec<&str> = variants.map(|variant| &*variant.name).collect();
-        let word = match self.facts.workers {
-            Workers::Ranks => "rank",
-            _ => "thread",
-        };
-        let mut counted = false;
-        if !variants.is_empty() && self.facts.workers != Workers::Device {
-            let variant = variants[random.below(variants.len())];
-            let (two, again, three) = (run(variant, 2)?, run(variant, 2)?, run(variant, 3)?);
-            // A count that differs from run to run, such as of repeated attempts, has no key.
-            let more =
-                two.counts.iter().filter(|(line, count)| again.counts.get(line) == Some(count));
-            let more =
-                more.filter_map(|(line, count)| Some((*line, *count, *three.counts.get(line)?)));
-            let more: Vec<_> = more.filter(|(_, count, after)| count != after).collect();
-            if !more.is_empty() {
-                let (at, before, after) = more[random.below(more.len())];
-                let question = format!(
-                    "`{variant}` takes {STEPS} steps with {PARTICLES} particles. With 2 {word}s it executes this line \
-                     {before} times. How often with one {word} more, and why?"
-                );
-                sheet.ask_about_line(sources, &lines[at], &question, &format!("{after} times."));
-                counted = true;
-            }
-            let together: Vec<_> = three.together.iter().collect();
-            if !together.is_empty() {
-                let (at, others) = together[random.below(together.len())];
-                let question = format!(
-                    "One {word} is at this line, in a run of `{variant}`. Name a line of yours that a different {word} \
-                     can execute at the same time. What keeps the two from disturbing each other?"
-                );
-                let others: Vec<String> =
-                    others.iter().map(|other| lines[*other].quoted()).collect();
-                let key = format!("Seen at the same time in a run: {}.", others.join("; "));
-                sheet.ask_about_line(sources, &lines[*at], &question, &key);
-            }
+        let variants: Vec<_> = self.facts.variants.iter().filter(|v| v.task.is_some()).collect();
+        let mut probed = sources.clone();
+        probe(&mut probed, lines);
+        if variants.is_empty() || self.facts.workers == Workers::Device {
+            return Ok(());
         }
-        let mut tasks: Vec<_> = lines.iter().filter_map(|line| line.task).collect();
-        tasks.sort_by_cached_key(|_| random.bits());
-        for task in tasks {
-            if counted {
-                break;
-            }
-            let example =
-                self.questions.example(&self.sandbox, folder.path(), &task.to_string(), 1)?;
-            let Some((text, output)) = example else { continue };
-            let trace = Trace::read(&output);
-            let counts: Vec<_> = trace.counts.iter().collect();
-            if !counts.is_empty() {
-                let (at, count) = counts[random.below(counts.len())];
-                let question = format!(
-                    "The worked example of task {task} is run. *{text}* How often does it execute this line, and on \
-                     how many {word}s?"
-                );
-                let key = format!("{count} times, on {} {word}s.", trace.workers[at]);
-                sheet.ask_about_line(sources, &lines[*at], &question, &key);
-                counted = true;
-            }
+        // A line that cannot have a probe stops the build. The sheet then has other questions.
+        let Ok(folder) = self.tree.build(&self.sandbox, &probed)? else { return Ok(()) };
+        let variant = &variants[random.below(variants.len())].name;
+        let trace = |workers| Trace::of(&self.sandbox, folder.path(), variant, workers);
+        let (two, again, three) = (trace(2)?, trace(2)?, trace(3)?);
+        // A count that differs from run to run, such as of repeated attempts, has no key.
+        let mut counts = Vec::new();
+        for (line, count) in
+            two.counts.iter().filter(|(line, count)| again.counts.get(line) == Some(count))
+        {
+            counts.extend(
+                three
+                    .counts
+                    .get(line)
+                    .filter(|more| *more != count)
+                    .map(|more| (*line, count, more)),
+            );
+        }
+        if !counts.is_empty() {
+            let (at, count, more) = counts[random.below(counts.len())];
+            let question = format!(
+                "`{variant}` takes {STEPS} steps with {PARTICLES} particles and executes this line {count} times with 2 \
+                 workers. How often with 3, and why?"
+            );
+            sheet.ask(sources, &lines[at], &lines[at].text, &question, format!("{more} times."));
+        }
+        let together: Vec<_> = three.together.into_iter().collect();
+        if !together.is_empty() {
+            let (at, others) = &together[random.below(together.len())];
+            let question = format!(
+                "In a run of `{variant}` one worker is at this line. Name a line of yours that a different worker can \
+                 execute at the same time. Why do they not disturb each other?"
+            );
+            let others: Vec<_> = others.iter().map(|at| format!("`{}`", lines[*at].text)).collect();
+            let key = format!("Seen at the same time: {}.", others.join(", "));
+            sheet.ask(sources, &lines[*at], &lines[*at].text, &question, key);
         }
         Ok(())
     }
