@@ -7,7 +7,7 @@ use super::{Numbers, starts, three_digits, whole};
 use oracle::fold;
 
 pub(super) fn numbers(inputs: &mut Inputs) -> Vec<Numbers> {
-    [all_pairs(inputs), bins(), buffers(inputs), locks(inputs)].concat()
+    [all_pairs(inputs), bins(inputs), buffers(inputs), locks(inputs)].concat()
 }
 
 fn all_pairs(inputs: &mut Inputs) -> Vec<Numbers> {
@@ -48,7 +48,8 @@ fn all_pairs(inputs: &mut Inputs) -> Vec<Numbers> {
     ]
 }
 
-fn bins() -> Vec<Numbers> {
+fn bins(inputs: &mut Inputs) -> Vec<Numbers> {
+    let density = inputs.one("2.3 density", &[0.2, 0.1, 0.3]);
     let bins = [2, 0, 2, 1, 3, 0, 2];
     let counts: Vec<usize> = (0..4).map(|bin| bins.iter().filter(|b| **b == bin).count()).collect();
     let mut order: Vec<usize> = (0..bins.len()).collect();
@@ -70,7 +71,7 @@ fn bins() -> Vec<Numbers> {
     vec![
         ("2.1", vec![10.3_f64.floor(), 10.3 / 10.3_f64.floor(), 10.3_f64.floor() - 1.0]),
         ("2.2", whole([counts.clone(), starts(&counts), order].concat())),
-        ("2.3", vec![9.0 * 0.2, 9.0 * 1.5 * 1.5 * 0.2, 9.0 * 4.0 * 0.2, PI * 0.2]),
+        ("2.3", [9.0, 9.0 * 1.5 * 1.5, 9.0 * 4.0, PI].map(|area| area * density).to_vec()),
         ("2.4", [&head[..], &next, &walk].concat()),
         ("2.6", whole([visits(true), visits(false)])),
         ("2.8", vec![6.25 * 0.2, 9.0 * 0.2, 6.25 * 20.0, 9.0 * 20.0]),

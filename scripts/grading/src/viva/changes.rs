@@ -64,10 +64,9 @@ pub(super) fn own_lines(kit: &Kit, lab: Lab, sources: &Sources) -> Result<Vec<Li
             let task = old[change.old_range()].iter().find_map(|line| Some(todo(line)?.0.task));
             let changed = change.new_range().filter(|_| change.tag() != DiffTag::Equal);
             for at in changed.filter(|at| is_code(new[*at])) {
-                let (path, text) = (path.clone(), new[at].to_owned());
                 let last = new[..at].iter().rfind(|line| is_code(line));
                 let begins = last.is_none_or(|line| line.ends_with(['{', '}', ';']));
-                lines.push(Line { path, at, text, task, begins });
+                lines.push(Line { path: path.clone(), at, text: new[at].to_owned(), task, begins });
             }
         }
     }
@@ -85,9 +84,10 @@ pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>
         let Some((old, new)) = only_change(&region.body, &known.body) else { continue };
         let own =
             lines.iter().find(|line| line.task == Some(known.region.task) && line.text == old);
-        changes.extend(own.map(|line| {
-            let (new, story) = (new.to_owned(), Some(known.story.clone()));
-            Change { line: line.clone(), new, story }
+        changes.extend(own.map(|line| Change {
+            line: line.clone(),
+            new: new.to_owned(),
+            story: Some(known.story.clone()),
         }));
     }
     for line in lines.iter().filter(|line| !line.text.contains('"')) {

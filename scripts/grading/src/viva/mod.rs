@@ -38,6 +38,9 @@ const QUESTIONS: usize = 5;
 /// pass all tests.
 const TRIES: usize = 16;
 
+/// Time limit of a question.
+const RUN: Duration = Duration::from_secs(10);
+
 /// Question about a changed line.
 const CHANGED: &str =
     "Here is your program with one line changed. Which test fails, what does a user see, and why?";
@@ -64,10 +67,10 @@ pub(crate) struct Options {
 
 /// Writes the sheets.
 pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
-    let (lab, run, build) = (options.lab, Duration::from_secs(10), Duration::from_secs(600));
+    let lab = options.lab;
     let facts = rubric::read(kit, lab)?;
-    let loopback = facts.workers == Workers::Ranks;
-    let sandbox = Sandbox::find(kit, false, Limits { run, build, loopback })?;
+    let limits = Limits { run: RUN, build: 60 * RUN, loopback: facts.workers == Workers::Ranks };
+    let sandbox = Sandbox::find(kit, false, limits)?;
     let into = options.into.clone();
     let into = into.unwrap_or_else(|| kit.memory().join(format!("viva/lab{lab}")));
     let mut submissions = Vec::new();
@@ -78,7 +81,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     eprintln!("Building the solution");
     let tree = Tree::lay(kit, lab, &sandbox)?;
     let solution = tree.reference(kit, &sandbox)?;
-    let judge = Judge::new(kit, lab, solution.path().join(JUDGE), 10 * run);
+    let judge = Judge::new(kit, lab, solution.path().join(JUDGE), 10 * RUN);
     let questions = Questions::of(&sandbox, solution.path(), judge, options.seed)?;
     let given = Given::of(kit, lab)?;
     let examiner = Examiner { kit, lab, facts, sandbox, tree, questions, given };
@@ -126,34 +129,29 @@ impl Examiner<'_> {
         let mut lines = own_lines(self.kit, self.lab, &sources)?;
         lines.retain(|line| line.task.is_none_or(|task| !own.contains_key(&task.to_string())));
         ensure!(!lines.is_empty(), "no task of it is right");
-        let (mut random, mut sheet) = (Random::new(seed), Sheet::default());
+        let mut random = Random::new(seed);
+        let mut sheet = Sheet::default();
         self.ask_about_runs(&sources, &lines, &mut random, &mut sheet)?;
         let mut changes = changes(self.kit, self.lab, &lines)?;
         // Known mistakes come first, because their keys explain them.
         changes.sort_by_cached_key(|change| (change.story.is_none(), random.bits()));
         let mut asked = BTreeSet::new();
-        let mut tries = 0..TRIES;
+        let mut tries = 0;
         for change in changes {
-            let is_new = !asked.contains(&change.line.task);
-            if sheet.questions.len() == QUESTIONS || is_new && tries.next().is_none() {
+            if sheet.questions.len() == QUESTIONS || tries == TRIES {
                 break;
             }
+            if asked.contains(&change.line.task) {
+                continue;
+            }
+            tries += 1;
             let mut changed = sources.clone();
             change.apply(&mut changed);
-            let failures = if is_new { self.failures(&changed, seed)? } else { continue };
-            let Ok(failures) = failures else { continue };
-            let mut key = String::new();
-            for (task, Said { failed, wrong, .. }) in &failures {
-                if !own.contains_key(task) && !failed.is_empty() {
-                    let wrong = wrong.as_deref().unwrap_or_default();
-                    key +=
-                        &format!("Fails: `{}`.\n\n```text\n{wrong}\n```\n\n", failed.join("`, `"));
-                }
-            }
+            let Ok(failures) = self.failures(&changed, seed)? else { continue };
+            let lost = failures.iter().filter(|(task, _)| !own.contains_key(*task));
+            let mut key: String = lost.map(|(_, said)| failed(said)).collect();
             if !key.is_empty() {
-                key += &change
-                    .story
-                    .map_or(String::new(), |story| format!("A known mistake: {story}"));
+                key.extend(change.story.map(|story| format!("A known mistake: {story}")));
                 asked.extend(change.line.task.map(Some));
                 sheet.ask(&sources, &change.line, &change.new, CHANGED, key);
             }
@@ -195,7 +193,9 @@ impl Examiner<'_> {
         let Ok(folder) = self.tree.build(&self.sandbox, &probed)? else { return Ok(()) };
         let variant = &variants[random.below(variants.len())].name;
         let trace = |workers| Trace::of(&self.sandbox, folder.path(), variant, workers);
-        let (two, again, three) = (trace(2)?, trace(2)?, trace(3)?);
+        let two = trace(2)?;
+        let again = trace(2)?;
+        let three = trace(3)?;
         // A count that differs from run to run, such as of repeated attempts, has no key.
         let mut counts = Vec::new();
         for (line, count) in
@@ -230,4 +230,13 @@ impl Examiner<'_> {
         }
         Ok(())
     }
+}
+
+/// Returns the tests of a task that fail, and the first message; empty if the task was not asked.
+fn failed(Said { failed, wrong, .. }: &Said) -> String {
+    if failed.is_empty() {
+        return String::new();
+    }
+    let wrong = wrong.as_deref().unwrap_or_default();
+    format!("Fails: `{}`.\n\n```text\n{wrong}\n```\n\n", failed.join("`, `"))
 }
