@@ -81,11 +81,14 @@ pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>
     for known in wrong::read(kit, lab)? {
         let mut regions = files.iter().flat_map(|file| file.regions());
         let Some(region) = regions.find(|region| region.id == known.region) else { continue };
-        let Some((old, new)) = only_change(&region.body, &known.body) else { continue };
-        let own =
-            lines.iter().find(|line| line.task == Some(known.region.task) && line.text == old);
+        let Some((nth, old, new)) = only_change(&region.body, &known.body) else { continue };
+        let own = lines.iter().filter(|line| line.task == Some(known.region.task));
+        let equal: Vec<&Line> = own.filter(|line| line.text == old).collect();
+        // An equal line at a different place is a different mistake.
+        let count = region.body.lines().filter(|line| line.trim() == old).count();
+        let own = equal.get(nth).filter(|_| equal.len() == count);
         changes.extend(own.map(|line| Change {
-            line: line.clone(),
+            line: (*line).clone(),
             new: new.to_owned(),
             story: Some(known.story.clone()),
         }));
@@ -102,16 +105,19 @@ pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>
     Ok(changes)
 }
 
-/// Returns the only line that differs, and its new text; `None` if several differ.
-fn only_change<'a>(old: &'a str, new: &'a str) -> Option<(&'a str, &'a str)> {
+/// Returns the only line that differs: the number of equal lines before it, the line, and its new
+/// text. `None` if several lines differ.
+fn only_change<'a>(old: &'a str, new: &'a str) -> Option<(usize, &'a str, &'a str)> {
     let [old, new] = [old, new].map(|text| {
         let code = text.lines().map(str::trim);
         code.filter(|line| !line.is_empty() && !line.starts_with("//")).collect::<Vec<_>>()
     });
     let same = old.iter().zip(&new).take_while(|(old, new)| old == new).count();
-    match (&old[same..], &new[same..]) {
-        ([old, rest @ ..], after) if rest == after => Some((old, "")),
-        ([old, rest @ ..], [new, after @ ..]) if rest == after => Some((old, new)),
+    let (line, rest) = old[same..].split_first()?;
+    let nth = old[..same].iter().filter(|other| *other == line).count();
+    match &new[same..] {
+        after if rest == after => Some((nth, line, "")),
+        [new, after @ ..] if rest == after => Some((nth, line, new)),
         _ => None,
     }
 }
@@ -141,8 +147,9 @@ mod tests {
     #[test]
     fn a_known_mistake_of_one_line_is_found() {
         let body = "a;\n\n// why\nb;\nc;\n";
-        assert_eq!(only_change(body, "a;\nx;\nc;\n"), Some(("b;", "x;")));
-        assert_eq!(only_change(body, "a;\nc;\n"), Some(("b;", "")));
+        assert_eq!(only_change(body, "a;\nx;\nc;\n"), Some((0, "b;", "x;")));
+        assert_eq!(only_change(body, "a;\nc;\n"), Some((0, "b;", "")));
+        assert_eq!(only_change("a;\nb;\na;\n", "a;\nb;\n"), Some((1, "a;", "")));
         assert_eq!(only_change(body, "x;\nb;\ny;\n"), None);
     }
 
