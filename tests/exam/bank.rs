@@ -109,7 +109,7 @@ pub fn rows(page: &str) -> impl Iterator<Item = Vec<&str>> {
 /// Expands a list of tasks: `1.2–1.4, 2.1` is tasks 1.2, 1.3, 1.4 and 2.1.
 ///
 /// # Panics
-/// If a word is no run of tasks.
+/// If a word is not a run of tasks.
 pub fn each(list: &str) -> Vec<String> {
     let words = list.split(", ").filter(|word| word.contains('.'));
     let run = |word: &str| {

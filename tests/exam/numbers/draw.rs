@@ -10,7 +10,7 @@ use oracle::Random;
 pub enum Draw {
     /// The numbers of the book.
     Book,
-    /// Numbers that are drawn.
+    /// Random choices.
     Seeded(Random),
     /// The numbers of a printed paper, by question and name.
     Printed(Shown),

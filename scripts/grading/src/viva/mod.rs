@@ -48,7 +48,8 @@ const CHANGED: &str =
 /// Write oral questions about each student's own program (for instructors)
 ///
 /// Each sheet has five questions and a key. Some questions change a line of the student's program, and the key lists
-/// the tests that fail. Others ask how often a line runs, and what runs at the same time. Programs run in the sandbox.
+/// the tests that fail. Further questions are about how often a line runs, and about lines that run at the same time.
+/// Programs run in the sandbox.
 #[derive(Args)]
 pub(crate) struct Options {
     /// Submissions, or folders of them

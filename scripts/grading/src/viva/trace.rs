@@ -14,7 +14,7 @@ use crate::timing::PROGRAM;
 use lab_kit::process::{ends, start};
 use lab_kit::submission::Sources;
 
-/// Nanoseconds that a probe waits, so that other workers can reach their lines meanwhile.
+/// Nanoseconds that a probe waits, so that different workers reach their lines during this time.
 const PAUSE: u128 = 1_000_000;
 
 /// Size of a traced run, and its time limit.
