@@ -234,20 +234,51 @@ function wrapped() {
 
 // An arrow key turns the page, unless something has the focus: a button, a fold, a block that can be scrolled.
 async function turns(page) {
-  const url = page.url();
+  // A slide's number is behind the hash.
+  const shown = () => page.url().split("#")[0];
+  const url = shown();
   for (const what of ["figure button", "summary", "pre > code[tabindex]", ".table-wrapper[tabindex]", "a.figure"]) {
     const element = page.locator(`main ${what} >> visible=true`).first();
     if ((await element.count()) === 0) continue;
     await element.press("ArrowRight");
     await page.waitForTimeout(20);
-    if (page.url() !== url) return [`an arrow key on ${what} turns the page`];
+    if (shown() !== url) return [`an arrow key on ${what} turns the page`];
   }
   const canvas = page.locator("figure.live canvas").first();
   if ((await canvas.count()) === 0) return [];
   await canvas.click();
   await page.keyboard.press("ArrowRight");
   await page.waitForTimeout(20);
-  return page.url() === url ? [] : ["an arrow key after a click into a box turns the page"];
+  return shown() === url ? [] : ["an arrow key after a click into a box turns the page"];
+}
+
+// A lecture has eight to fourteen slides, among them a picture, a question, and an exercise with its answer in the
+// notes. On a screen each slide holds all of its contents, also with notes, and the arrow keys lead to the last one.
+async function present(page, wide) {
+  const slides = await page.locator("main > .slide").count();
+  if (slides === 0) return [];
+  const found = [];
+  const note = text => found.push(`slides: ${text}`);
+  const has = async (what, text) => (await page.locator(`.slide ${what}`, { hasText: text }).count()) > 0;
+  if (slides < 8 || slides > 14) note(`there are ${slides}`);
+  if (!(await has("img")) || !(await has("aside", "Ask:"))) note("no picture or no question");
+  if (!(await has("h2 ~ aside", "Answer:")) || !(await has("h2", "Five minutes:"))) note("no exercise or no answer");
+  if (!wide) return found;
+  await page.setViewportSize({ width: 1280, height: 720 });
+  await page.keyboard.press("Home");
+  for (const notes of ["without", "with"]) {
+    const full = await page.evaluate(() =>
+      [...document.querySelectorAll(".slide")].flatMap((slide, k) => {
+        const end = slide.getBoundingClientRect().bottom - 0.04 * innerHeight;
+        return [...slide.children].some(child => child.getBoundingClientRect().bottom > end) ? [k + 1] : [];
+      }),
+    );
+    if (full.length) note(`${notes} notes there is no room on ${full}`);
+    await page.keyboard.press("n");
+  }
+  for (let k = 1; k < slides; k++) await page.keyboard.press(k % 2 ? "ArrowRight" : "Space");
+  if (!page.url().endsWith(`#slide-${slides}`)) note(`the keys lead to ${page.url().split("#")[1]} of ${slides}`);
+  return found;
 }
 
 // A click on a drawing shows it larger, in the page.
@@ -284,7 +315,9 @@ async function look(page, file, { width, theme, prints }) {
   const note = text => found.push(text);
   const onError = error => note(`script: ${error.message}`);
   const onConsole = message => message.type() === "error" && note(`console: ${message.text()}`);
-  const onFailed = request => note(`not found: ${request.url()}`);
+  // A browser gives up its request for the icon when the address changes.
+  const isGivenUp = request => request.failure().errorText === "net::ERR_ABORTED";
+  const onFailed = request => isGivenUp(request) || note(`not found: ${request.url()}`);
   page.on("pageerror", onError).on("console", onConsole).on("requestfailed", onFailed);
   await page.goto(pathToFileURL(file).href);
   await page.evaluate(() => document.fonts.ready);
@@ -299,6 +332,8 @@ async function look(page, file, { width, theme, prints }) {
   (await skip(page)).forEach(note);
   (await predict(page)).forEach(note);
   (await inaccessible(page)).forEach(note);
+  (await present(page, width > 1000)).forEach(note);
+  await page.setViewportSize({ width, height: 900 });
   if (prints) {
     // A4 with the usual margins.
     await page.setViewportSize({ width: 718, height: 900 });
