@@ -1,4 +1,10 @@
-//! The Rust in the exam questions: `cargo test --doc -p exam` compiles it.
+//! The exam questions: their numbers are computed, and papers are drawn from them.
+//!
+//! `cargo test --doc -p exam` compiles the Rust in the questions.
+
+pub mod bank;
+pub mod numbers;
+pub mod paper;
 
 macro_rules! pages {
     ($($lab:ident)*) => {

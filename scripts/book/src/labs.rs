@@ -8,7 +8,7 @@ use anyhow::Result;
 use lab_kit::facts::Timed;
 use lab_kit::{Facts, Kit, Lab, Workers, answers, hints, rubric, wrong};
 
-use crate::tasks::difficulty;
+use crate::tasks::{difficulty, optional};
 
 /// Returns a line with the hours that a lab takes and the tools that it needs.
 pub(crate) fn needs(facts: &Facts) -> String {
@@ -32,7 +32,7 @@ pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
             | task | | hours | difficulty |\n|---|---|---:|---|\n";
     for hint in hints::read(kit, lab)? {
         let Some(task) = facts.tasks.get(&hint.task.to_string()) else { continue };
-        let mark = difficulty(task);
+        let mark = difficulty(task) + optional(task);
         out += &format!("| {} | {} | {} | {mark} |\n", hint.task, hint.title, task.hours);
     }
     out += &format!("| | to read, predict, measure and explain | {} | |\n", facts.reading);
@@ -74,8 +74,8 @@ pub(crate) fn rubric(kit: &Kit) -> Result<String> {
         out +=
             &format!("\n## Lab {lab}: {}\n\n| task | | points |\n|---|---|---|\n", kit.title(lab));
         for hints::Hints { task, title, .. } in hints::read(kit, lab)? {
-            let points = rubric.tasks.get(&task.to_string()).map_or(0.0, |task| task.points);
-            out += &format!("| {task} | {title} | {points} |\n");
+            let Some(facts) = rubric.tasks.get(&task.to_string()) else { continue };
+            out += &format!("| {task} | {title}{} | {} |\n", optional(facts), facts.points);
         }
         let timed: [(&str, &Option<Timed>, &str); 3] = [
             ("complexity", &rubric.complexity, "up to"),

@@ -77,7 +77,7 @@ impl Task<'_> {
             "\n<p class=\"task\" id=\"{anchor}\"><a href=\"#{anchor}\">Task {task}</a> {title} \
              <span>{} h, {}</span></p>\n",
             self.facts.hours,
-            difficulty(self.facts)
+            difficulty(self.facts) + optional(self.facts)
         )
     }
 }
@@ -85,6 +85,11 @@ impl Task<'_> {
 /// Returns the difficulty of a task as one to three filled circles.
 pub(crate) fn difficulty(task: &TaskFacts) -> String {
     "●".repeat(task.mark) + &"○".repeat(3_usize.saturating_sub(task.mark))
+}
+
+/// Returns the words for a task that is not a core task.
+pub(crate) fn optional(task: &TaskFacts) -> &'static str {
+    if task.optional { ", optional" } else { "" }
 }
 
 /// Returns the row of a table of tasks with a link to the task. Any other line stays as it is.
@@ -118,7 +123,7 @@ mod tests {
     const FACTS: &str = "title = 'x'\ndiscs = 'soft'\nworkers = 'threads'\n[tasks]\n\
         '1.1' = { title = 'the force', points = 50, hours = 1.0, mark = 1, section = 'Force', \
         hints = ['Look.', 'Think.', 'Write.'] }\n\
-        '1.2' = { title = 'the move', points = 50, hours = 0.5, mark = 3, section = 'Move', hints = ['a', 'b', 'c'] }\n";
+        '1.2' = { title = 'the move', points = 50, hours = 0.5, mark = 3, optional = true, section = 'Move', hints = ['a', 'b', 'c'] }\n";
 
     const PAGE: &str = "# Lab\n\n| 1.2 | `f` |\n| 9.9 | x |\n\n### Force\n\nPush.\n\n```sh\n# Move\n```\n\n### Move\n\nGo.\n";
 
@@ -144,7 +149,10 @@ mod tests {
         let order = order.map(|part| text.find(part));
         assert!(order.is_sorted() && order[0].is_some(), "{text}");
         assert_eq!(text.matches("<details").count(), 8);
-        assert!(text.contains(">Task 1.2</a> the move <span>0.5 h, ●●●</span></p>\n"), "{text}");
+        assert!(
+            text.contains(">Task 1.2</a> the move <span>0.5 h, ●●●, optional</span></p>\n"),
+            "{text}"
+        );
         assert!(text.contains("| [1.2](#task-1-2) | `f` |\n| 9.9 | x |\n"), "{text}");
 
         let text = filled("lab1.md", PAGE, false).unwrap();

@@ -5,7 +5,7 @@
 //! are judged outside the sandbox ([`asking`]), and times are taken ([`timing`]). The result is a
 //! [`record`] of each submission. Points are computed from the record, the rubric and the
 //! instructor's `class.toml` ([`roll`], [`score`]), and a [`report`] shows them. [`regrade`],
-//! [`shell`] and [`similarity`] are separate commands.
+//! [`shell`], [`similarity`] and [`viva`] are separate commands.
 
 mod asking;
 mod build;
@@ -21,19 +21,21 @@ mod score;
 mod shell;
 mod similarity;
 mod timing;
+mod viva;
 
 use std::panic;
 use std::process::{ExitCode, exit};
 
 use clap::Subcommand;
 
-/// Grade a class, and compare what was handed in.
+/// Grade a class, compare what was handed in, and ask about it.
 #[derive(Subcommand)]
 enum Command {
     Grade(class::Options),
     Regrade(regrade::Options),
     Shell(shell::Options),
     Similarity(similarity::Options),
+    Viva(viva::Options),
 }
 
 fn main() -> ExitCode {
@@ -43,6 +45,7 @@ fn main() -> ExitCode {
         Command::Regrade(options) => regrade::run(kit, &options),
         Command::Shell(options) => shell::run(kit, &options),
         Command::Similarity(options) => similarity::run(kit, options),
+        Command::Viva(options) => viva::run(kit, &options),
     })
 }
 

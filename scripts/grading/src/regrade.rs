@@ -49,6 +49,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     rubric.warn(lab);
     let mut after = before.clone();
     let roll = Roll::read(folder, &rubric)?;
+    let rubric = roll.rubric(&rubric);
     roll.tell(&mut after);
     after.iter_mut().try_for_each(|record| score(record, &rubric))?;
     let attendance = roll.attendance(&mut after);

@@ -92,6 +92,9 @@ pub struct TaskFacts {
     pub hours: f64,
     /// Difficulty: 1 (follow the text) to 3 (take your time).
     pub mark: usize,
+    /// Whether the task is not one of the core tasks, which everybody does.
+    #[serde(default)]
+    pub optional: bool,
     /// Heading of the task's section in the lab's chapter.
     pub section: String,
     /// Three hints: a nudge, the idea, nearly the answer.

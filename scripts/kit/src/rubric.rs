@@ -20,6 +20,18 @@ impl Facts {
         [&self.complexity, &self.scaling, &self.speed].into_iter().flatten()
     }
 
+    /// Returns the rubric of the core tasks: they are worth a hundred points together, and other
+    /// tasks and times are worth nothing.
+    pub fn core(mut self) -> Self {
+        (self.complexity, self.scaling, self.speed) = (None, None, None);
+        let sum: f64 =
+            self.tasks.values().filter(|task| !task.optional).map(|task| task.points).sum();
+        for task in self.tasks.values_mut() {
+            task.points = if task.optional { 0.0 } else { task.points * WHOLE / sum };
+        }
+        self
+    }
+
     /// Prints a warning if the points look like a mistake.
     pub fn warn(&self, lab: Lab) {
         if let Some(warning) = self.warning(lab) {
@@ -74,6 +86,7 @@ mod tests {
         let kit = Kit::find().unwrap();
         for (lab, rubric) in all(&kit).unwrap() {
             assert_eq!(rubric.warning(lab), None);
+            assert_eq!(rubric.clone().core().warning(lab), None);
             for task in rubric.tasks.keys() {
                 let id: RegionId = task.parse().unwrap();
                 assert_eq!(id.task.lab, lab, "{task}");

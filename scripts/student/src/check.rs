@@ -165,10 +165,11 @@ fn graded(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     Ok(run.map_or_else(|| Err(graded.unbuilt()), |run| complete(lab, &run)))
 }
 
-/// Judges the lab that is handed in: every task must be done.
+/// Judges the lab that is handed in: every core task must be done.
 fn complete(lab: Lab, run: &Run) -> Result<String, String> {
     let well = unbroken(lab, run)?;
-    match run.tasks.iter().find(|progress| progress.state != State::Done) {
+    let mut core = run.tasks.iter().filter(|progress| !progress.optional);
+    match core.find(|progress| progress.state != State::Done) {
         Some(open) => Err(format!("{well}, the next is {}, {}", open.task, open.title)),
         None => Ok(well),
     }
@@ -202,6 +203,7 @@ mod tests {
         let of = |(index, state): (usize, &State)| Progress {
             task: task(index + 1),
             title: "bins".into(),
+            optional: false,
             state: *state,
             tests: Vec::new(),
         };

@@ -74,6 +74,7 @@ mod tests {
         let progress = Progress {
             task: "1.2".parse().unwrap(),
             title: "All pairs".into(),
+            optional: false,
             state: State::Failing,
             tests: vec![outcome],
         };

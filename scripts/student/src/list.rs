@@ -55,6 +55,15 @@ impl Overview {
         tasks::done(&self.tasks)
     }
 
+    /// Counts the core tasks that are done, if the lab has other tasks too.
+    fn core(&self) -> String {
+        let core: Vec<_> = self.tasks.iter().filter(|task| !task.optional).cloned().collect();
+        if core.len() == self.tasks.len() {
+            return String::new();
+        }
+        format!("  core {} of {}", tasks::done(&core), core.len())
+    }
+
     fn note(&self) -> String {
         match self.missing.and_then(|what| what.split(':').next()) {
             Some(what) => format!("  needs {what}"),
@@ -109,7 +118,7 @@ fn table(overviews: &[Overview]) -> String {
         let Overview { lab, title, tasks, .. } = overview;
         let bar: String = tasks.iter().map(|progress| mark(progress.state)).collect();
         let count = format!("{:2} of {:2}", overview.done(), tasks.len());
-        let note = overview.note();
+        let note = overview.core() + &overview.note();
         out += &format!("{lab:>3}  {title:titles$}  {bar:bars$}  {count}{note}\n");
     }
     let done: usize = overviews.iter().map(Overview::done).sum();
@@ -141,6 +150,7 @@ mod tests {
         let of = |(index, state): (usize, &State)| Progress {
             task: format!("{lab}.{}", index + 1).parse().unwrap(),
             title: "a task".into(),
+            optional: lab == 2 && index == 3,
             state: *state,
             tests: Vec::new(),
         };
@@ -163,7 +173,7 @@ mod tests {
         assert_eq!(
             table(&overviews),
             "  1  all pairs  ███    3 of  3
-  2  bins       █x░░   1 of  4  test it again
+  2  bins       █x░░   1 of  4  core 1 of 3  test it again
  10  fast       ·      0 of  1  needs a driver
 
      ███████████████░░░░░░░░░░░░░░░  4 of 8 tasks, 50 %

@@ -47,6 +47,8 @@ pub(crate) struct Progress {
     pub(crate) task: Task,
     /// Title of the task.
     pub(crate) title: String,
+    /// Whether the task is not one of the core tasks.
+    pub(crate) optional: bool,
     /// State of the task.
     pub(crate) state: State,
     /// Outcomes of the task's tests, as far as they have run.
@@ -65,10 +67,12 @@ pub(crate) fn progress(kit: &Kit, lab: Lab, outcomes: &[Outcome]) -> Result<Vec<
     for task in outcomes.iter().filter_map(|outcome| Task::of_test(&outcome.test)) {
         titles.entry(task).or_insert_with(|| "(no title)".into());
     }
-    let of = |(task, title)| {
+    let facts = kit.facts(lab).unwrap_or_default().tasks;
+    let of = |(task, title): (Task, String)| {
         let own = outcomes.iter().filter(|outcome| Task::of_test(&outcome.test) == Some(task));
         let tests: Vec<Outcome> = own.cloned().collect();
-        Progress { task, title, state: state(&tests), tests }
+        let optional = facts.get(&task.to_string()).is_some_and(|task| task.optional);
+        Progress { task, title, optional, state: state(&tests), tests }
     };
     Ok(titles.into_iter().map(of).collect())
 }
@@ -137,9 +141,10 @@ fn todos(kit: &Kit, lab: Lab) -> Result<Vec<Todo>> {
 
 /// Prints a line for each task: its state, its number, its title.
 pub(crate) fn print_tasks(tasks: &[Progress]) {
-    for Progress { task, title, state, .. } in tasks {
+    for Progress { task, title, optional, state, .. } in tasks {
         let state = state.word().unwrap_or_default();
-        print!("{}", folded(&format!("  {state:5}  {task}  "), title));
+        let optional = if *optional { " (optional)" } else { "" };
+        print!("{}", folded(&format!("  {state:5}  {task}  "), &format!("{title}{optional}")));
     }
 }
 

@@ -1,10 +1,11 @@
 //! Labs 7 and 9.
 
+use super::draw::Inputs;
 use super::{Numbers, integers, three_digits};
 use oracle::hard::first_touch;
 
-pub(super) fn numbers() -> Vec<Numbers> {
-    [collisions(), device()].concat()
+pub(super) fn numbers(inputs: &mut Inputs) -> Vec<Numbers> {
+    [collisions(), device(inputs)].concat()
 }
 
 fn collisions() -> Vec<Numbers> {
@@ -60,7 +61,8 @@ fn collisions() -> Vec<Numbers> {
     ]
 }
 
-fn device() -> Vec<Numbers> {
+fn device(inputs: &mut Inputs) -> Vec<Numbers> {
+    let bins = inputs.one("9.4 bins", &[1_000_000.0, 2_000_000.0, 500_000.0]) as usize;
     let groups = |items: usize| items.div_ceil(64);
     let mut sums = vec![2, 1, 0, 3, 4, 0, 1, 1];
     let items = sums.clone();
@@ -71,7 +73,7 @@ fn device() -> Vec<Numbers> {
     }
     memory.extend(sums.iter().zip(&items).map(|(sum, own)| sum - own));
     memory.push(1024_usize.ilog2() as usize);
-    let levels = std::iter::successors(Some(groups(1_000_000)), |blocks| {
+    let levels = std::iter::successors(Some(groups(bins)), |blocks| {
         Some(groups(*blocks)).filter(|_| *blocks > 1)
     });
     let gap = |x: f32| f64::from(x.next_up() - x);

@@ -1,9 +1,10 @@
 //! Labs 5, 6, 8 and 13.
 
+use super::draw::Inputs;
 use super::{Numbers, integers, starts};
 
-pub(super) fn numbers() -> Vec<Numbers> {
-    [root(), neighbours(), workers(), strips()].concat()
+pub(super) fn numbers(inputs: &mut Inputs) -> Vec<Numbers> {
+    [root(inputs), neighbours(inputs), workers(inputs), strips(inputs)].concat()
 }
 
 /// Returns the starts of blocks of rows, and the end of the last block.
@@ -16,7 +17,8 @@ fn held(rows: &[usize], cuts: &[usize]) -> Vec<usize> {
     cuts.windows(2).map(|ends| rows[ends[0]..ends[1]].iter().sum()).collect()
 }
 
-fn root() -> Vec<Numbers> {
+fn root(inputs: &mut Inputs) -> Vec<Numbers> {
+    let row = inputs.one("5.7 row", &[100.0, 150.0, 250.0]) as usize;
     let ten = cuts(10, 4);
     let owner = |row: usize| ten.iter().rposition(|start| *start <= row).unwrap();
     let empty = cuts(3, 5).windows(2).filter(|ends| ends[0] == ends[1]).count();
@@ -34,16 +36,27 @@ fn root() -> Vec<Numbers> {
         .chain(ghosts(3))
         .chain([rank(0)])
         .chain(ghosts(0));
-    let copies = |ranks: usize| 2 * (ranks - 1) * 100 * 40;
+    let copies = |ranks: usize| 2 * (ranks - 1) * row * 40;
     vec![
         ("5.1", integers([&ten[..4], &[owner(5), empty]].concat())),
         ("5.2", integers([starts(&counts), vec![counts.iter().sum()]].concat())),
         ("5.5", integers(routes)),
-        ("5.7", integers([copies(16), copies(32), 2 * 100 * 40])),
+        ("5.7", integers([copies(16), copies(32), 2 * row * 40])),
     ]
 }
 
-fn neighbours() -> Vec<Numbers> {
+fn neighbours(inputs: &mut Inputs) -> Vec<Numbers> {
+    let eager = inputs.one("6.2 eager", &[4096.0, 8192.0, 16_384.0]);
+    let ghosts = (eager / 24.0).floor();
+    inputs.also("6.2 bytes", 24.0 * ghosts);
+    let alpha = inputs.one("6.4 alpha", &[2.0, 1.0, 5.0]);
+    let bytes = inputs.one("6.4 bytes", &[24_000.0, 36_000.0, 18_000.0]);
+    let transfer = bytes * 1e-4;
+    inputs.also("6.4 latency", alpha);
+    inputs.also("6.4 transfer", transfer);
+    let arrive = inputs.one("6.6 ghosts", &[2.0, 2.5, 1.5]);
+    inputs.also("6.6 arrive", arrive);
+    inputs.also("6.6 wait", arrive);
     let rows = [0, 0, 8, 2, 2, 1, 1, 1, 1, 0];
     let before = |row: usize| rows[..row].iter().sum::<usize>();
     let start = |k: usize| (0..=10).find(|row| before(*row) >= k * 16 / 4).unwrap();
@@ -53,7 +66,7 @@ fn neighbours() -> Vec<Numbers> {
     let (fullest, equal) =
         (held(&rows, &balanced).into_iter().max(), held(&rows, &cuts(10, 4)).into_iter().max());
     let (fullest, equal) = (fullest.unwrap(), equal.unwrap());
-    let overlap = |interior: f64| [interior.max(2.0) + 0.5, 2.0 + interior + 0.5];
+    let overlap = |interior: f64| [interior.max(arrive) + 0.5, arrive + interior + 0.5];
     let table = [[0, 2, 1], [3, 0, 0], [1, 1, 0]];
     let counts = table.map(|row| row[0]);
     let mut balance = integers([start(1), start(2), start(3), fullest, equal]);
@@ -61,15 +74,16 @@ fn neighbours() -> Vec<Numbers> {
     balance.push(fullest as f64 / (16.0 / 4.0));
     vec![
         ("6.1", balance),
-        ("6.2", integers([4096 / 24])),
-        ("6.4", vec![2.0 + 0.1e-3 * 24_000.0, 2.0 / 0.1e-3]),
+        ("6.2", vec![ghosts]),
+        ("6.4", vec![alpha + transfer, alpha / 1e-4]),
         ("6.5", vec![100.0, 100.0_f64.sqrt(), 2.0 / (4.0 / 8.0)]),
         ("6.6", [overlap(3.0), overlap(1.0)].concat()),
         ("6.7", integers([&counts[..], &starts(&counts)].concat())),
     ]
 }
 
-fn workers() -> Vec<Numbers> {
+fn workers(inputs: &mut Inputs) -> Vec<Numbers> {
+    let discs = inputs.one("8.3 discs", &[10_000.0, 20_000.0, 5_000.0]) as usize;
     let jobs =
         |worker: usize| [(0, 0), (0, 1), (1, 3)].map(|(a, b)| ((a + worker) % 5, (b + worker) % 5));
     let third = jobs(3).into_iter().flat_map(|(a, b)| [a, b]);
@@ -88,7 +102,7 @@ fn workers() -> Vec<Numbers> {
     vec![
         ("8.1", integers(third.chain([dealt.len()]))),
         ("8.2", integers([seven, thirteen, most.to_vec()].concat())),
-        ("8.3", integers([3, 4].map(|blocks| blocks * 10_000 * 48))),
+        ("8.3", integers([3, 4].map(|blocks| blocks * discs * 48))),
         ("8.4", [2.0, 3.0, 16.0].map(|p| (p - 1.0) / p).to_vec()),
         ("8.5", integers([rounds(4), rounds(8)])),
     ]
@@ -109,7 +123,8 @@ fn rounds(candidates: usize) -> usize {
     rounds
 }
 
-fn strips() -> Vec<Numbers> {
+fn strips(inputs: &mut Inputs) -> Vec<Numbers> {
+    let steps = inputs.one("13.1 steps", &[10.0, 6.0, 8.0]);
     let width = |m: f64| 1.0 + 2.0 * (m - 1.0) * 0.1;
     let depth = |m: f64| m + 2.0 * (m - 1.0) * 0.1;
     let moves = [0.1, 0.2, 0.5, 0.6];
@@ -118,7 +133,7 @@ fn strips() -> Vec<Numbers> {
     let (shallow, deep) = (|alpha: f64| 10.0 * (alpha + 16.0), |alpha: f64| alpha + 120.0 + 300.0);
     let loads = [(1e4, 5e3), (8e3, 2e4)].map(|(particles, pairs)| 2.0 * particles + 0.65 * pairs);
     vec![
-        ("13.1", vec![width(1.0), width(10.0)]),
+        ("13.1", vec![width(1.0), width(steps)]),
         ("13.2", vec![depth(10.0), 2.0 * depth(10.0) / 100.0, 2.0 * width(10.0) / 100.0]),
         ("13.3", integers(right)),
         ("13.4", integers([10 * 2 * 4, 10 * 2, 2])),

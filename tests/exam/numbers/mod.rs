@@ -2,22 +2,30 @@
 //! order.
 
 mod discs;
+pub mod draw;
 mod engines;
 mod messages;
 mod threads;
 
 use std::collections::BTreeMap;
 
+use draw::Inputs;
 use oracle::integers;
 
 /// A question and its numbers.
 type Numbers = (&'static str, Vec<f64>);
 
-pub(crate) fn all() -> BTreeMap<&'static str, Vec<f64>> {
-    [threads::numbers(), messages::numbers(), discs::numbers(), engines::numbers()]
-        .concat()
-        .into_iter()
-        .collect()
+/// Computes the numbers of all answers, from the numbers that the questions print.
+pub fn all(inputs: &mut Inputs) -> BTreeMap<&'static str, Vec<f64>> {
+    [
+        threads::numbers(inputs),
+        messages::numbers(inputs),
+        discs::numbers(inputs),
+        engines::numbers(inputs),
+    ]
+    .concat()
+    .into_iter()
+    .collect()
 }
 
 /// Returns for each number the sum of all numbers before it.

@@ -2,15 +2,18 @@
 
 use std::f64::consts::PI;
 
+use super::draw::Inputs;
 use super::{Numbers, integers, starts, three_digits};
 use oracle::fold;
 
-pub(super) fn numbers() -> Vec<Numbers> {
-    [all_pairs(), bins(), buffers(), locks()].concat()
+pub(super) fn numbers(inputs: &mut Inputs) -> Vec<Numbers> {
+    [all_pairs(inputs), bins(inputs), buffers(inputs), locks(inputs)].concat()
 }
 
-fn all_pairs() -> Vec<Numbers> {
-    let seconds = |n: f64| 0.5e-9 * n * n * 1000.0;
+fn all_pairs(inputs: &mut Inputs) -> Vec<Numbers> {
+    let test = inputs.one("1.1 test", &[0.5, 0.4, 0.8, 2.0]);
+    inputs.also("1.1 step", test / 10.0);
+    let seconds = |n: f64| test * 1e-9 * n * n * 1000.0;
     let moved = |x: f64, v: f64, a: f64| fold(x + v + a, v + a, 10.0);
     let walls = [moved(9.7, 0.8, 0.4), moved(2.0, -25.0, 0.0)];
     let acceleration = |dx: f64, dy: f64| {
@@ -45,7 +48,8 @@ fn all_pairs() -> Vec<Numbers> {
     ]
 }
 
-fn bins() -> Vec<Numbers> {
+fn bins(inputs: &mut Inputs) -> Vec<Numbers> {
+    let density = inputs.one("2.3 density", &[0.2, 0.1, 0.3]);
     let bins = [2, 0, 2, 1, 3, 0, 2];
     let counts: Vec<usize> = (0..4).map(|bin| bins.iter().filter(|b| **b == bin).count()).collect();
     let mut order: Vec<usize> = (0..bins.len()).collect();
@@ -67,15 +71,27 @@ fn bins() -> Vec<Numbers> {
     vec![
         ("2.1", vec![10.3_f64.floor(), 10.3 / 10.3_f64.floor(), 10.3_f64.floor() - 1.0]),
         ("2.2", integers([counts.clone(), starts(&counts), order].concat())),
-        ("2.3", vec![9.0 * 0.2, 9.0 * 1.5 * 1.5 * 0.2, 9.0 * 4.0 * 0.2, PI * 0.2]),
+        ("2.3", [9.0, 9.0 * 1.5 * 1.5, 9.0 * 4.0, PI].map(|area| area * density).to_vec()),
         ("2.4", [&head[..], &next, &walk].concat()),
         ("2.6", integers([visits(true), visits(false)])),
         ("2.8", vec![6.25 * 0.2, 9.0 * 0.2, 6.25 * 20.0, 9.0 * 20.0]),
     ]
 }
 
-fn buffers() -> Vec<Numbers> {
-    let amdahl = |p: f64| 1.0 / (0.05 + 0.95 / p);
+fn buffers(inputs: &mut Inputs) -> Vec<Numbers> {
+    let serial_part = inputs.one("3.1 share", &[5.0, 4.0, 10.0, 20.0]) / 100.0;
+    inputs.also("3.1 serial", serial_part);
+    inputs.also("3.1 rest", 1.0 - serial_part);
+    let amdahl = |p: f64| 1.0 / (serial_part + (1.0 - serial_part) / p);
+    let one = inputs.one("3.2 one", &[80.0, 90.0, 70.0]);
+    let best = inputs.one("3.2 best", &[60.0, 55.0, 50.0]);
+    let weak = inputs.one("3.2 weak", &[100.0, 125.0, 160.0]);
+    inputs.also("3.2 same", one);
+    inputs.also("3.2 large", weak);
+    let threads = inputs.one("3.9 threads", &[8.0, 4.0, 5.0]);
+    inputs.also("3.9 again", threads);
+    let [four, eight] = [("3.10 four", [3.2, 3.0, 2.5]), ("3.10 eight", [4.8, 4.2, 4.0])]
+        .map(|(name, choices)| inputs.one(name, &choices));
     let serial = |speed_up: f64, p: f64| (1.0 / speed_up - 1.0 / p) / (1.0 - 1.0 / p);
     // Each order determines which thread acts next: a thread first reads, then writes.
     let orders: Vec<_> = (0..16_u32).filter(|turns| turns.count_ones() == 2).collect();
@@ -96,22 +112,29 @@ fn buffers() -> Vec<Numbers> {
     let (uneven, even) = (slowest([0, 2, 4, 6, 11]), slowest([0, 1, 2, 3, 4].map(|k| k * 11 / 4)));
     vec![
         ("3.1", vec![amdahl(2.0), amdahl(8.0), amdahl(f64::INFINITY)]),
-        ("3.2", vec![80.0 / 25.0, 80.0 / 25.0 / 4.0, 60.0 / 25.0, 60.0 / 25.0 / 4.0, 80.0 / 100.0]),
+        ("3.2", vec![one / 25.0, one / 100.0, best / 25.0, best / 100.0, one / weak]),
         ("3.3", integers([orders.len(), lost])),
         ("3.5", vec![uneven, 11.0 / uneven, even, 11.0 / even]),
         ("3.7", vec![64.0 / 8.0]),
-        ("3.9", vec![1.0 / 8.0]),
-        ("3.10", vec![serial(3.2, 4.0), serial(4.8, 8.0)]),
+        ("3.9", vec![1.0 / threads]),
+        ("3.10", vec![serial(four, 4.0), serial(eight, 8.0)]),
     ]
 }
 
-fn locks() -> Vec<Numbers> {
+fn locks(inputs: &mut Inputs) -> Vec<Numbers> {
+    let step = inputs.one("4.3 step", &[400.0, 600.0, 300.0]);
+    let busy = inputs.also("4.3 busy", step / 50.0);
+    inputs.also("4.3 again", step);
+    let first = inputs.one("4.8 first", &[58.0, 54.0, 64.0]);
+    let best = inputs.one("4.8 best", &[20.0, 24.0, 27.0]);
+    inputs.also("4.8 old", first);
+    inputs.also("4.8 final", best);
     let speed_up = |p: f64| (10.0 + 400.0) / (10.0 + 400.0 / p);
     vec![
         ("4.1", integers([3 / 5, 7 / 5, 11 / 5])),
         ("4.2", integers([12_usize.div_ceil(5), 11 / 5, 11 % 5])),
-        ("4.3", vec![400.0 / 50.0, 400.0 / 50.0]),
+        ("4.3", vec![busy, busy]),
         ("4.7", vec![speed_up(16.0), speed_up(f64::INFINITY)]),
-        ("4.8", vec![58.0 / 18.0 / 4.0, 20.0 / 18.0 / 4.0]),
+        ("4.8", vec![first / 72.0, best / 72.0]),
     ]
 }

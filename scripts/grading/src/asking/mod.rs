@@ -74,6 +74,8 @@ pub(crate) struct TaskResult {
     pub(crate) wrong: Option<String>,
     /// Share of the answers that are right, from 0 to 1.
     pub(crate) share: f64,
+    /// Names of the questions with a wrong answer.
+    pub(crate) failed: Vec<String>,
     /// Output of the program, cut to a maximal length.
     pub(crate) printed: String,
 }
@@ -131,10 +133,12 @@ impl Questions {
                 marks[at].asked += asked.answers;
                 continue;
             }
-            marks[at].add(self.ask_one(sandbox, folder, asked, seed)?, asked.limit);
-            if marks[at].result.wrong.is_some() {
+            let answered = self.ask_one(sandbox, folder, asked, seed)?;
+            if !answered.judged.wrong.is_empty() {
+                marks[at].result.failed.push(asked.question.test.clone());
                 wrong.insert(task.clone());
             }
+            marks[at].add(answered, asked.limit);
         }
         Ok(marks.into_iter().map(Marks::end).collect())
     }

@@ -70,8 +70,9 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
         own.into_iter().for_each(|record| record.handed_in = file_time(path, grader.lab));
     }
     let roll = Roll::read(into, &grader.rubric)?;
+    let rubric = roll.rubric(&grader.rubric);
     roll.tell(&mut records);
-    records.iter_mut().try_for_each(|record| score(record, &grader.rubric))?;
+    records.iter_mut().try_for_each(|record| score(record, &rubric))?;
     let attendance = roll.attendance(&mut records);
     records.iter().try_for_each(|record| record.write(into))?;
     report::write(grader.kit, grader.lab, &records, (&roll, &attendance), into)?;

@@ -54,6 +54,8 @@ pub(crate) struct Roll {
     export: Export,
     attempts: Option<Attempts>,
     late: Option<Late>,
+    /// Whether only the core tasks have points.
+    core: bool,
     #[serde(rename = "override")]
     overrides: Vec<Decision>,
 }
@@ -162,6 +164,11 @@ impl Roll {
             let time = times[at].or(record.handed_in);
             record.late = self.late.as_ref().and_then(|late| late.lateness(time, excused));
         }
+    }
+
+    /// Returns the lab's rubric, or the rubric of its core tasks if the class does only these.
+    pub(crate) fn rubric(&self, rubric: &Facts) -> Facts {
+        if self.core { rubric.clone().core() } else { rubric.clone() }
     }
 
     /// Finds out who handed in, from records with points. Writes into each record whether it

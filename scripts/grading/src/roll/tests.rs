@@ -432,3 +432,15 @@ fn a_roster_of_classroom_50_knows_users_of_github() {
     let (records, _, _) = marked(&files, &["ada-l"]);
     assert_eq!(records[0].student.as_deref(), Some("Ada Lovelace"));
 }
+
+#[test]
+fn optional_tasks_are_worth_nothing_where_only_the_core_counts() {
+    let mut rubric = rubric();
+    rubric.tasks.get_mut("1.2").unwrap().optional = true;
+    for (class, points, times) in [("", [60.0, 40.0], 1), ("core = true", [100.0, 0.0], 0)] {
+        let folder = folder(&[("class.toml", class)]);
+        let own = Roll::read(folder.path(), &rubric).unwrap().rubric(&rubric);
+        assert!(own.tasks.values().map(|task| task.points).eq(points), "{class}");
+        assert_eq!(own.timed().count(), times, "{class}");
+    }
+}

@@ -1,0 +1,194 @@
+//! Changes of one line in a student's own code: known mistakes, and small mutations.
+
+use std::path::Path;
+
+use anyhow::Result;
+use similar::{DiffTag, TextDiff};
+
+use lab_kit::answers::{self, Task};
+use lab_kit::starter::{self, todo};
+use lab_kit::submission::Sources;
+use lab_kit::{Kit, Lab, wrong};
+
+/// A line that a student wrote.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Line {
+    /// File, by its path below the lab's folder.
+    pub(super) path: String,
+    /// Number of the line, from 0.
+    pub(super) at: usize,
+    /// Line without its indent.
+    pub(super) text: String,
+    /// Task whose `todo!` the line replaces; `None` in the student's own functions.
+    pub(super) task: Option<Task>,
+    /// Whether the line before it ends a statement or begins a block.
+    pub(super) begins: bool,
+}
+
+/// A different text for one line.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Change {
+    pub(super) line: Line,
+    /// New text; empty if the line is removed.
+    pub(super) new: String,
+    /// Description of the mistake, if it is a known one.
+    pub(super) story: Option<String>,
+}
+
+/// Operators and calls that a mutation replaces.
+const SWAPS: [(&str, &str); 10] = [
+    (" < ", " <= "),
+    (" <= ", " < "),
+    (" > ", " >= "),
+    (" + 1", ""),
+    (" + ", " - "),
+    (" - ", " + "),
+    (" && ", " || "),
+    (".min(", ".max("),
+    ("Release", "Relaxed"),
+    (".par_iter_mut()", ".iter_mut()"),
+];
+
+/// Returns the lines of code that differ from the lab's starter.
+pub(super) fn own_lines(kit: &Kit, lab: Lab, sources: &Sources) -> Result<Vec<Line>> {
+    let given = starter::given(kit, lab)?;
+    let mut lines = Vec::new();
+    for (path, bytes) in sources {
+        let before = given.get(Path::new(path)).map_or(&[][..], Vec::as_slice);
+        let [before, after] = [before, bytes].map(String::from_utf8_lossy);
+        // Indents differ where a student added a block.
+        let [old, new] =
+            [&before, &after].map(|text| text.lines().map(str::trim).collect::<Vec<_>>());
+        let is_code = |line: &str| !line.is_empty() && !line.starts_with("//");
+        for change in TextDiff::from_slices(&old, &new).ops() {
+            let task = old[change.old_range()].iter().find_map(|line| Some(todo(line)?.0.task));
+            let changed = change.new_range().filter(|_| change.tag() != DiffTag::Equal);
+            for at in changed.filter(|at| is_code(new[*at])) {
+                let last = new[..at].iter().rfind(|line| is_code(line));
+                let begins = last.is_none_or(|line| line.ends_with(['{', '}', ';']));
+                lines.push(Line { path: path.clone(), at, text: new[at].to_owned(), task, begins });
+            }
+        }
+    }
+    Ok(lines)
+}
+
+/// Returns all changes of a student's lines: known mistakes if the answer's line is theirs, and
+/// mutations.
+pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>> {
+    let files = answers::read_solution(kit, lab)?;
+    let mut changes = Vec::new();
+    for known in wrong::read(kit, lab)? {
+        let mut regions = files.iter().flat_map(|file| file.regions());
+        let Some(region) = regions.find(|region| region.id == known.region) else { continue };
+        let Some((nth, old, new)) = only_change(&region.body, &known.body) else { continue };
+        let own = lines.iter().filter(|line| line.task == Some(known.region.task));
+        let equal: Vec<&Line> = own.filter(|line| line.text == old).collect();
+        // An equal line at a different place is a different mistake.
+        let count = region.body.lines().filter(|line| line.trim() == old).count();
+        let own = equal.get(nth).filter(|_| equal.len() == count);
+        changes.extend(own.map(|line| Change {
+            line: (*line).clone(),
+            new: new.to_owned(),
+            story: Some(known.story.clone()),
+        }));
+    }
+    for line in lines.iter().filter(|line| !line.text.contains('"')) {
+        let text = &line.text;
+        let swaps = SWAPS.iter().filter(|(from, _)| text.contains(from));
+        let swapped = swaps.map(|(from, to)| text.replacen(from, to, 1));
+        let is_call = line.begins && text.ends_with(");") && !text.contains('=');
+        for new in swapped.chain(is_call.then(String::new)) {
+            changes.push(Change { line: line.clone(), new, story: None });
+        }
+    }
+    Ok(changes)
+}
+
+/// Returns the only line that differs: the number of equal lines before it, the line, and its new
+/// text. `None` if several lines differ.
+fn only_change<'a>(old: &'a str, new: &'a str) -> Option<(usize, &'a str, &'a str)> {
+    let [old, new] = [old, new].map(|text| {
+        let code = text.lines().map(str::trim);
+        code.filter(|line| !line.is_empty() && !line.starts_with("//")).collect::<Vec<_>>()
+    });
+    let same = old.iter().zip(&new).take_while(|(old, new)| old == new).count();
+    let (line, rest) = old[same..].split_first()?;
+    let nth = old[..same].iter().filter(|other| *other == line).count();
+    match &new[same..] {
+        after if rest == after => Some((nth, line, "")),
+        [new, after @ ..] if rest == after => Some((nth, line, new)),
+        _ => None,
+    }
+}
+
+impl Change {
+    /// Makes the change.
+    pub(super) fn apply(&self, sources: &mut Sources) {
+        if let Some(bytes) = sources.get_mut(&self.line.path) {
+            let text = String::from_utf8_lossy(bytes).into_owned();
+            let mut lines: Vec<&str> = text.lines().collect();
+            lines[self.line.at] = &self.new;
+            *bytes = (lines.join("\n") + "\n").into_bytes();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::{Change, Line, changes, only_change, own_lines};
+    use crate::record::number;
+    use lab_kit::Kit;
+    use lab_kit::files::read_text;
+    use lab_kit::submission::{Sources, of_solution};
+
+    #[test]
+    fn a_known_mistake_of_one_line_is_found() {
+        let body = "a;\n\n// why\nb;\nc;\n";
+        assert_eq!(only_change(body, "a;\nx;\nc;\n"), Some((0, "b;", "x;")));
+        assert_eq!(only_change(body, "a;\nc;\n"), Some((0, "b;", "")));
+        assert_eq!(only_change("a;\nb;\na;\n", "a;\nb;\n"), Some((1, "a;", "")));
+        assert_eq!(only_change(body, "x;\nb;\ny;\n"), None);
+    }
+
+    #[test]
+    fn a_change_replaces_its_line() {
+        let mut sources: Sources = [("src/a.rs".into(), b"a\n  b\nc\n".to_vec())].into();
+        let (path, text) = ("src/a.rs".into(), "b".into());
+        let line = Line { path, at: 1, text, task: None, begins: false };
+        Change { line, new: "x".into(), story: None }.apply(&mut sources);
+        assert_eq!(sources["src/a.rs"], b"a\nx\nc\n");
+    }
+
+    /// The sources of questions are those of a whole sheet, so no program is built here.
+    #[test]
+    fn each_outcome_has_an_oral_question_about_a_core_task() {
+        let kit = Kit::find().unwrap();
+        let mut asked = BTreeSet::new();
+        for lab in kit.solutions() {
+            let lines = own_lines(&kit, lab, &of_solution(&kit, lab).unwrap()).unwrap();
+            let facts = kit.facts(lab).unwrap();
+            for change in changes(&kit, lab, &lines).unwrap() {
+                let task = change.line.task.map(|task| task.to_string()).unwrap_or_default();
+                asked.extend(facts.tasks.get(&task).filter(|task| !task.optional).map(|_| task));
+            }
+        }
+        let mut outcomes = 0;
+        let page = read_text(&kit.path("book/src/instructor/outcomes.md")).unwrap();
+        let rows = page.lines().map(|line| line.split(" | ").map(str::trim).collect::<Vec<_>>());
+        for row in rows.filter(|row| row[0].trim_matches(['|', ' ']).parse::<u8>().is_ok()) {
+            // Tasks such as `3.1, 3.3–3.12`.
+            let runs: Vec<_> =
+                row[2].split(", ").map(|run| run.split_once('–').unwrap_or((run, run))).collect();
+            let is_of = |task: &String| {
+                runs.iter()
+                    .any(|(first, last)| (number(first)..=number(last)).contains(&number(task)))
+            };
+            assert!(asked.iter().any(is_of), "{row:?}");
+            outcomes += 1;
+        }
+        assert_eq!(outcomes, 18);
+    }
+}

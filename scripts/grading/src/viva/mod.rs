@@ -1,0 +1,243 @@
+//! `cargo lab viva`: writes a sheet of oral questions about each student's own program.
+//!
+//! Some questions show the program with one line changed ([`changes`]). Others are about its lines
+//! as they run ([`trace`]). Every key comes from a run: of the changed program on the lab's tests,
+//! or of the program with probes.
+
+mod changes;
+mod sheet;
+mod trace;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Duration;
+
+use anyhow::{Result, anyhow, bail, ensure};
+use clap::Args;
+
+use self::changes::{Line, changes, own_lines};
+use self::sheet::Sheet;
+use self::trace::{PARTICLES, STEPS, Trace, probe};
+use crate::asking::{JUDGE, Judge, Questions, Said};
+use crate::build::Tree;
+use crate::escape::line;
+use crate::intake::names::named;
+use crate::intake::{self, forbidden};
+use crate::sandbox::{Limits, Sandbox};
+use lab_kit::files::write_file;
+use lab_kit::process::kill_all_on_interrupt;
+use lab_kit::submission::Sources;
+use lab_kit::{Facts, Given, Kit, Lab, Workers, rubric};
+use oracle::Random;
+
+/// Number of questions on a sheet.
+const QUESTIONS: usize = 5;
+
+/// Maximal number of changed programs that are built for a sheet. Some do not compile, and some
+/// pass all tests.
+const TRIES: usize = 16;
+
+/// Time limit of a question.
+const RUN: Duration = Duration::from_secs(10);
+
+/// Question about a changed line.
+const CHANGED: &str =
+    "Here is your program with one line changed. Which test fails, what does a user see, and why?";
+
+/// Write oral questions about each student's own program (for instructors)
+///
+/// Each sheet has five questions and a key. Some questions change a line of the student's program, and the key lists
+/// the tests that fail. Further questions are about how often a line runs, and about lines that run at the same time.
+/// Programs run in the sandbox.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// Submissions, or folders of them
+    #[arg(required = true, value_name = "PATH")]
+    paths: Vec<PathBuf>,
+    /// The lab
+    #[arg(long, value_name = "N")]
+    lab: Lab,
+    /// Draws the questions; the same seed gives the same questions
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// The folder of sheets; target/lab/viva/labN if not given
+    #[arg(long, value_name = "DIR")]
+    into: Option<PathBuf>,
+}
+
+/// Writes the sheets.
+pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
+    let lab = options.lab;
+    let facts = rubric::read(kit, lab)?;
+    let limits = Limits { run: RUN, build: 60 * RUN, loopback: facts.workers == Workers::Ranks };
+    let sandbox = Sandbox::find(kit, false, limits)?;
+    let into = options.into.clone();
+    let into = into.unwrap_or_else(|| kit.memory().join(format!("viva/lab{lab}")));
+    let mut submissions = Vec::new();
+    for path in &options.paths {
+        submissions.extend(intake::submissions(kit, path)?);
+    }
+    kill_all_on_interrupt();
+    eprintln!("Building the solution");
+    let tree = Tree::lay(kit, lab, &sandbox)?;
+    let solution = tree.reference(kit, &sandbox)?;
+    let judge = Judge::new(kit, lab, solution.path().join(JUDGE), 10 * RUN);
+    let questions = Questions::of(&sandbox, solution.path(), judge, options.seed)?;
+    let given = Given::of(kit, lab)?;
+    let examiner = Examiner { kit, lab, facts, sandbox, tree, questions, given };
+    let mut all = true;
+    for (name, path) in named(submissions) {
+        let seed = name
+            .bytes()
+            .fold(options.seed, |seed, byte| Random::new(seed ^ u64::from(byte)).bits());
+        match examiner.sheet(&path, seed) {
+            Ok(sheet) => {
+                let file = into.join(format!("{name}.md"));
+                write_file(&file, sheet.page(lab, &name, options.seed))?;
+                println!("{}", file.display());
+            }
+            Err(error) => {
+                eprintln!("no sheet for {}: {}", line(&name), line(&format!("{error:#}")));
+                all = false;
+            }
+        }
+    }
+    Ok(if all { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Programs and facts for the sheets of a lab.
+struct Examiner<'a> {
+    kit: &'a Kit,
+    lab: Lab,
+    facts: Facts,
+    sandbox: Sandbox,
+    tree: Tree,
+    questions: Questions,
+    given: Given,
+}
+
+impl Examiner<'_> {
+    /// Returns the sheet of the submission at `path`.
+    fn sheet(&self, path: &Path, seed: u64) -> Result<Sheet> {
+        let sources = intake::take(self.kit, self.lab, &self.given, path)?.files;
+        ensure!(!sources.is_empty(), "it has no file with a task of lab {}", self.lab);
+        if let Some(why) = forbidden::find(&sources) {
+            bail!("{why}");
+        }
+        let own = self.failures(&sources, seed)?;
+        let own = own.map_err(|why| anyhow!("it does not compile: {why}"))?;
+        let mut lines = own_lines(self.kit, self.lab, &sources)?;
+        lines.retain(|line| line.task.is_none_or(|task| !own.contains_key(&task.to_string())));
+        ensure!(!lines.is_empty(), "no task of it is right");
+        let mut random = Random::new(seed);
+        let mut sheet = Sheet::default();
+        self.ask_about_runs(&sources, &lines, &mut random, &mut sheet)?;
+        let mut changes = changes(self.kit, self.lab, &lines)?;
+        // Known mistakes come first, because their keys explain them.
+        changes.sort_by_cached_key(|change| (change.story.is_none(), random.bits()));
+        let mut asked = BTreeSet::new();
+        let mut tries = 0;
+        for change in changes {
+            if sheet.questions.len() == QUESTIONS || tries == TRIES {
+                break;
+            }
+            if asked.contains(&change.line.task) {
+                continue;
+            }
+            tries += 1;
+            let mut changed = sources.clone();
+            change.apply(&mut changed);
+            let Ok(failures) = self.failures(&changed, seed)? else { continue };
+            let lost = failures.iter().filter(|(task, _)| !own.contains_key(*task));
+            let mut key: String = lost.map(|(_, said)| failed(said)).collect();
+            if !key.is_empty() {
+                key.extend(change.story.map(|story| format!("A known mistake: {story}")));
+                asked.extend(change.line.task.map(Some));
+                sheet.ask(&sources, &change.line, &change.new, CHANGED, key);
+            }
+        }
+        Ok(sheet)
+    }
+
+    /// Asks a program all questions. Returns the tasks that are wrong, or the compiler's errors.
+    fn failures(
+        &self,
+        sources: &Sources,
+        seed: u64,
+    ) -> Result<Result<BTreeMap<String, Said>, String>> {
+        let folder = match self.tree.build(&self.sandbox, sources)? {
+            Ok(folder) => folder,
+            Err(why) => return Ok(Err(why)),
+        };
+        let tasks = self.facts.tasks.keys().map(String::as_str);
+        let said = self.questions.ask(&self.sandbox, folder.path(), tasks, seed)?;
+        let all = self.facts.tasks.keys().cloned().zip(said);
+        Ok(Ok(all.filter(|(_, said)| said.wrong.is_some()).collect()))
+    }
+
+    /// Asks how often a line runs with one worker more, and which lines run at the same time.
+    fn ask_about_runs(
+        &self,
+        sources: &Sources,
+        lines: &[Line],
+        random: &mut Random,
+        sheet: &mut Sheet,
+    ) -> Result<()> {
+        let variants: Vec<_> = self.facts.variants.iter().filter(|v| v.task.is_some()).collect();
+        let mut probed = sources.clone();
+        probe(&mut probed, lines);
+        if variants.is_empty() || self.facts.workers == Workers::Device {
+            return Ok(());
+        }
+        // A line that cannot have a probe stops the build. The sheet then has other questions.
+        let Ok(folder) = self.tree.build(&self.sandbox, &probed)? else { return Ok(()) };
+        let variant = &variants[random.below(variants.len())].name;
+        let trace = |workers| Trace::of(&self.sandbox, folder.path(), variant, workers);
+        let two = trace(2)?;
+        let again = trace(2)?;
+        let three = trace(3)?;
+        // A count that differs from run to run, such as of repeated attempts, has no key.
+        let mut counts = Vec::new();
+        for (line, count) in
+            two.counts.iter().filter(|(line, count)| again.counts.get(line) == Some(count))
+        {
+            counts.extend(
+                three
+                    .counts
+                    .get(line)
+                    .filter(|more| *more != count)
+                    .map(|more| (*line, count, more)),
+            );
+        }
+        if !counts.is_empty() {
+            let (at, count, more) = counts[random.below(counts.len())];
+            let question = format!(
+                "`{variant}` takes {STEPS} steps with {PARTICLES} particles and executes this line {count} times with 2 \
+                 workers. How often with 3, and why?"
+            );
+            sheet.ask(sources, &lines[at], &lines[at].text, &question, format!("{more} times."));
+        }
+        let together: Vec<_> = three.together.into_iter().collect();
+        if !together.is_empty() {
+            let (at, others) = &together[random.below(together.len())];
+            let question = format!(
+                "In a run of `{variant}` one worker is at this line. Name a line of yours that a different worker can \
+                 execute at the same time. Why do they not disturb each other?"
+            );
+            let others: Vec<_> = others.iter().map(|at| format!("`{}`", lines[*at].text)).collect();
+            let key = format!("Seen at the same time: {}.", others.join(", "));
+            sheet.ask(sources, &lines[*at], &lines[*at].text, &question, key);
+        }
+        Ok(())
+    }
+}
+
+/// Returns the tests of a task that fail, and the first message; empty if the task was not asked.
+fn failed(Said { failed, wrong, .. }: &Said) -> String {
+    if failed.is_empty() {
+        return String::new();
+    }
+    let wrong = wrong.as_deref().unwrap_or_default();
+    format!("Fails: `{}`.\n\n```text\n{wrong}\n```\n\n", failed.join("`, `"))
+}

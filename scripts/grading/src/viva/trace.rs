@@ -1,0 +1,113 @@
+//! Traces of a student's program: how often lines run, and which run at the same time.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::Write;
+use std::path::Path;
+use std::process::Stdio;
+use std::time::Duration;
+
+use anyhow::{Context, Result};
+
+use super::changes::{Change, Line};
+use crate::sandbox::Sandbox;
+use crate::timing::PROGRAM;
+use lab_kit::process::{ends, start};
+use lab_kit::submission::Sources;
+
+/// Nanoseconds that a probe waits, so that different workers reach their lines during this time.
+const PAUSE: u128 = 1_000_000;
+
+/// Size of a traced run, and its time limit.
+pub(super) const PARTICLES: usize = 60;
+pub(super) const STEPS: usize = 3;
+const LIMIT: Duration = Duration::from_secs(60);
+
+/// Executions of a program's lines.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Trace {
+    /// Number of executions of each line.
+    pub(super) counts: BTreeMap<usize, usize>,
+    /// Lines that different workers began while one worker was at a line.
+    pub(super) together: BTreeMap<usize, BTreeSet<usize>>,
+}
+
+/// Adds a probe before each statement among `lines`.
+pub(super) fn probe(sources: &mut Sources, lines: &[Line]) {
+    for (number, line) in lines.iter().enumerate() {
+        let text = &line.text;
+        let is_item = text.starts_with("pub") || text.split(' ').any(|word| word == "fn");
+        let is_statement = line.begins && text.ends_with([';', '{']) && !text.contains("=>");
+        if !is_statement
+            || is_item
+            || text.starts_with(['}', '.', '#'])
+            || !line.path.ends_with(".rs")
+        {
+            continue;
+        }
+        let new = format!(
+            "eprintln!(\"@viva {number} {{}}-{{:?}} {{}}\", std::process::id(), std::thread::current().id(), \
+             std::time::UNIX_EPOCH.elapsed().map_or(0, |time| time.as_nanos())); \
+             std::thread::sleep(std::time::Duration::from_nanos({PAUSE})); {text}"
+        );
+        Change { line: line.clone(), new, story: None }.apply(sources);
+    }
+}
+
+impl Trace {
+    /// Runs a variant of a program with probes on a small scene.
+    pub(super) fn of(
+        sandbox: &Sandbox,
+        folder: &Path,
+        variant: &str,
+        workers: usize,
+    ) -> Result<Self> {
+        let mut command = sandbox.program(folder, PROGRAM, None);
+        command.args(["viva", &workers.to_string()]);
+        command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
+        let mut process = start(&mut command)?;
+        let mut order = process.child.stdin.take().context("it has no input")?;
+        // A program that has ended leaves an empty trace.
+        let _ = writeln!(order, "lab {variant} {workers} {PARTICLES} 7 {STEPS}");
+        drop(order);
+        let output = ends(process.child.stderr.take());
+        Ok(Self::read(&output.recv_timeout(LIMIT).unwrap_or_default()))
+    }
+
+    /// Reads the output of probes.
+    fn read(output: &str) -> Self {
+        let mut events: Vec<(u128, usize, &str)> = Vec::new();
+        for words in output.lines().filter_map(|line| Some(line.split_once("@viva ")?.1)) {
+            if let [line, worker, time] = words.split(' ').collect::<Vec<_>>()[..]
+                && let (Ok(line), Ok(time)) = (line.parse(), time.parse())
+            {
+                events.push((time, line, worker));
+            }
+        }
+        events.sort();
+        let mut trace = Self::default();
+        for (index, (time, line, worker)) in events.iter().enumerate() {
+            *trace.counts.entry(*line).or_default() += 1;
+            let meanwhile = events[index..].iter().take_while(|(later, ..)| *later < time + PAUSE);
+            for (_, other, _) in meanwhile.filter(|(.., by)| by != worker) {
+                trace.together.entry(*line).or_default().insert(*other);
+            }
+        }
+        trace
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{PAUSE, Trace};
+
+    #[test]
+    fn lines_of_different_workers_within_a_pause_are_together() {
+        let event =
+            |line: u8, worker: &str, time: u128| format!("x @viva {line} {worker} {time}\n");
+        let output =
+            event(1, "a", 0) + &event(2, "b", PAUSE - 1) + "@viva 3\n" + &event(1, "a", PAUSE);
+        let trace = Trace::read(&output);
+        assert_eq!(trace.counts, [(1, 2), (2, 1)].into());
+        assert_eq!(trace.together, [(1, [2].into()), (2, [1].into())].into());
+    }
+}
