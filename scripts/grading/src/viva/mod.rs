@@ -19,7 +19,7 @@ use clap::Args;
 use self::changes::{Line, changes, own_lines};
 use self::sheet::Sheet;
 use self::trace::{PARTICLES, STEPS, Trace, probe};
-use crate::asking::{JUDGE, Judge, Questions, Said};
+use crate::asking::{JUDGE, Judge, Questions, TaskResult};
 use crate::build::Tree;
 use crate::escape::line;
 use crate::intake::names::named;
@@ -165,7 +165,7 @@ impl Examiner<'_> {
         &self,
         sources: &Sources,
         seed: u64,
-    ) -> Result<Result<BTreeMap<String, Said>, String>> {
+    ) -> Result<Result<BTreeMap<String, TaskResult>, String>> {
         let folder = match self.tree.build(&self.sandbox, sources)? {
             Ok(folder) => folder,
             Err(why) => return Ok(Err(why)),
@@ -234,7 +234,7 @@ impl Examiner<'_> {
 }
 
 /// Returns the tests of a task that fail, and the first message; empty if the task was not asked.
-fn failed(Said { failed, wrong, .. }: &Said) -> String {
+fn failed(TaskResult { failed, wrong, .. }: &TaskResult) -> String {
     if failed.is_empty() {
         return String::new();
     }
