@@ -84,6 +84,8 @@ oracle::questions! {
             => "400 discs on 1 and 3 ranks: pair tests, candidates and collisions as in lab 7's sequential program.",
         quiet_steps after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6" = messages::quiet_steps
             => "Two discs that meet once: only what has collided travels after the first step.",
+        kept_deal after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6" = messages::kept_deal
+            => "Two steps that begin with a deal that is there already: the deal after them.",
         shares_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
             => "Three workers: none looks at more than two thirds of the pairs.",
         memory_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"

@@ -63,10 +63,12 @@ oracle::questions! {
     task_9_3 {
         confirmed_list => "Four discs, and what a device passed on: which of it the host confirms, and the times.",
         confirmed => "What a device passed on, one list after the other: kind, discs, time of each that is confirmed.",
+        kernel_runs => "A list with room for all candidates, and a list without: how often the kernels run, and how often the \
+                        list grows.",
         grown => "Lists that grow, and devices with little memory: how many candidates are found, and how \
                                    many of them differ.",
         disc_turns = |_, ask| turns(ask, Deal::Discs)
-            => "Four invocations that share the discs: none does over two thirds of the work.",
+            => "Four invocations that share the discs: none does over two fifths of the work.",
         disc_candidates after "9.1, 9.2" = |random, ask| candidates(random, ask, Deal::Discs)
             => "Steps of basic: kind, discs, time of each candidate.",
         basic_bytes after "9.1, 9.2" = |random, ask| bytes(random, ask, "9.3", &["basic-f64", "basic-f32"])
@@ -77,7 +79,7 @@ oracle::questions! {
         rectangles => "Few discs: the pairs that have a number.",
         late_rows => "100,000 discs: the pairs of a row, early or late, that are dealt.",
         pair_turns = |_, ask| turns(ask, Deal::Pairs)
-            => "Four invocations that share the pairs: none does over two thirds of the work.",
+            => "Four invocations that share the pairs: none does over two fifths of the work.",
         pair_candidates after "9.1, 9.2, 9.3" = |random, ask| candidates(random, ask, Deal::Pairs)
             => "Steps of balanced: kind, discs, time of each candidate.",
         balanced_bytes after "9.1, 9.2, 9.3" = |random, ask| bytes(random, ask, "9.4", &["balanced-f64", "balanced-f32"])
