@@ -7,7 +7,7 @@ use common::hard::Disc;
 use device::GpuError;
 use device_discs::hard::{Deal, Finder, HardKernels, Search, WALL};
 use lab9::Lab9;
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 use solution7::{Candidate, Hit, Square, pair_hit, wall_hit};
 
 use super::adapter::adapter;
@@ -76,8 +76,8 @@ pub(crate) fn confirmed(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(4097).into_iter().chain([257, 1, 0]) {
         let passed_on = PassedOn::drawn(random, n);
         let question = format!(
-            "a device passed on {n}, after another list: kind (0 corner, 1 and 2 walls, 3 pair), discs, time of each that \
-             is confirmed"
+            "{n} candidates that a device passed on, after another list: kind (0 corner, 1 and 2 walls, 3 pair), \
+             discs, time of each candidate confirmed"
         );
         let found = || {
             let PassedOn { square, discs, found } = &passed_on;
@@ -126,11 +126,11 @@ pub(crate) fn kernel_runs(_: &mut Random, ask: &mut impl Ask) {
              how many candidates are collected"
         );
         let found = || match Lab9::collect(&mut search, 0..rows, &mut all) {
-            Ok(()) => whole([search.runs, search.grown, all.len()]),
+            Ok(()) => integers([search.runs, search.grown, all.len()]),
             Err(error) => panic!("{error}"),
         };
         let fits = u64::from(rows) <= room;
-        let right = || whole([if fits { 1 } else { 2 }, usize::from(!fits), rows as usize]);
+        let right = || integers([if fits { 1 } else { 2 }, usize::from(!fits), rows as usize]);
         ask.exact(&question, found, right);
     }
 }
@@ -159,8 +159,8 @@ impl Grown {
         let room =
             self.room.map_or_else(String::new, |room| format!(", memory for {room} candidates"));
         format!(
-            "{} discs{room}, all pairs and all walls: how many are found, and how many of the pairs and walls differ; \
-             nothing if there is no memory for one row",
+            "{} discs{room}, all pairs and all walls: number of candidates found, and number of different ones; no \
+             numbers if there is no memory for one row",
             self.discs
         )
     }
