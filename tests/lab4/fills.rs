@@ -18,6 +18,7 @@ fn fills(random: &mut Random, ask: &mut impl Ask, fill: impl Fn(&mut Regions, &G
         let grid = Grid::with_bins_along(random.magnitude(1e-6, 1e6), along);
         let particles = on_edges(random, n, grid.size(), along);
         let mut regions = filled(grid.bins(), 1 + random.size(grid.bins()));
+        let before = memory_of(&mut regions);
         fill(&mut regions, &grid, &particles);
         let name = format!(
             "{n} particles, {along} bins along each wall of {:e}, and 30 other particles in each bin before",
@@ -26,10 +27,20 @@ fn fills(random: &mut Random, ask: &mut impl Ask, fill: impl Fn(&mut Regions, &G
         let poorer = regions.parts_mut().flatten().filter(|bin| bin.capacity() < 30).count();
         let question = format!("{name}: number of bins that released their memory");
         ask.exact(&question, || integers([poorer]), || integers([0]));
+        let after = memory_of(&mut regions);
+        // A bin with more particles than it had room for needs new memory.
+        let moved = before.iter().zip(&after).filter(|(old, new)| old.1 == new.1 && old.0 != new.0);
+        let question = format!("{name}: number of bins of the same capacity with new memory");
+        ask.exact(&question, || integers([moved.count()]), || integers([0]));
         let question = format!("{name}: id and bin of each particle that the bins hold");
         let found = || places(&mut regions);
         ask.judge(&question, found, |found| are_in_their_bins(&grid, &particles, found));
     }
+}
+
+/// Returns the address and the room of each bin's memory.
+fn memory_of(regions: &mut Regions) -> Vec<(*const u32, usize)> {
+    regions.parts_mut().flatten().map(|bin| (bin.as_ptr(), bin.capacity())).collect()
 }
 
 /// Checks that each particle is in its bin and in no other bin.

@@ -54,6 +54,12 @@ impl Blocks {
         Self::of(rows, ranks, random)
     }
 
+    /// Draws blocks of one row each, so that a ghost row may be the first or the last row of the box.
+    pub(crate) fn single_rows(random: &mut Random) -> Self {
+        let rows = 2 + random.below(10);
+        Self::of(rows, rows, random)
+    }
+
     fn of(rows: usize, ranks: usize, random: &mut Random) -> Self {
         let grid = Grid::with_bins_along(random.between(0.1, 9.0), rows);
         let cut = Cut { rows, ranks };

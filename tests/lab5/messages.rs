@@ -142,9 +142,7 @@ pub(crate) fn broadcasts(random: &mut Random, ask: &mut impl Ask) {
 fn three_at_most(calls: &[f64]) -> Result<(), String> {
     match calls {
         [calls] if *calls <= 3.0 => Ok(()),
-        _ => Err(format!(
-            "there are {calls:?} calls, but a broadcast of all particles needs at most three"
-        )),
+        _ => Err(format!("there are {calls:?} calls, but three are enough")),
     }
 }
 
@@ -208,6 +206,8 @@ pub(crate) fn sums(random: &mut Random, ask: &mut impl Ask) {
             let found = rank.call("reduce", |world| reduce(world, &own));
             let name = format!("reduce {round} on {}", rank.name());
             no_other_calls(&calls_made(), &["MPI_Reduce"], &name, ask);
+            let calls = || vec![calls_made().len() as f64];
+            ask.judge(&format!("{name}: calls of MPI_Reduce, three at most"), calls, three_at_most);
             let question = format!("{name}: 1 for statistics, 0 for none");
             ask.exact(&question, || vec![truth(found.is_some())], || vec![truth(rank.is_root())]);
             if rank.is_root() {

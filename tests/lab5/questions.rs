@@ -186,8 +186,14 @@ fn receives(blocks: &Blocks, parcels: &[Parcel], rank: usize) -> Vec<Wire> {
 /// arrived.
 pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..60 {
-        let blocks = Blocks::drawn(random);
-        let block = blocks.block(random.below(blocks.cut.ranks));
+        let thin = Blocks::single_rows(random);
+        let last = thin.cut.ranks - 1;
+        let (blocks, rank) = match case % 5 {
+            1 => (thin, 1),
+            2 => (thin, last - 1),
+            _ => (Blocks::drawn(random), random.below(1 << 20)),
+        };
+        let block = blocks.block(rank % blocks.cut.ranks);
         let seen = blocks.visible(&block);
         let visible = |p: &Particle| seen.contains(&blocks.row(p.y));
         let mut bins = VecBins::new(blocks.grid);

@@ -7,6 +7,16 @@ use oracle::{Ask, Random, integers};
 /// Asks for the starts of blocks. Rows have few particles, or more than 32 bits can count; the sum
 /// fits into 64 bits.
 pub(crate) fn starts_of_blocks(random: &mut Random, ask: &mut impl Ask) {
+    // Equal shares of equal rows. A share that is computed in floating point may be rounded below a
+    // whole number.
+    for ranks in 1..130 {
+        let counts = vec![1; ranks];
+        let question = format!(
+            "{ranks} rows of one particle on {ranks} ranks: the starts, and the number of rows"
+        );
+        let found = || integers(balanced(&counts, ranks).starts);
+        ask.exact(&question, found, || integers(0..=ranks));
+    }
     for case in 0..150 {
         let most = if case % 15 == 14 { 4097 } else { 40 };
         let rows = 1 + random.size(most);

@@ -1,12 +1,13 @@
 //! Questions about lists of candidates: the candidates that the host confirms, and lists that grow.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use common::hard::Disc;
 use device::GpuError;
-use device_discs::hard::{Deal, Finder, HardKernels, WALL};
+use device_discs::hard::{Deal, Finder, HardKernels, Search, WALL};
 use lab9::Lab9;
-use oracle::{Ask, Random};
+use oracle::{Ask, Random, integers};
 use solution7::{Candidate, Hit, Square, pair_hit, wall_hit};
 
 use super::adapter::adapter;
@@ -84,6 +85,53 @@ pub(crate) fn confirmed(random: &mut Random, ask: &mut impl Ask) {
             values(&candidates).concat()
         };
         ask.exact(&question, found, || values(&passed_on.confirmed()).concat());
+    }
+}
+
+/// A search that finds one candidate in each row, and counts what is asked of it.
+struct Counted {
+    room: u64,
+    runs: usize,
+    grown: usize,
+}
+
+impl Search for Counted {
+    fn run(&mut self, rows: Range<u32>) -> u64 {
+        self.runs += 1;
+        u64::from(rows.end - rows.start)
+    }
+
+    fn capacity(&self) -> u64 {
+        self.room
+    }
+
+    fn grow(&mut self, count: u64) -> Result<(), GpuError> {
+        self.grown += 1;
+        self.room = count;
+        Ok(())
+    }
+
+    fn fetch(&mut self, count: u64, found: &mut Vec<[u32; 2]>) {
+        found.extend((0..count as u32).map(|disc| [disc, WALL]));
+    }
+}
+
+/// Asks how often kernels run if a list has room, and if it has none.
+pub(crate) fn kernel_runs(_: &mut Random, ask: &mut impl Ask) {
+    for (room, rows) in [(8, 5), (8, 8), (8, 9), (1, 100)] {
+        let mut search = Counted { room, runs: 0, grown: 0 };
+        let mut all = Vec::new();
+        let question = format!(
+            "room for {room} candidates, and {rows} candidates: how often the kernels run, how often the list grows, and \
+             how many candidates are collected"
+        );
+        let found = || match Lab9::collect(&mut search, 0..rows, &mut all) {
+            Ok(()) => integers([search.runs, search.grown, all.len()]),
+            Err(error) => panic!("{error}"),
+        };
+        let fits = u64::from(rows) <= room;
+        let right = || integers([if fits { 1 } else { 2 }, usize::from(!fits), rows as usize]);
+        ask.exact(&question, found, right);
     }
 }
 

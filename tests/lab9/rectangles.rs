@@ -79,7 +79,7 @@ fn are_of_row(found: &[f64], row: u32) -> Result<(), String> {
     ))
 }
 
-/// Asks whether four invocations share the work on all rows: each does at most two thirds of it.
+/// Asks whether four invocations share the work on all rows: each does at most two fifths of it.
 pub(crate) fn turns(ask: &mut impl Ask, deal: Deal) {
     let (task, find, source) = match deal {
         Deal::Discs => ("9.3", "find_of_discs", Lab9::basic()),
@@ -95,7 +95,7 @@ pub(crate) fn turns(ask: &mut impl Ask, deal: Deal) {
             f64::from(search.run::<f32>(gpu).count)
         };
         let question = format!(
-            "{find}, {n} discs, each of four invocations: number of pairs that it passes on, at most two thirds of \
+            "{find}, {n} discs, each of four invocations: number of pairs that it passes on, at most two fifths of \
              all"
         );
         ask.judge(
@@ -103,10 +103,10 @@ pub(crate) fn turns(ask: &mut impl Ask, deal: Deal) {
             || [0, 1, 2, 3].map(passed_on).to_vec(),
             |found| {
                 let all: f64 = found.iter().sum();
-                match found.iter().position(|one| 3.0 * one > 2.0 * all) {
+                match found.iter().position(|one| 5.0 * one > 2.0 * all) {
                     None => Ok(()),
                     Some(turn) => Err(format!(
-                        "invocation {turn} does more than two thirds of the work: {found:?}"
+                        "invocation {turn} does more than two fifths of the work: {found:?}"
                     )),
                 }
             },

@@ -13,7 +13,7 @@ use mpi::traits::*;
 /// Lab 6 had to send lengths first. Here both sides have known the number of ghosts since the list
 /// was made. So `received[k]` has the right length, and every partner gets only one message.
 ///
-/// Start all receives, start all sends, call `meanwhile`, and finally wait
+/// Start all receives and all sends, call `meanwhile`, and finally wait
 /// ([`Source::immediate_receive_into`], [`Destination::immediate_send`], [`request::scope`]). Send
 /// empty lists too, because the partner waits for them.
 ///

@@ -9,7 +9,7 @@ use crate::balanced;
 /// Returns the cuts of a scene and the particles in `rank`'s block.
 ///
 /// `replay` yields the scene one particle at a time: `replay(&mut |particle| …)` calls the function
-/// with each particle. You may call it several times.
+/// with each particle. Every call draws the whole scene again, so call it twice and no more.
 ///
 /// No rank may keep the whole scene, and the cuts depend on the particles of all rows. So replay
 /// the scene twice:

@@ -94,6 +94,8 @@ oracle::questions! {
         quiet_steps after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6" = messages::quiet_steps
             => "Two discs that meet once: the bytes sent after the first step. Only discs that have collided may be \
                 sent.",
+        kept_deal after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6" = messages::kept_deal
+            => "Two steps of an engine that has a deal already: the deal after them, which must be the same.",
         shares_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
             => "Three workers: the pair tests of the busiest rank, at most two thirds of all.",
         memory_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"

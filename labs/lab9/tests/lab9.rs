@@ -67,10 +67,12 @@ oracle::questions! {
                            confirms, and their times.",
         confirmed => "Lists of candidates that a device passed on, one after another: kind, discs and time of each \
                       candidate that is confirmed.",
+        kernel_runs => "A list with room for all candidates, and a list without: the number of runs of the kernels, and \
+                        of times that the list grows.",
         grown => "Lists that grow, and devices with little memory: the number of candidates found, and the number of \
                   different candidates.",
         disc_turns = |_, ask| turns(ask, Deal::Discs)
-            => "Four invocations that share the discs: the pairs that each passes on, at most two thirds of all.",
+            => "Four invocations that share the discs: the pairs that each passes on, at most two fifths of all.",
         disc_candidates after "9.1, 9.2" = |random, ask| candidates(random, ask, Deal::Discs)
             => "Steps of `basic`: kind, discs and time of each candidate.",
         basic_bytes after "9.1, 9.2" = |random, ask| bytes(random, ask, "9.3", &["basic-f64", "basic-f32"])
@@ -81,7 +83,7 @@ oracle::questions! {
         rectangles => "Few discs: the pairs that have a number, which must be all pairs, each once.",
         late_rows => "100,000 discs: the pairs in one row of the rectangle, early or late.",
         pair_turns = |_, ask| turns(ask, Deal::Pairs)
-            => "Four invocations that share the pairs: the pairs that each passes on, at most two thirds of all.",
+            => "Four invocations that share the pairs: the pairs that each passes on, at most two fifths of all.",
         pair_candidates after "9.1, 9.2, 9.3" = |random, ask| candidates(random, ask, Deal::Pairs)
             => "Steps of `balanced`: kind, discs and time of each candidate.",
         balanced_bytes after "9.1, 9.2, 9.3" = |random, ask| bytes(random, ask, "9.4", &["balanced-f64", "balanced-f32"])

@@ -5,7 +5,7 @@ use common::soft::Observer;
 use solution1::pair_acceleration;
 use solution2::SortedBins;
 
-/// Adds the accelerations of all pairs within `bins` to `accelerations`, each pair computed once.
+/// Adds the accelerations of all pairs within `bins` to `accelerations`. Looks at each pair once.
 ///
 /// `accelerations[i]` belongs to `bins.particles()[i]`. If j accelerates i by `a`
 /// ([`pair_acceleration`] of the vector from i to j), then i accelerates j by −a.

@@ -109,7 +109,8 @@ impl<O: Observer> ThroughRoot<O> {
     /// 1. Separate local and remote particles ([`take_leavers_of_block`]). Put the local particles
     ///    into their bins ([`VecBins::put`]).
     /// 2. Copy the border rows ([`border_copies`]), which now contain the local particles again.
-    /// 3. Gather the remote particles, then gather the copies ([`Self::gather`], twice).
+    /// 3. Gather the remote particles and the copies ([`Self::gather`], twice), in the same order on
+    ///    all ranks.
     /// 4. On the root, make a [`Parcel`] of the two lists of each rank, and sort the parcels
     ///    ([`sort_by_receiver`]).
     /// 5. Scatter the lists ([`Self::scatter`]), and put the particles that arrive into the bins

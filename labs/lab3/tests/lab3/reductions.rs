@@ -168,20 +168,22 @@ pub(crate) fn slow(_: &mut Random, ask: &mut impl Ask) {
 
 /// Asks for the sum when another thread interrupts few and many times.
 pub(crate) fn interrupted(_: &mut Random, ask: &mut impl Ask) {
-    for times in [1, 2, 3, 40, 1000] {
+    // The other thread's dmin is less than the part's, or it is greater and must be replaced.
+    for (times, least) in [1, 2, 3, 40, 1000].into_iter().flat_map(|t| [(t, 0.125), (t, 0.6)]) {
         let question = format!(
             "dmin 0.5, davg 0.5, navg 1 and 4 pair tests are added twice, and another thread interrupts {times} times, \
-             between two operations on each number. Each time it lowers dmin to 0.125, and adds 0.25 to davg and 2 to \
+             between two operations on each number. Each time it lowers dmin towards {least}, and adds 0.25 to davg and 2 to \
              each count: dmin, davg, navg, pair tests of the sum"
         );
-        ask.judge(&question, || numbers(&sum_of_two(times)), |found| nothing_lost(times, found));
+        let found = || numbers(&sum_of_two(times, least));
+        ask.judge(&question, found, |found| nothing_lost(times, least, found));
     }
 }
 
 /// Checks that a sum contains the other thread's additions and the thread's own additions.
-fn nothing_lost(times: u32, found: &[f64]) -> Result<(), String> {
+fn nothing_lost(times: u32, least: f64, found: &[f64]) -> Result<(), String> {
     let others = f64::from(2 * times);
-    let right = [0.125, 1.0 + 0.125 * others, 2.0 + others, 8.0 + others];
+    let right = [least.min(0.5), 1.0 + 0.125 * others, 2.0 + others, 8.0 + others];
     // An addition in one operation cannot be interrupted; then only a reading is interrupted.
     let fewest = [right[0], right[1], 4.0, 10.0];
     let is_right = |k: usize| found[k] == right[k] || found[k] == fewest[k];
@@ -191,8 +193,15 @@ fn nothing_lost(times: u32, found: &[f64]) -> Result<(), String> {
     Err(format!("     found: {found:?}\n  expected: {right:?}"))
 }
 
-/// Returns the sum of two additions while another thread interrupts `times` times.
-fn sum_of_two(times: u32) -> Statistics {
+/// Returns the sum of two additions while another thread interrupts `times` times. It lowers dmin to
+/// a small `least`. A `least` above the part's 0.5 is approached, so that every interruption changes
+/// dmin.
+fn sum_of_two(times: u32, least: f64) -> Statistics {
+    let lower = move |bits: &AtomicU64| {
+        let old = f64::from_bits(bits.load(Ordering::Relaxed));
+        let new = if least < 0.5 { least } else { 0.5 * (old + least) };
+        bits.fetch_min(new.to_bits(), Ordering::Relaxed);
+    };
     let total = AtomicStatistics {
         dmin: Word::new(1.0_f64.to_bits()).interrupted(at_first(times, lower)),
         davg: Word::new(0.0_f64.to_bits()).interrupted(at_first(times, add_quarter)),
@@ -209,17 +218,13 @@ fn sum_of_two(times: u32) -> Statistics {
 
 /// Returns a function by which another thread changes a word with `by`, at the first `times`
 /// opportunities.
-pub(crate) fn at_first(times: u32, by: fn(&AtomicU64)) -> impl Fn(&AtomicU64) {
+pub(crate) fn at_first(times: u32, by: impl Fn(&AtomicU64)) -> impl Fn(&AtomicU64) {
     let done = AtomicU32::new(0);
     move |bits| {
         if done.fetch_add(1, Ordering::Relaxed) < times {
             by(bits);
         }
     }
-}
-
-fn lower(bits: &AtomicU64) {
-    bits.store(0.125_f64.to_bits(), Ordering::Relaxed);
 }
 
 pub(crate) fn add_quarter(bits: &AtomicU64) {

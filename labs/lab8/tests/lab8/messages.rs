@@ -3,10 +3,10 @@
 use std::thread::sleep;
 use std::time::Duration;
 
-use common::hard::{Disc, RandomScene, Scene};
-use common_mpi::calls_made;
-use hard_disc_ranks::{DiscWire, Team};
-use lab8::{VARIANTS, collect, hand_out};
+use common::hard::{Disc, RandomScene, Scene, Simulation};
+use common_mpi::{Clock, calls_made};
+use hard_disc_ranks::{Deal, DiscWire, MasterWorkers, Team};
+use lab8::{Lab8, VARIANTS, collect, hand_out};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::{Ask, Random, begins_send, digest, integers, truth};
@@ -159,6 +159,29 @@ pub(crate) fn quiet_steps(random: &mut Random, ask: &mut impl Ask) {
                 || vec![truth(rank.ranks > 1), 0.0],
             );
         }
+    });
+}
+
+/// Asks for the deal after steps that began with more blocks for each worker than the rule of 8.1
+/// gives. Workers get their blocks in each step.
+pub(crate) fn kept_deal(random: &mut Random, ask: &mut impl Ask) {
+    on_each(ask, "8.7", &[3, 5], random, |rank, _, ask| {
+        let team = Team::new(rank.ranks, false);
+        let dealt = Deal { workers: team.workers, offsets: (0..team.workers).collect() };
+        let kept = rank.call("two steps", |_| {
+            let world = SimpleCommunicator::world();
+            let mut engine = MasterWorkers::<Lab8>::new(world, team, false, Clock::new(false));
+            engine.load(&two_that_meet());
+            engine.deal = Some(dealt.clone());
+            (0..2).for_each(|_| engine.step());
+            engine.deal
+        });
+        let question = format!(
+            "{}, two steps from a deal of all blocks to each worker: the offsets of the deal after them",
+            rank.name()
+        );
+        let found = || kept.map_or_else(Vec::new, |deal| integers(deal.offsets));
+        ask.exact(&question, found, || integers(dealt.offsets.clone()));
     });
 }
 

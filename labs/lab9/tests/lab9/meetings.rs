@@ -27,8 +27,12 @@ const WATCHED: &str = "
 @group(0) @binding(2) var<storage, read_write> conflict: atomic<u32>;
 @group(0) @binding(3) var<storage, read_write> meetings: array<atomic<u32>>;
 
+@group(0) @binding(4) var<storage, read_write> parting: atomic<u32>;
+
 var<private> own: u32;
 var<private> now: u32 = 1u;
+// A bit for each meet() of the program that an invocation has called as this barrier.
+var<workgroup> places: array<atomic<u32>, 64>;
 
 var<workgroup> numbers: array<atomic<u32>, THREADS>;
 var<workgroup> first_reader: array<atomic<u32>, THREADS>;
@@ -66,9 +70,14 @@ fn fetch(k: u32) -> u32 {
     return atomicLoad(&numbers[k]);
 }
 
-fn meet() {
-    atomicAdd(&meetings[min(now, arrayLength(&meetings)) - 1u], 1u);
+fn meet_at(place: u32) {
+    let index = min(now, arrayLength(&meetings)) - 1u;
+    atomicAdd(&meetings[index], 1u);
+    atomicOr(&places[index], 1u << place);
     workgroupBarrier();
+    if countOneBits(atomicLoad(&places[index])) > 1u {
+        atomicMin(&parting, now);
+    }
     now++;
 }
 ";
@@ -85,7 +94,8 @@ pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
         let n = 2 * threads + 1;
         let question = format!(
             "{n} numbers, workgroups of {threads}: the first conflict, as {PLACES} times the number of barriers before \
-             it plus the index of the shared number, or -1 for none; then for each barrier the number of invocations \
+             it plus the index of the shared number, or -1 for none; the first barrier that invocations reach at \
+             different calls of meet(), or -1 for none; then for each barrier the number of invocations \
              that come to it"
         );
         let found = || watched(gpu, n, threads);
@@ -93,10 +103,22 @@ pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Returns the first conflict (or -1), and for each barrier the number of invocations of three
-/// workgroups that reached it.
+/// Returns the kernel's source, in which each call of `meet()` passes its number.
+///
+/// Two calls in two branches are two barriers, even if each invocation comes to one of them.
+fn with_places() -> String {
+    let mut parts = Lab9::scan().split("meet()");
+    let first = parts.next().unwrap_or_default().to_owned();
+    (0..)
+        .zip(parts)
+        .fold(first, |all, (place, part)| format!("{all}meet_at({}u){part}", place % 32))
+}
+
+/// Returns the first conflict, the first barrier at which invocations part (or -1), and for each
+/// barrier the number of invocations of three workgroups that reached it.
 fn watched(gpu: &Gpu, n: u32, threads: u32) -> Vec<f64> {
-    let sources = [Lab9::scan(), WATCHED];
+    let scan = with_places();
+    let sources = [&scan, WATCHED];
     let kernel = Lab9::checked(gpu, "scan_blocks", || {
         Kernel::new(gpu, "scan_blocks", &sources, threads, &[])
     });
@@ -111,17 +133,21 @@ fn watched(gpu: &Gpu, n: u32, threads: u32) -> Vec<f64> {
     let sums = buffer(&[0; 3]);
     let conflict = buffer(&[u32::MAX]);
     let meetings = buffer(&[0; MEETINGS as usize]);
-    let buffers = [(0, &values), (1, &sums), (2, &conflict), (3, &meetings)];
+    let parting = buffer(&[u32::MAX]);
+    let buffers = [(0, &values), (1, &sums), (2, &conflict), (3, &meetings), (4, &parting)];
     let mut work = Work::new(gpu, None);
     work.launch(&kernel.bind(gpu, &buffers), Launch { groups: [3, 1], threads });
-    let all = [(&conflict, 0..1), (&meetings, 0..u64::from(MEETINGS))];
-    let [conflict, met] = Readback::default().read::<u32, 2>(gpu, work, all);
-    let conflict = if conflict[0] == u32::MAX { -1.0 } else { f64::from(conflict[0]) };
-    [conflict].into_iter().chain(met.iter().map(|met| f64::from(*met))).collect()
+    let all = [(&conflict, 0..1), (&parting, 0..1), (&meetings, 0..u64::from(MEETINGS))];
+    let [conflict, parting, met] = Readback::default().read::<u32, 3>(gpu, work, all);
+    let first = |all: &[u32]| if all[0] == u32::MAX { -1.0 } else { f64::from(all[0]) };
+    [first(&conflict), first(&parting)]
+        .into_iter()
+        .chain(met.iter().map(|met| f64::from(*met)))
+        .collect()
 }
 
 fn verdict(found: &[f64], threads: u32) -> Result<(), String> {
-    let Some((conflict, met)) = found.split_first() else {
+    let [conflict, parting, met @ ..] = found else {
         return Err("the answer is not complete".into());
     };
     let all = f64::from(3 * threads);
@@ -130,6 +156,12 @@ fn verdict(found: &[f64], threads: u32) -> Result<(), String> {
             "call {} of meet() is reached by {} of {all} invocations, but all must come to each call",
             k + 1,
             met[k]
+        ));
+    }
+    if *parting >= 0.0 {
+        return Err(format!(
+            "as barrier number {parting} the invocations of a workgroup call meet() at two places of the program: no meet() \
+             may depend on `local`"
         ));
     }
     if *conflict < 0.0 {
