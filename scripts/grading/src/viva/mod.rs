@@ -150,7 +150,7 @@ impl Examiner<'_> {
             change.apply(&mut changed);
             let Ok(failures) = self.failures(&changed, seed)? else { continue };
             let lost = failures.iter().filter(|(task, _)| !own.contains_key(*task));
-            let mut key: String = lost.map(|(_, said)| failed(said)).collect();
+            let mut key: String = lost.map(|(_, result)| failed(result)).collect();
             if !key.is_empty() {
                 key.extend(change.story.map(|story| format!("A known mistake: {story}")));
                 asked.extend(change.line.task.map(Some));
@@ -171,9 +171,9 @@ impl Examiner<'_> {
             Err(why) => return Ok(Err(why)),
         };
         let tasks = self.facts.tasks.keys().map(String::as_str);
-        let said = self.questions.ask(&self.sandbox, folder.path(), tasks, seed)?;
-        let all = self.facts.tasks.keys().cloned().zip(said);
-        Ok(Ok(all.filter(|(_, said)| said.wrong.is_some()).collect()))
+        let result = self.questions.ask(&self.sandbox, folder.path(), tasks, seed)?;
+        let all = self.facts.tasks.keys().cloned().zip(result);
+        Ok(Ok(all.filter(|(_, result)| result.wrong.is_some()).collect()))
     }
 
     /// Asks how often a line runs with one worker more, and which lines run at the same time.
