@@ -33,7 +33,7 @@ pub enum Kind {
     Thin,
     /// The official scene in a box of 0.65 times the side: more than twice as many pairs meet.
     Crowd,
-    /// The official scene, in which one particle of a hundred is ten times as fast.
+    /// The official scene, in which one particle of a hundred is three times as fast.
     Fast,
 }
 
@@ -82,7 +82,7 @@ impl Kind {
         if self == Self::Fast {
             // The official scene has shuffled the ids, so these particles are anywhere.
             for particle in particles.iter_mut().step_by(FAST) {
-                (particle.vx, particle.vy) = (10.0 * particle.vx, 10.0 * particle.vy);
+                (particle.vx, particle.vy) = (3.0 * particle.vx, 3.0 * particle.vy);
             }
         }
         Scene::new(size, particles).expect("all are in the box")
@@ -102,8 +102,8 @@ impl Kind {
         };
         let fineness = Fineness { window, ..Fineness::FINE };
         let time = STEPS as f64 * DT;
-        let is_mixed = matches!(self, Self::Crowd | Self::Fast);
-        if is_mixed || scene.size() <= SQUARE {
+        let has_square = matches!(self, Self::Official | Self::Large);
+        if !has_square || scene.size() <= SQUARE {
             return exact(scene, time, fineness);
         }
         let square = Square::draw(scene.size(), seed);

@@ -15,6 +15,7 @@ use std::time::Duration;
 
 use anyhow::{Result, ensure};
 use clap::Args;
+use common::soft::CUTOFF;
 use lab_kit::Kit;
 use lab_kit::machine::{cores, on_all_cores};
 use lab_kit::program::Program;
@@ -38,6 +39,9 @@ const REFERENCE: &str = "solution2:sorted";
 
 /// Measurements of the kit's own engines, which this command has written.
 pub const LANDMARKS: &str = "book/data/lab14-landmarks.json";
+
+/// Error below which no difference counts: a ten-millionth of a cutoff. It is added to all errors.
+const LEAST: f64 = 1e-7 * CUTOFF;
 
 /// Greatest distance (rms) between the ends of two runs, as a share of the official step's error.
 const ROUNDING: f64 = 0.01;
@@ -197,7 +201,8 @@ impl Contest {
                     let after = run(&self.reference)?.map_err(anyhow::Error::msg)?.seconds;
                     let beside = seconds.min(after);
                     seconds = after;
-                    entry.add(drawn.kind, end.seconds / beside, end.error / before.error);
+                    let error = (end.error + LEAST) / (before.error + LEAST);
+                    entry.add(drawn.kind, end.seconds / beside, error);
                 }
                 Err(why) => entry.fault(drawn, &why),
             }

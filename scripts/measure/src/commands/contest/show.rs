@@ -46,7 +46,7 @@ pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
     }
     let mut text = format!("{}\n{}", places.table(&rows), kinds.table(&rows));
     for entry in &all {
-        for fault in &entry.faults {
+        if let Some(fault) = entry.faults.first() {
             text += &format!("\nnot ranked: {}: {fault}", entry.program);
         }
     }
