@@ -85,7 +85,7 @@ pub(super) fn chart(entries: &[Entry], landmarks: &[Entry]) -> Chart {
         chart = chart.with(Series::new(Look::Behind, name, point(entry).into_iter().collect()));
     }
     for entry in entries {
-        let note = if entry.faults.is_empty() { "" } else { " (not ranked)" };
+        let note = if entry.faults.is_empty() { "" } else { " (out)" };
         let name = format!("{}{note}", entry.program);
         chart = chart.with(Series::new(Look::Apart, name, point(entry).into_iter().collect()));
     }
