@@ -9,6 +9,9 @@ use oracle::{Ask, Near, Random, whole};
 
 use super::scenes::{Case, flat, squared};
 
+/// How much farther than its reach a list may look, because it has room for rounding.
+const ROUNDING: f64 = 1.0 + 1e-6;
+
 /// Asks for the outer list of any scene, built twice, next to all pairs.
 pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {
     for case in Case::drawn(random) {
@@ -27,7 +30,7 @@ pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {
                 || [whole(engine.bodies.id.iter().map(|&id| id as usize)), flat(&pairs)].concat();
             ask.judge(&question, found, |found| {
                 let listed = Listed::read(&case.scene, found)?;
-                listed.are_all_within(CUTOFF * (1.0 + case.skin) * (1.0 + 1e-6))
+                listed.are_all_within(CUTOFF * (1.0 + case.skin))
             });
             let question = format!(
                 "{name}: the skin of the outer list in cutoffs, its displacement, and the displacement of the inner list"
@@ -70,21 +73,28 @@ impl Listed {
     }
 
     /// Checks that the pairs, in ascending order, are all pairs within a reach, each listed once.
+    ///
+    /// A pair that is at most [`ROUNDING`] farther apart may be listed.
     fn are_all_within(&self, reach: f64) -> Result<(), String> {
         let n = self.bodies.len() as u32;
-        let all = (0..n).flat_map(|i| (i + 1..n).map(move |j| [i, j]));
-        let right: Vec<Pair> = all.filter(|&pair| self.distance(pair) <= reach).collect();
-        if let Some(&missing) = right.iter().find(|pair| self.pairs.binary_search(pair).is_err()) {
+        let mut all = (0..n).flat_map(|i| (i + 1..n).map(move |j| [i, j]));
+        let missing = all
+            .find(|&pair| self.distance(pair) <= reach && self.pairs.binary_search(&pair).is_err());
+        if let Some(missing) = missing {
             return Err(format!("{} is missing", self.words(missing)));
         }
-        if let Some(&odd) = self.pairs.iter().find(|pair| right.binary_search(pair).is_err()) {
-            let [i, j] = odd;
-            let far = i < j && j < n && self.distance(odd) > reach;
-            let why =
-                if far { "they are too far apart" } else { "a pair is [i, j] with i < j < n" };
-            return Err(format!("places {i} and {j} are listed: {why}"));
+        for &[i, j] in &self.pairs {
+            if !(i < j && j < n) {
+                return Err(format!("[{i}, {j}] is listed: a pair is [i, j] with i < j < n"));
+            }
+            if self.distance([i, j]) > reach * ROUNDING {
+                return Err(format!("places {i} and {j} are listed: they are too far apart"));
+            }
         }
-        if self.pairs.len() == right.len() { Ok(()) } else { Err("a pair is listed twice".into()) }
+        if self.pairs.windows(2).any(|pair| pair[0] == pair[1]) {
+            return Err("a pair is listed twice".into());
+        }
+        Ok(())
     }
 
     fn distance(&self, [i, j]: Pair) -> f64 {
@@ -145,22 +155,27 @@ fn are_the_near_ones(scene: &Scene, skin: f64, found: &[f64]) -> Result<(), Stri
     if outer.iter().flatten().any(|&place| place >= n) {
         return Err("a place in the outer list is beyond the last particle".into());
     }
-    let reach = (CUTOFF + skin) * (1.0 + 1e-6);
-    let mut right = outer.iter().filter(|pair| listed.distance(**pair) <= reach);
-    for (k, pair) in inner.iter().enumerate() {
-        match right.next() {
-            Some(right) if right == pair => {}
-            Some(right) => {
-                return Err(format!("inner pair {k}, from 0, is {pair:?}, not {right:?}"));
+    let reach = CUTOFF + skin;
+    let mut inner = inner.iter().peekable();
+    for &pair in outer {
+        let distance = listed.distance(pair);
+        if inner.next_if_eq(&&pair).is_some() {
+            if distance > reach * ROUNDING {
+                return Err(format!("inner pair {pair:?} is too far apart"));
             }
-            None => {
-                return Err(format!(
-                    "inner pair {k}, from 0, is {pair:?}: there should be no more"
-                ));
-            }
+        } else if distance <= reach {
+            return Err(format!(
+                "{} is missing, or the inner pairs are in another order",
+                listed.words(pair)
+            ));
         }
     }
-    right.next().map_or(Ok(()), |missing| Err(format!("{} is missing", listed.words(*missing))))
+    match inner.next() {
+        Some(pair) => Err(format!(
+            "inner pair {pair:?} is not an outer pair, is listed twice, or is in another order"
+        )),
+        None => Ok(()),
+    }
 }
 
 impl Case {

@@ -22,7 +22,7 @@ pub use vanilla::Vanilla;
 pub use worker::Worker;
 
 use common::soft::Simulation;
-use common::{Config, Parameter, Variant, bitwise, observed};
+use common::{BuildError, Config, Parameter, Variant, bitwise, observed};
 use crossbeam_utils::CachePadded;
 use solution1::Tally;
 use solution2::{BIN_SIZE, bin_size};
@@ -43,13 +43,25 @@ const LATE: Parameter = Parameter {
     range: (0.0, 1024.0),
 };
 
+/// Checks that the late thread exists.
+fn check_late(config: &Config) -> Result<(), BuildError> {
+    let (late, threads) = (config.parameter("late"), config.threads);
+    if late > threads as f64 || late.fract() != 0.0 {
+        return Err(BuildError(format!("late={late}: there is no such thread among {threads}")));
+    }
+    Ok(())
+}
+
 /// The programs of this lab.
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     bitwise(
         "team",
         "threads that live for the whole run, sorted bins, barriers in plain sight",
         &[bin_size(1.0), LATE],
-        |config| Ok(observed!(config, Tally, |O| Team::<O>::new(config))),
+        |config| {
+            check_late(config)?;
+            Ok(observed!(config, Tally, |O| Team::<O>::new(config)))
+        },
     ),
     bitwise(
         "parallel-rebin",

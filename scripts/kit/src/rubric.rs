@@ -11,6 +11,9 @@ use crate::lab::Lab;
 /// Points of all tasks of a lab together.
 const WHOLE: f64 = 100.0;
 
+/// Most points of a single task or measure. More is a typing error.
+const MOST: f64 = 1000.0;
+
 impl Facts {
     /// Returns the measures of times, with their points.
     pub fn timed(&self) -> impl Iterator<Item = &Timed> {
@@ -37,15 +40,15 @@ impl Facts {
 /// Reads the facts of a lab that can be graded.
 ///
 /// # Errors
-/// If the facts cannot be read, name no task, or contain negative points.
+/// If the facts cannot be read, name no task, or contain points outside 0 to [`MOST`].
 pub fn read(kit: &Kit, lab: Lab) -> Result<Facts> {
     let facts = kit.facts(lab)?;
     let file = format!("solutions/lab{lab}/lab.toml");
     ensure!(!facts.tasks.is_empty(), "{file} names no task: lab {lab} cannot be graded");
     let points = facts.tasks.values().map(|task| task.points);
     for points in points.chain(facts.timed().map(|timed| timed.points)) {
-        let some = points.is_finite() && points >= 0.0;
-        ensure!(some, "{file}: {points} points cannot be given");
+        let possible = (0.0..=MOST).contains(&points);
+        ensure!(possible, "{file}: points = {points}: a task has 0 to {MOST} points");
     }
     for (id, task) in &facts.tasks {
         let (share, some) = (task.partial, (0.0..=1.0).contains(&task.partial));
@@ -106,10 +109,10 @@ mod tests {
     }
 
     #[test]
-    fn points_are_not_taken_away() {
-        for points in ["-5", "nan", "inf"] {
+    fn points_outside_the_limits_are_refused() {
+        for points in ["-5", "nan", "inf", "1e308"] {
             let error = with(points).unwrap_err().to_string();
-            assert!(error.contains("cannot be given"), "{points}: {error}");
+            assert!(error.contains("0 to 1000 points"), "{points}: {error}");
         }
     }
 }

@@ -6,6 +6,7 @@ mod door;
 mod facts;
 mod graded;
 mod hint;
+mod json;
 mod list;
 mod memory;
 mod movie;

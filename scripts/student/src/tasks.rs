@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use anyhow::Result;
+use serde::Serialize;
 
 use lab_kit::answers::{RegionId, Task};
 use lab_kit::files::read_bytes;
@@ -13,11 +14,13 @@ use lab_kit::starter::todo;
 use lab_kit::{Kit, Lab, sources_below};
 
 /// State of a task.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub(crate) enum State {
     /// All tests of the task pass.
     Done,
     /// The task was answered, and a test fails.
+    #[serde(rename = "fails")]
     Failing,
     /// The task's `todo!`, or the `todo!` of a task that it builds on, is still there.
     Todo,
@@ -38,7 +41,7 @@ impl State {
 }
 
 /// A task with the outcomes of its tests.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct Progress {
     /// The task.
     pub(crate) task: Task,

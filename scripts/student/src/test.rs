@@ -8,6 +8,7 @@ use anyhow::{Result, bail, ensure};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::json;
 use crate::memory::{recall, remember};
 use crate::report::report;
 use crate::results::{self, Run, Step};
@@ -33,6 +34,9 @@ pub(crate) struct Options {
     /// Show every test that fails, not only the first
     #[arg(long)]
     all: bool,
+    /// Print the state of all tests as JSON, for editors and other programs
+    #[arg(long, conflicts_with = "all")]
+    json: bool,
 }
 
 /// A whole lab, or one task of it.
@@ -57,9 +61,12 @@ impl FromStr for What {
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     process::kill_all_on_interrupt();
     let What { lab, task } = options.what;
-    kit.expect_starter(lab)?;
+    expect_lab(kit, lab)?;
     if let Some(task) = task {
         expect_task(kit, task)?;
+    }
+    if options.json {
+        return json::run(kit, options.what);
     }
     let Some(run) = run_tests(kit, lab, task)? else { return Ok(ExitCode::FAILURE) };
     report(kit, options.what, &run, options.all)?;
@@ -79,6 +86,15 @@ pub(crate) fn expect_task(kit: &Kit, task: Task) -> Result<()> {
     let known = all.iter().any(|progress| progress.task == task);
     let names = || all.iter().map(|p| p.task.to_string()).collect::<Vec<_>>().join(", ");
     ensure!(known, "lab {} has no task {task}; it has {}", task.lab, names());
+    Ok(())
+}
+
+/// Returns an error if the kit lacks this lab, or if this machine lacks what its tests need.
+fn expect_lab(kit: &Kit, lab: Lab) -> Result<()> {
+    kit.expect_starter(lab)?;
+    if let Some(what) = system::missing(kit, lab)? {
+        bail!("lab {lab} needs {what}");
+    }
     Ok(())
 }
 
@@ -102,10 +118,7 @@ pub(crate) fn run_build(
     only: Option<Task>,
     build: Build<'_>,
 ) -> Result<Option<Run>> {
-    kit.expect_starter(lab)?;
-    if let Some(what) = system::missing(kit, lab)? {
-        bail!("lab {lab} needs {what}");
-    }
+    expect_lab(kit, lab)?;
     name_unread(kit, lab)?;
     let bar = ProgressBar::hidden();
     bar.set_style(ProgressStyle::with_template("{bar:30} test {pos} of {len}  {wide_msg}")?);

@@ -66,7 +66,7 @@ impl Tree {
     /// Makes a tree, without any solution of `lab` or of a later lab.
     pub(crate) fn lay(kit: &Kit, lab: Lab, sandbox: &Sandbox) -> Result<Self> {
         let folder = sandbox.folder()?;
-        handout::lay(kit, lab, folder.path())?;
+        handout::lay(kit, lab, folder.path(), handout::Earlier::Solutions)?;
         strip(folder.path(), lab)?;
         let own = folder.path().join(format!("labs/lab{lab}"));
         let programs = Programs::of(kit, lab, &rubric::read(kit, lab)?, &own)?;

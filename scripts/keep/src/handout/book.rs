@@ -5,6 +5,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 
+use super::Earlier;
 use super::copied::{add, add_all};
 use lab_kit::excerpt::excerpt;
 use lab_kit::files::read_text;
@@ -21,7 +22,12 @@ const INSTRUCTORS: &str = "# For instructors";
 const NOT_HERE: &str = "This page is about labs that your kit does not have yet.";
 
 /// Adds the book for `labs`.
-pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()> {
+pub(super) fn add_pages(
+    kit: &Kit,
+    labs: &[Lab],
+    earlier: Earlier,
+    files: &mut Files,
+) -> Result<()> {
     if !kit.path("book/book.toml").is_file() {
         return Ok(());
     }
@@ -32,6 +38,8 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
     for folder in ["book/theme", "book/src/fonts", "book/src/live"] {
         add_all(kit, files, &kit.path(folder))?;
     }
+    let last = labs.len().saturating_sub(1);
+    let collected = if earlier == Earlier::Own { &[] } else { &labs[..last] };
     let src = kit.path("book/src");
     let mut all = String::new();
     for path in files_below(&src)? {
@@ -43,7 +51,7 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
         let text = match &*name {
             "SUMMARY.md" => text.split(INSTRUCTORS).next().unwrap_or_default().to_owned(),
             _ if is_for(&name, labs) => {
-                with_code(kit, &path, &with_quizzes(kit, labs, &text)?, files)?
+                with_code(kit, &path, &with_quizzes(kit, collected, &text)?, files)?
             }
             _ => format!("{}\n\n{NOT_HERE}\n", text.lines().next().unwrap_or_default()),
         };
@@ -74,9 +82,8 @@ fn is_for(page: &str, labs: &[Lab]) -> bool {
 
 /// Returns the text with its quizzes written out, because the handout has no known-wrong programs.
 ///
-/// A quiz shows much of an answer, so the quizzes of the last lab are omitted: they come with the
-/// next lab.
-fn with_quizzes(kit: &Kit, labs: &[Lab], text: &str) -> Result<String> {
+/// A quiz shows much of an answer, so only the quizzes of labs that were `collected` are kept.
+fn with_quizzes(kit: &Kit, collected: &[Lab], text: &str) -> Result<String> {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {
         let marker = line.trim().strip_prefix("{{#quiz ").and_then(|l| l.strip_suffix("}}"));
@@ -85,7 +92,7 @@ fn with_quizzes(kit: &Kit, labs: &[Lab], text: &str) -> Result<String> {
             continue;
         };
         let (lab, program) = quiz::marked(words)?;
-        if labs.last() != Some(&lab) {
+        if collected.contains(&lab) {
             out += &quiz::markdown(kit, lab, program)?.unwrap_or_default();
         }
     }

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 use super::repository::commit;
-use super::{Laid, lay};
+use super::{Earlier, Laid, lay};
 use lab_kit::answers::{self, Part};
 use lab_kit::starter::{Record, generate};
 use lab_kit::{Kit, Lab, files_below};
@@ -22,7 +22,7 @@ fn handout(labs: &[&str]) -> (tempfile::TempDir, Kit) {
 }
 
 fn add(folder: &Path, number: &str) -> Laid {
-    let laid = lay(&Kit::find().unwrap(), lab(number), folder).unwrap();
+    let laid = lay(&Kit::find().unwrap(), lab(number), folder, Earlier::Solutions).unwrap();
     commit(folder, number, &laid.changed).unwrap();
     laid
 }
@@ -87,7 +87,8 @@ fn a_lab_is_one_commit_and_work_in_the_labs_before_it_stays() {
     let left = git(folder.path(), &["status", "--porcelain"]);
     assert_eq!(left, " M labs/lab1/src/force.rs\n?? notes.txt\n", "what is mine, I commit");
     assert!(add(folder.path(), "2").changed.is_empty(), "there is nothing new");
-    let error = lay(&Kit::find().unwrap(), lab("1"), folder.path()).err().unwrap();
+    let error = lay(&Kit::find().unwrap(), lab("1"), folder.path(), Earlier::Solutions);
+    let error = error.err().unwrap();
     assert_eq!(error.to_string(), "lab 2 is there already, and may show the answers of lab 1");
 }
 
@@ -105,6 +106,21 @@ fn a_student_pulls_a_lab_beside_their_work() {
     git(&mine, &[&me[..], &["pull", "--quiet", "--no-rebase", "--no-edit"]].concat());
     assert_eq!(fs::read_to_string(&work).unwrap(), "mine");
     assert!(mine.join("labs/lab2/src/lib.rs").is_file());
+}
+
+#[test]
+fn a_lab_builds_on_the_students_own_labs_while_late_days_last() {
+    let (folder, kit) = handout(&["1"]);
+    let whole = Kit::find().unwrap();
+    lay(&whole, lab("2"), folder.path(), Earlier::Own).unwrap();
+    assert!(kit.solutions().is_empty(), "lab 1 may still be handed in");
+    let manifest = fs::read_to_string(kit.path("Cargo.toml")).unwrap();
+    assert!(manifest.contains(r#"solution1 = { path = "labs/lab1", package = "lab1" }"#));
+    let cargo = kit.cargo().args(["tree", "--locked", "--offline", "-p", "lab2"]).output().unwrap();
+    let tree = String::from_utf8_lossy(&cargo.stdout);
+    assert!(tree.contains("lab1 v"), "{tree}{}", String::from_utf8_lossy(&cargo.stderr));
+    lay(&whole, lab("2"), folder.path(), Earlier::Solutions).unwrap();
+    assert_eq!(kit.solutions(), [lab("1")]);
 }
 
 /// Returns the lines of a text that are so long that equal lines are copies.
@@ -192,7 +208,8 @@ fn no_page_leads_to_one_that_is_left_out() {
 fn a_folder_with_something_in_it_is_left_alone() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("mine"), "mine").unwrap();
-    let error = lay(&Kit::find().unwrap(), lab("1"), folder.path()).err().unwrap();
+    let error =
+        lay(&Kit::find().unwrap(), lab("1"), folder.path(), Earlier::Solutions).err().unwrap();
     assert!(error.to_string().contains("no class's kit"), "{error}");
     assert_eq!(files_below(folder.path()).unwrap().len(), 1);
 }

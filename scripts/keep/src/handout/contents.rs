@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
+use super::Earlier;
 use super::book;
 use super::copied::{add, add_all};
-use super::manifest::fit;
+use super::manifest::{fit, with_own_labs};
 use lab_kit::command::families;
 use lab_kit::files::{read_bytes, read_text};
 use lab_kit::starter::{Files, GIVEN, Record, generate};
@@ -32,7 +33,7 @@ const TOP: [&str; 14] = [
 ];
 
 /// Returns all files of a tree with these labs, in order, by their path.
-pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
+pub(super) fn gather(kit: &Kit, labs: &[Lab], earlier: Earlier) -> Result<Files> {
     let mut files = Files::new();
     for path in TOP {
         add(kit, &mut files, &kit.path(path))?;
@@ -41,7 +42,7 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
         starter(kit, lab, &mut files)?;
         tests(kit, lab, &mut files)?;
     }
-    for folder in given_folders(kit, labs)? {
+    for folder in given_folders(kit, labs, earlier)? {
         add_all(kit, &mut files, &folder)?;
     }
     add_all(kit, &mut files, &kit.path("tests/oracle"))?;
@@ -62,10 +63,14 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
     add_all(kit, &mut files, &kit.path("scripts/slurm"))?;
     // This script grades a class.
     files.remove(Path::new("scripts/slurm/grade.sh"));
-    book::add_pages(kit, labs, &mut files)?;
+    book::add_pages(kit, labs, earlier, &mut files)?;
     files.insert("README.md".into(), readme(kit, labs).into_bytes());
     files.insert("AGENTS.md".into(), include_bytes!("agents.md").into());
     let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, files.keys().map(PathBuf::as_path))?;
+    let manifest = match earlier {
+        Earlier::Solutions => manifest,
+        Earlier::Own => with_own_labs(&manifest, labs)?,
+    };
     files.insert("Cargo.toml".into(), manifest.into_bytes());
     Ok(files)
 }
@@ -103,15 +108,18 @@ fn tests(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
 
 /// Returns the folders that these labs build on, directly or through other folders.
 ///
-/// They are packages of given code and solutions of earlier labs that the labs' manifests name.
-fn given_folders(kit: &Kit, labs: &[Lab]) -> Result<BTreeSet<PathBuf>> {
+/// They are packages of given code and solutions of earlier labs that the labs' manifests name. If
+/// the labs build on the student's own work, the solutions of `labs` are not among them.
+fn given_folders(kit: &Kit, labs: &[Lab], earlier: Earlier) -> Result<BTreeSet<PathBuf>> {
+    let own: BTreeSet<PathBuf> = labs.iter().map(|lab| kit.solution(*lab)).collect();
     let mut given = BTreeSet::new();
     let mut unread: Vec<PathBuf> = labs.iter().map(|lab| kit.solution(*lab)).collect();
     while let Some(folder) = unread.pop() {
         let mut folders = kit.dependencies(&folder)?;
         folders.retain(|path| ["labs/", "solutions/"].iter().any(|top| path.starts_with(top)));
         for folder in folders.into_iter().map(|path| kit.path(path)) {
-            if given.insert(folder.clone()) {
+            let is_own = earlier == Earlier::Own && own.contains(&folder);
+            if !is_own && given.insert(folder.clone()) {
                 unread.push(folder);
             }
         }

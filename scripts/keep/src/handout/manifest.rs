@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use toml_edit::{Array, DocumentMut, Item, Value, value};
+use lab_kit::Lab;
+use toml_edit::{Array, DocumentMut, InlineTable, Item, Value, value};
 
 /// Returns the kit's manifest without the packages that are not among `paths`.
 ///
@@ -41,6 +42,20 @@ pub(crate) fn fit<'p>(text: &str, paths: impl Iterator<Item = &'p Path>) -> Resu
     let patches = manifest.get_mut("patch").and_then(|patches| patches.get_mut("crates-io"));
     if without_lost_paths(patches, there) {
         manifest.remove("patch");
+    }
+    Ok(manifest.to_string())
+}
+
+/// Returns the manifest in which the solutions of these labs are the student's own labs.
+///
+/// Code that uses `solution1` then uses the package `lab1`.
+pub(super) fn with_own_labs(text: &str, labs: &[Lab]) -> Result<String> {
+    let mut manifest: DocumentMut = text.parse().context("Cargo.toml")?;
+    for lab in labs {
+        let mut own = InlineTable::new();
+        own.insert("path", format!("labs/lab{lab}").into());
+        own.insert("package", format!("lab{lab}").into());
+        manifest["workspace"]["dependencies"][&format!("solution{lab}")] = value(own);
     }
     Ok(manifest.to_string())
 }

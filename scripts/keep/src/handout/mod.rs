@@ -37,12 +37,25 @@ pub struct Options {
     /// The class's folder: new, empty, or written by this command
     #[arg(long, value_name = "DIR")]
     into: PathBuf,
+    /// Let the lab build on the student's own earlier labs, and add none of their solutions: for a
+    /// class with late days. Without this option the next time, the solutions are added
+    #[arg(long)]
+    own: bool,
+}
+
+/// What the labs of a tree build on.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Earlier {
+    /// The solutions of earlier labs.
+    Solutions,
+    /// The student's own work on the earlier labs that are in the tree.
+    Own,
 }
 
 /// Writes or extends the tree, commits it, and prints its contents.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let Options { lab, into } = options;
-    let laid = lay(kit, lab, &into)?;
+    let Options { lab, into, own } = options;
+    let laid = lay(kit, lab, &into, if own { Earlier::Own } else { Earlier::Solutions })?;
     let title = format!("Lab {lab}: {}", kit.title(lab));
     let committed = repository::commit(&into, &title, &laid.changed)?;
     let tree = Kit::at(&into);
@@ -75,7 +88,7 @@ pub struct Laid {
 ///
 /// # Errors
 /// There is no such lab, `into` contains something else, or a file cannot be read or written.
-pub fn lay(kit: &Kit, lab: Lab, into: &Path) -> Result<Laid> {
+pub fn lay(kit: &Kit, lab: Lab, into: &Path, earlier: Earlier) -> Result<Laid> {
     kit.chosen_solutions(Some(lab))?;
     let before = Record::read(into)?;
     let empty = fs::read_dir(into).map_or(!into.exists(), |mut there| there.next().is_none());
@@ -88,7 +101,7 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path) -> Result<Laid> {
     labs.push(lab);
     labs.dedup();
 
-    let mut files = contents::gather(kit, &labs)?;
+    let mut files = contents::gather(kit, &labs, earlier)?;
     let plan = before.plan(into, &files);
     for path in &plan.write {
         write(&into.join(path), &files[path])?;
