@@ -13,7 +13,7 @@ use crate::reference::{Fineness, exact};
 /// error.
 pub const STEPS: u64 = 100;
 
-/// Side of the square in which the exact motion is computed.
+/// Side of the square whose exact motion is computed.
 const SQUARE: f64 = 1.2;
 
 /// Distance from the edge of the square that no influence travels in the time of the steps.
@@ -33,7 +33,7 @@ pub enum Kind {
     Thin,
     /// The official scene in a box of 0.65 times the side: more than twice as many pairs meet.
     Crowd,
-    /// The official scene, in which one particle of a hundred is three times as fast.
+    /// The official scene with one particle of a hundred three times as fast.
     Fast,
 }
 

@@ -46,7 +46,7 @@ impl Entry {
         self.kinds.entry(kind.name().into()).or_default().push(Round { time, error });
     }
 
-    /// Adds a fault, with the scene on which it showed.
+    /// Adds a fault and the scene that showed it.
     pub(super) fn fault(&mut self, drawn: &Drawn, why: &str) {
         self.faults.push(format!("{}, seed {}: {why}", drawn.kind.name(), drawn.seed));
     }

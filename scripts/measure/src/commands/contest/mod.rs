@@ -34,7 +34,7 @@ use crate::scene;
 use entry::Entry;
 use trial::Drawn;
 
-/// The program in whose times all times are measured. Its steps are official steps.
+/// The reference engine: times are multiples of its time. Its steps are official steps.
 const REFERENCE: &str = "solution2:sorted";
 
 /// Measurements of the kit's own engines, which this command has written.

@@ -1,4 +1,4 @@
-//! Three rankings, in which what is not decided is a tie.
+//! Three rankings. A difference that the rounds do not decide is a tie.
 
 use super::entry::Entry;
 use crate::clock::Span;

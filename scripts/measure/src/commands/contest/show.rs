@@ -68,7 +68,6 @@ fn range(span: Span) -> String {
 
 /// Draws error against time, with the front that no entry beats.
 pub(super) fn chart(entries: &[Entry], landmarks: &[Entry]) -> Chart {
-    let point = |entry: &Entry| Some((entry.error?.median, entry.time?.median));
     let all = entries.iter().chain(landmarks).filter(|entry| entry.faults.is_empty());
     let points: Vec<(f64, f64)> = all.filter_map(point).collect();
     let costs: Vec<(f64, f64)> = points.iter().map(|(error, time)| (*time, *error)).collect();
@@ -81,13 +80,24 @@ pub(super) fn chart(entries: &[Entry], landmarks: &[Entry]) -> Chart {
     .labelled_directly()
     .with(Series::new(Look::Guide, "front", best.map(|(point, _)| *point).collect()));
     for entry in landmarks {
-        let name = entry.program.variant.clone().unwrap_or_default();
-        chart = chart.with(Series::new(Look::Behind, name, point(entry).into_iter().collect()));
+        chart = chart.with(series(Look::Behind, entry));
     }
     for entry in entries {
-        let note = if entry.faults.is_empty() { "" } else { " (out)" };
-        let name = format!("{}{note}", entry.program);
-        chart = chart.with(Series::new(Look::Apart, name, point(entry).into_iter().collect()));
+        chart = chart.with(series(Look::Apart, entry));
     }
     chart
+}
+
+/// Returns an entry's error and time; `None` if a kind is missing.
+fn point(entry: &Entry) -> Option<(f64, f64)> {
+    Some((entry.error?.median, entry.time?.median))
+}
+
+/// Makes the mark of an entry. The kit's engines are named without their lab.
+fn series(look: Look, entry: &Entry) -> Series {
+    let program = entry.program.to_string();
+    let short = program.split_once(':').filter(|_| entry.program.solution);
+    let out = if entry.faults.is_empty() { "" } else { " (out)" };
+    let name = format!("{}{out}", short.map_or(&*program, |(_, variant)| variant));
+    Series::new(look, name, point(entry).into_iter().collect())
 }
