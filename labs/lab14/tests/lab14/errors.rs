@@ -1,4 +1,4 @@
-//! Errors against the exact motion, compared with those of the official step.
+//! Errors against the exact motion, compared with the errors of the official step.
 
 use common::soft::{CUTOFF, DT, Particle, Scene, Simulation};
 use oracle::contest::{Kind, STEPS};
