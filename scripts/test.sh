@@ -187,6 +187,7 @@ stage_pages() {
         { skip "no browser"; return; }
     have npm || { skip "no npm"; return; }
     [ -f book/build/index.html ] || { skip "no book built"; return; }
+    node tests/pages/search.js || return
     (cd tests/pages && npm ci --no-audit --no-fund >/dev/null) || { skip "no playwright-core"; return; }
     folder=$(mktemp -d)
     make_movies "$folder" || return

@@ -36,128 +36,144 @@ mod workers;
 oracle::questions! {
     task_3_1 {
         force_table = examples::forces_of_all_pairs
-            => "Four particles at rest: their velocities after one step, and how many pairs the observers saw.",
+            => "Four particles at rest: their velocities after one step, and the number of pairs reported to the \
+                observers.",
         steps_of_all_pairs = all_pairs::steps
-            => "A step of any number of particles on some threads: x, y, vx, vy of each, and the number of pairs that \
-                the observers were told of.",
+            => "A step of any number of particles on several threads: x, y, vx, vy of each particle, and the number of \
+                pair tests reported to the observers.",
         shared_forces = sharing::all_pairs
-            => "All pairs by the threads of a pool: every thread sums forces, and no thread sums nearly all of them.",
+            => "All pairs on the threads of a pool: the work of each thread. Every thread must sum forces, and no \
+                thread may sum nearly all of them.",
         observer_each = all_pairs::observers
-            => "150 particles: how many observers were told of the pairs of one particle.",
+            => "150 particles: the number of observers that were told about the pairs of exactly one particle. Each \
+                particle needs its own observer.",
         any_threads = |_, ask| Runs::new("3.1", VARIANTS, "vanilla").bits_on_any_threads(ask)
-            => "Runs of `vanilla` on 1 to 17 threads: the bits of all pairs, and the statistics of each step.",
+            => "Runs of `vanilla` on 1 to 17 threads: the state, bit for bit as in `all-pairs`, and the statistics of \
+                each step.",
         official_bytes = |_, ask| Runs::new("3.1", VARIANTS, "vanilla").threads(2).official_bytes(ask)
             => "The official scene on two threads: the output of 1,000 steps, byte for byte.",
     }
     task_3_2 {
         sum_table = examples::sums
-            => "The statistics of three parts, and their sum under a lock, with atomics and in order; and a sum with \
-                atomics while another thread adds to it.",
+            => "The statistics of three parts: their sum under a lock, with atomics and in order. Then a sum with \
+                atomics, while another thread adds to it.",
         atomic_additions = reductions::one_after_another
-            => "Parts added to atomic numbers, one after another: dmin, davg, navg and pair tests of the sum.",
+            => "Parts that are added to atomic numbers, one after another: dmin, davg, navg and pair tests of the \
+                sum.",
         locked_sums = reductions::locked
-            => "Parts added up under a lock by several threads: dmin, davg, navg and pair tests of the sum.",
+            => "Parts that several threads add up under a lock: dmin, davg, navg and pair tests of the sum.",
         atomic_sums = reductions::atomic
-            => "Parts added up with atomics by several threads: dmin, davg, navg and pair tests of the sum.",
+            => "Parts that several threads add up with atomics: dmin, davg, navg and pair tests of the sum.",
         ordered_sums = reductions::ordered
-            => "Parts added up block by block, in order: dmin, davg, navg and pair tests of the sum, to the last bit.",
+            => "Parts that are added up block by block, in order: dmin, davg, navg and pair tests of the sum, bit for \
+                bit.",
         slow_additions = reductions::slow
-            => "Parts added up under a lock, slowly: no addition is lost.",
+            => "Parts that are added up slowly under a lock: the sum, from which no addition may be lost.",
         interrupted_additions = reductions::interrupted
-            => "An addition with atomics, between whose operations another thread adds something: nothing is lost.",
+            => "An addition with atomics, interrupted by additions of another thread: the sum, from which nothing may \
+                be lost.",
         shared_lock = sharing::locked_parts
-            => "Parts under a lock and the threads of a pool: every thread adds some.",
+            => "Parts under a lock, and the threads of a pool: the work of each thread. Every thread must add some \
+                parts.",
         shared_blocks = sharing::blocks
-            => "Blocks of parts and the threads of a pool: every thread sums some, and no thread sums nearly all.",
+            => "Blocks of parts, and the threads of a pool: the work of each thread. Every thread must sum some \
+                blocks, and no thread may sum nearly all.",
     }
     task_3_3 {
         row_table = examples::rows
-            => "Some rows of bins among some workers: the rows of each worker, and how many each has.",
+            => "Some rows of bins and some workers: the rows of each worker, and their number.",
         owners = rows::owners
-            => "Any number of rows among any number of workers: every row has one owner, and no owner has more than one \
-                row more than another.",
+            => "Any number of rows and of workers: the rows of each worker. Every row has one owner, and the numbers \
+                of rows differ by at most one.",
     }
     task_3_4 {
         worker_table = examples::forces_of_workers
-            => "Six particles and two workers: the accelerations of each worker's particles, and what its rows saw.",
+            => "Six particles and two workers: the accelerations of each worker's particles, and the pairs that each \
+                of its rows reports.",
         own_forces = workers::forces
-            => "A worker with any rows: the accelerations of its particles, and what each of its rows saw.",
+            => "A worker with any rows: the accelerations of its particles, and the pairs that each of its rows \
+                reports.",
     }
     task_3_5 {
         buffer_table = examples::change_buffers
-            => "Eight particles and two workers: the particles that stay in their bins, and those in the change buffers.",
+            => "Eight particles and two workers: the particles that stay in their bins, and the particles in the \
+                change buffers.",
         leavers = workers::moves
-            => "A worker with any rows: the particles that stay in their bins, and those in its change buffer.",
+            => "A worker with any rows: the particles that stay in their bins, and the particles in its change \
+                buffer.",
     }
     task_3_6 {
-        loop_table after "3.4, 3.5" => "Four particles and two workers: where each particle is after both loops, and \
-                                        its velocity.",
+        loop_table after "3.4, 3.5" => "Four particles and two workers: the position and velocity of each particle \
+                                        after both loops.",
         all_workers after "3.4, 3.5" => "Few workers and many: x, y, vx, vy of each particle after both loops.",
-        shared_workers after "3.4, 3.5" => "Workers and the threads of a pool: in either loop every thread does some of \
-                                            the work, and no thread does nearly all.",
+        shared_workers after "3.4, 3.5" => "Workers, and the threads of a pool: the work of each thread. In either \
+                                            loop every thread must do some work, and no thread may do nearly all.",
     }
     task_3_7 {
         rebin_table = handover_examples::rebinning_by_one
-            => "Four particles in three change buffers: what each bin holds before and after rebinning.",
+            => "Four particles in bins and in three change buffers: the bin of each particle before and after \
+                rebinning.",
         all_buffers = buffers::by_one
-            => "Any number of particles in any number of buffers: the bins that hold each particle after rebinning.",
-        fork_join after "3.3, 3.4, 3.5, 3.6" => "Runs of `fork-join` on 1 to 17 threads: the bits of all pairs, and the \
-                                                 statistics of each step.",
+            => "Any number of particles in any number of change buffers: the bins that hold each particle after \
+                rebinning.",
+        fork_join after "3.3, 3.4, 3.5, 3.6" => "Runs of `fork-join` on 1 to 17 threads: the state, bit for bit as in \
+                                                 `all-pairs`, and the statistics of each step.",
     }
     task_3_8 {
         arrival_table = handover_examples::rebinning_by_all
-            => "Four particles in three change buffers, and two workers: what the bins of each worker hold before and \
-                after it takes its arrivals.",
+            => "Four particles in bins and in three change buffers, and two workers: the bin of each particle before \
+                and after each worker takes its arrivals.",
         own_arrivals = buffers::by_all
-            => "Any number of particles in any number of buffers: the bins of some rows that hold each particle after \
-                a worker has taken its arrivals.",
-        parallel_rebin after "3.3, 3.4, 3.5, 3.6" => "Runs of `parallel-rebin` on 1 to 17 threads: the bits of all \
-                                                      pairs, and the statistics of each step.",
-        packed_workers after "3.3, 3.4, 3.5, 3.6" => "A run of `parallel-rebin` whose workers lie side by side in memory: \
-                                                      the bits of all pairs.",
+            => "Any number of particles in any number of change buffers: the bins of a worker's rows that hold each \
+                particle after the worker has taken its arrivals.",
+        parallel_rebin after "3.3, 3.4, 3.5, 3.6" => "Runs of `parallel-rebin` on 1 to 17 threads: the state, bit for \
+                                                      bit as in `all-pairs`, and the statistics of each step.",
+        packed_workers after "3.3, 3.4, 3.5, 3.6" => "A run of `parallel-rebin` whose workers are next to each other \
+                                                      in memory: the state, bit for bit as in `all-pairs`.",
     }
     task_3_9 {
         mail_table = handover_examples::mail
-            => "Member 1 of three: its particles and its mail before it takes the mail, and after.",
+            => "Member 1 of three: its particles and its mail, before and after it takes the mail.",
         letters = mail::letters
-            => "Any mail from any number of members: the particles that a member then has, the bins that they are in, \
-                and what is left in the boxes.",
+            => "Any mail from any number of members: the particles that a member has afterwards, their bins, and the \
+                letters left in the boxes.",
     }
     task_3_10 {
         barrier_table = moments::barriers
-            => "Two members, of which member 1 does each part late: which parts both have ended when a member begins one.",
+            => "Two members, of which member 1 is late in each part: the parts that both have ended when a member \
+                begins a part.",
         rehearsals = barriers::rehearsals
-            => "Three members, of which one holds back in each part: no member begins a part before all have ended the \
-                part before.",
+            => "Three members, one of which is delayed in each part: the members that have ended the part before when \
+                a part begins. All three must have ended it.",
         three_barriers = barriers::meetings
-            => "One member: its parts in few and many steps, and its barriers.",
+            => "One member: the number of its parts and of its barriers in few and in many steps.",
     }
     task_3_11 {
         thread_table = moments::threads
-            => "Three threads that begin in order and end in reverse: what each does, how many are at work, and what \
-                comes out when one panics.",
+            => "Three threads that begin in order and end in reverse order: the number of threads at work after each \
+                event, and the panic of the call when one thread panics.",
         gatherings = threads::gatherings
-            => "Few threads and many: all are at work at the same time, are new, have the right numbers, and have ended \
-                when the call returns.",
+            => "Few threads and many: the number of threads that work at the same time, that have ended when the call \
+                returns, and that are new and different; and their numbers.",
         panics = threads::panics
-            => "A thread that panics: its panic comes out as it was.",
-        team after "3.3, 3.9, 3.10" => "Runs of `team` on 1 to 17 threads: the bits of all pairs, and the statistics of \
-                                        each step.",
-        late_member after "3.3, 3.9, 3.10" => "Runs of `team` on four threads, one of which does each part last: the bits \
-                                               of all pairs.",
-        team_memory after "3.3, 3.9, 3.10" => "A long run of `team`: the memory that it holds does not grow with the \
+            => "A thread that panics: the panic of the call, which must be the thread's panic.",
+        team after "3.3, 3.9, 3.10" => "Runs of `team` on 1 to 17 threads: the state, bit for bit as in `all-pairs`, \
+                                        and the statistics of each step.",
+        late_member after "3.3, 3.9, 3.10" => "Runs of `team` on four threads, one of which is the last in each part: \
+                                               the state, bit for bit as in `all-pairs`.",
+        team_memory after "3.3, 3.9, 3.10" => "A long run of `team`: the memory in use, which must not grow with the \
                                                number of steps.",
         team_bytes after "3.3, 3.9, 3.10" => "The official scene and `team` on two threads: the output of 1,000 steps, \
                                               byte for byte.",
     }
     task_3_12 {
         notice_table = handover_examples::notices
-            => "What a thread may read before a notice is posted, while it is posted, and after.",
-        whole_notices = notices::whole
-            => "Notices with any numbers: all that a thread may read while another thread posts them.",
+            => "A notice: what a thread may read before it is posted, while it is being posted, and afterwards.",
+        any_notices = notices::posts
+            => "Notices with any numbers: everything that a thread may read while another thread posts them.",
         orderings = notices::orderings
-            => "A notice, with the operations of both threads: a thread that sees the flag raised sees all numbers, no \
-                ordering is stronger than it needs to be, and the flag is read once.",
+            => "A notice, with the operations of both threads: the numbers that are read. A thread that sees the flag \
+                raised must see all numbers. No ordering may be stronger than necessary, and the flag is read once.",
     }
 }
 

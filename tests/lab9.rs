@@ -42,77 +42,91 @@ use steps::*;
 
 oracle::questions! {
     task_9_1 {
-        launch_table => "Workgroups that are asked for, on a device with at most 4 along an axis and 256 invocations in each: \
-                         the rows of the launch, or why it is refused.",
-        launches => "Any number of workgroups or items and any limits: the launch, or the error and its numbers.",
-        refusals => "A launch that never ran, and a kernel that is no WGSL: whether they are refused with a reason.",
+        launch_table => "A device with at most 4 workgroups along an axis and 256 invocations in each, and some \
+                         workgroups: the rows of the launch, or the reason why it is refused.",
+        launches => "Any number of workgroups or items, and any limits: the launch, or the error and its numbers.",
+        refusals => "A launch that the device cannot run, and a kernel that is not WGSL: whether they are refused with \
+                     a reason, which they must be.",
     }
     task_9_2 {
-        pairs_passed_on => "Four discs of radius 1 in a square of side 20: which pairs the filter passes on.",
-        slow_contacts => "Discs that touch and approach so slowly that single precision cannot tell it from \
-                                      parting: the pairs that are passed on.",
-        a_full_list => "More pairs than a list has room for, and as many: how many are counted, in the list, and \
-                                    different.",
-        filter_in_single => "Discs of all kinds, in single precision: every colliding pair is passed on once, and \
-                                         hardly any other.",
-        filter_in_double => "Discs of all kinds, in double precision: every colliding pair is passed on once, and \
-                                         hardly any other.",
+        pairs_passed_on => "Four discs of radius 1 in a square of side 20: the number of times that the filter passes \
+                            on each pair.",
+        slow_contacts => "Discs in contact that approach so slowly that single precision cannot tell it from parting: \
+                          the pairs passed on, which must be all contacts.",
+        a_full_list => "As many pairs as a list has room for, and more: the number of pairs counted, in the list, and \
+                        different.",
+        filter_in_single => "Discs of all kinds, in single precision: the pairs passed on. Every colliding pair must \
+                             be passed on once, and hardly any other.",
+        filter_in_double => "Discs of all kinds, in double precision: the pairs passed on. Every colliding pair must \
+                             be passed on once, and hardly any other.",
     }
     task_9_3 {
-        confirmed_list => "Four discs, and what a device passed on: which of it the host confirms, and the times.",
-        confirmed => "What a device passed on, one list after the other: kind, discs, time of each that is confirmed.",
-        grown => "Lists that grow, and devices with little memory: how many candidates are found, and how \
-                                   many of them differ.",
+        confirmed_list => "Four discs, and the candidates that a device passed on: the candidates that the host \
+                           confirms, and their times.",
+        confirmed => "Lists of candidates that a device passed on, one after another: kind, discs and time of each \
+                      candidate that is confirmed.",
+        grown => "Lists that grow, and devices with little memory: the number of candidates found, and the number of \
+                  different candidates.",
         disc_turns = |_, ask| turns(ask, Deal::Discs)
-            => "Four invocations that share the discs: none does over two thirds of the work.",
+            => "Four invocations that share the discs: the pairs that each passes on, at most two thirds of all.",
         disc_candidates after "9.1, 9.2" = |random, ask| candidates(random, ask, Deal::Discs)
-            => "Steps of basic: kind, discs, time of each candidate.",
+            => "Steps of `basic`: kind, discs and time of each candidate.",
         basic_bytes after "9.1, 9.2" = |random, ask| bytes(random, ask, "9.3", &["basic-f64", "basic-f32"])
-            => "Variant basic: the bytes of lab 7's sequential program.",
+            => "The variant `basic`: the state at the end, bit for bit as in lab 7's `sequential`.",
     }
     task_9_4 {
         pair_numbers => "Six discs and five discs: the pairs in each row of the rectangle.",
-        rectangles => "Few discs: the pairs that have a number.",
-        late_rows => "100,000 discs: the pairs of a row, early or late, that are dealt.",
+        rectangles => "Few discs: the pairs that have a number, which must be all pairs, each once.",
+        late_rows => "100,000 discs: the pairs in one row of the rectangle, early or late.",
         pair_turns = |_, ask| turns(ask, Deal::Pairs)
-            => "Four invocations that share the pairs: none does over two thirds of the work.",
+            => "Four invocations that share the pairs: the pairs that each passes on, at most two thirds of all.",
         pair_candidates after "9.1, 9.2, 9.3" = |random, ask| candidates(random, ask, Deal::Pairs)
-            => "Steps of balanced: kind, discs, time of each candidate.",
+            => "Steps of `balanced`: kind, discs and time of each candidate.",
         balanced_bytes after "9.1, 9.2, 9.3" = |random, ask| bytes(random, ask, "9.4", &["balanced-f64", "balanced-f32"])
-            => "Variant balanced: the bytes of lab 7's sequential program.",
-        large_workgroups => "Variant balanced with workgroups of 65,536: whether they are refused with this number.",
+            => "The variant `balanced`: the state at the end, bit for bit as in lab 7's `sequential`.",
+        large_workgroups => "The variant `balanced` with workgroups of 65,536: whether it is refused with this number, \
+                             which it must be.",
     }
     task_9_5 {
-        chosen_candidates => "Seven candidates of six discs, some at one time: which of them are chosen.",
-        choices => "Few and many candidates among 300 discs: kind, discs, time of each that is chosen.",
+        chosen_candidates => "Seven candidates of six discs, some of them at the same time: the candidates that are \
+                              chosen.",
+        choices => "Few and many candidates among 300 discs: kind, discs and time of each candidate that is chosen.",
         chosen_bytes after "9.1, 9.2, 9.3, 9.4" = |random, ask| bytes(random, ask, "9.5", &["chosen-f32"])
-            => "Variant chosen: the bytes of lab 7's sequential program.",
+            => "The variant `chosen`: the state at the end, bit for bit as in lab 7's `sequential`.",
     }
     task_9_6 {
-        summed_blocks => "Nine counts, summed by three workgroups of three invocations: the counts before each in \
-                                      its own block, and in all.",
-        meetings => "Numbers that a workgroup shares: whether a barrier lies between any two accesses of two invocations to one \
-                     of them, and whether all invocations come to each barrier.",
-        scans => "Few and many numbers, workgroups of any size: the sum of the numbers before each.",
+        summed_blocks => "Nine counts that three workgroups of three invocations sum: for each count the sum of the \
+                          counts before it, in its own block and in all.",
+        meetings => "Numbers that a workgroup shares: the first conflict, which is two accesses of two invocations to \
+                     one number without a barrier in between, and the invocations that come to each barrier, which \
+                     must be all.",
+        scans => "Few and many numbers, and workgroups of any size: for each number the sum of the numbers before it.",
     }
     task_9_7 {
-        sorted_particles => "Eight particles in nine bins: where each bin begins, and the particles in it.",
-        bins => "Few bins: the particles by bin and by id, and where each bin begins.",
-        double_steps => "Variant soft-f64, few bins: each step is the model's.",
-        statistics => "Variant soft-f64, few bins: dmin, davg and navg of each step.",
-        many_bins after "9.6" => "More bins than a workgroup has invocations: the particles by bin and by id, and where each \
-                                  bin begins.",
-        double_steps_of_many after "9.6" => "Variant soft-f64, scenes of all kinds: each step is the model's.",
-        double_repeats after "9.6" => "Variant soft-f64: the same bits in a second run, and 200 steps beside the model.",
+        sorted_particles => "Eight particles in nine bins: the index at which each bin begins, and the particles in \
+                             it.",
+        bins => "Few bins: the particles in the order of bins and ids, and the index at which each bin begins.",
+        double_steps => "The variant `soft-f64` with few bins: the state after each step, compared with the model.",
+        statistics => "The variant `soft-f64` with few bins: dmin, davg and navg of each step.",
+        many_bins after "9.6" => "More bins than a workgroup has invocations: the particles in the order of bins and \
+                                  ids, and the index at which each bin begins.",
+        double_steps_of_many after "9.6" => "The variant `soft-f64` in scenes of all kinds: the state after each step, \
+                                             compared with the model.",
+        double_repeats after "9.6" => "The variant `soft-f64`: the bits of a second run, and the state after each of \
+                                       200 steps, compared with the model.",
     }
     task_9_8 {
-        single_step => "Three particles before a step of soft-f32 and after it, in a box of 10.01 cutoffs, ten bins by ten.",
-        carried => "Particles that move by little or much, ahead or back: the column and the offset that they come to.",
-        single_steps => "Variant soft-f32, few bins: the first step, within the roundings of one step.",
-        single_steps_of_many after "9.6, 9.7" => "Variant soft-f32, scenes of all kinds: each step, from where the program \
-                                                  itself was before the step, within the roundings of one step.",
-        single_repeats after "9.6, 9.7" => "Variant soft-f32: every particle stays in the box, and the same bits in a second \
-                                            run.",
+        single_step => "Three particles in a box of 10.01 cutoffs with ten rows of ten bins: their states before and \
+                        after a step of `soft-f32`.",
+        carried => "Particles that move by little or much, ahead or back: their columns and their offsets in them \
+                    afterwards.",
+        single_steps => "The variant `soft-f32` with few bins: the state after the first step, which may differ by the \
+                         rounding errors of one step.",
+        single_steps_of_many after "9.6, 9.7" => "The variant `soft-f32` in scenes of all kinds: the state after each \
+                                                  step, which may differ by the rounding errors of one step. The model \
+                                                  starts each step from the program's own state.",
+        single_repeats after "9.6, 9.7" => "The variant `soft-f32`: every particle, which must stay in the box, and \
+                                            the bits of a second run.",
     }
 }
 

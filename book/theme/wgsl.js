@@ -1,4 +1,4 @@
-// The colours of WGSL, which mdBook's highlighter does not know.
+// The colours of WGSL, which mdBook's highlighter does not know: it takes such a block for C first.
 "use strict";
 (() => {
   hljs.registerLanguage("wgsl", ({ C_LINE_COMMENT_MODE, C_BLOCK_COMMENT_MODE }) => ({
@@ -17,5 +17,10 @@
       { className: "title", begin: /(?<=\bfn\s+)\w+/ },
     ],
   }));
-  document.querySelectorAll("code.language-wgsl").forEach(hljs.highlightBlock);
+  for (const code of document.querySelectorAll("code.wgsl")) {
+    code.classList.remove("c", "language-c");
+    code.classList.add("language-wgsl");
+    code.textContent = code.textContent;
+    hljs.highlightBlock(code);
+  }
 })();

@@ -33,8 +33,8 @@ pub(crate) struct Question {
 /// Returns the questions about a lab.
 pub(crate) fn read(kit: &Kit, lab: Lab) -> Result<Vec<Question>> {
     let text = read_text(&kit.path(format!("book/src/instructor/exam/lab{lab}.md")))?;
-    let whole = |part: &str| question(part).with_context(|| part.to_owned());
-    text.split("\n## ").skip(1).map(whole).collect()
+    let question_of = |part: &str| question(part).with_context(|| part.to_owned());
+    text.split("\n## ").skip(1).map(question_of).collect()
 }
 
 fn question(text: &str) -> Option<Question> {

@@ -43,7 +43,10 @@ pub(crate) fn opposite(random: &mut Random, ask: &mut impl Ask) {
     for _ in 0..10_000 {
         let mut along = || CUTOFF * random.between(-0.8, 0.8);
         let d = Vec2::new(along(), along());
-        let question = format!("{}: its force, and the force on it", neighbour(d));
+        let question = format!(
+            "{}: acceleration of the particle, ax ay, and of the neighbour, ax ay",
+            neighbour(d)
+        );
         let found = || [d, -d].into_iter().filter_map(pair_acceleration).flat_map(|a| [a.x, a.y]);
         ask.judge(&question, || found().collect(), |found| straight_away(d, found));
     }
@@ -54,18 +57,28 @@ pub(crate) fn opposite(random: &mut Random, ask: &mut impl Ask) {
 fn straight_away(d: Vec2, found: &[f64]) -> Result<(), String> {
     let &[x, y, back_x, back_y] = found else {
         let is_near = d.norm_squared() <= CUTOFF * CUTOFF;
-        return if is_near { Err("a force is missing".into()) } else { Ok(()) };
+        return if is_near {
+            Err("an acceleration is missing, although the particles are within the cutoff".into())
+        } else {
+            Ok(())
+        };
     };
     let (a, back) = (Vec2::new(x, y), Vec2::new(back_x, back_y));
     if a.dot(d) > 0.0 {
-        return Err(format!("the neighbour attracts: it causes ({x}, {y})"));
+        return Err(format!(
+            "the particle is accelerated by ({x}, {y}), towards its neighbour, which must repel it"
+        ));
     }
     if a.cross(d).abs() > 1e-12 * a.dot(d).abs() {
-        return Err(format!("it causes ({x}, {y}), which does not point straight away from it"));
+        return Err(format!(
+            "the particle is accelerated by ({x}, {y}), which is not along the line between the \
+             two particles"
+        ));
     }
     if back != -a {
         return Err(format!(
-            "it causes ({x}, {y}) and feels ({back_x}, {back_y}): not the opposite"
+            "the particle is accelerated by ({x}, {y}) and the neighbour by ({back_x}, {back_y}): the two must be \
+             opposite"
         ));
     }
     Ok(())
@@ -75,10 +88,14 @@ fn straight_away(d: Vec2, found: &[f64]) -> Result<(), String> {
 pub(crate) fn forces(random: &mut Random, ask: &mut impl Ask) {
     for d in distances(random) {
         let found = || pair_acceleration(d).map_or(vec![], |a| vec![a.x, a.y]);
-        ask.exact(&format!("{}: its force, [] for none", neighbour(d)), found, || {
-            let a = acceleration_of_pair(d.x, d.y);
-            if d.norm_squared() <= CUTOFF * CUTOFF { vec![a.x, a.y] } else { vec![] }
-        });
+        ask.exact(
+            &format!("{}: acceleration of the particle, ax ay; [] if there is none", neighbour(d)),
+            found,
+            || {
+                let a = acceleration_of_pair(d.x, d.y);
+                if d.norm_squared() <= CUTOFF * CUTOFF { vec![a.x, a.y] } else { vec![] }
+            },
+        );
     }
 }
 
@@ -120,9 +137,12 @@ fn bounced(x: f64, size: f64, random: &mut Random, ask: &mut impl Ask) {
     // Negative zero becomes zero.
     let ends = |(x, v): (f64, f64)| vec![x + 0.0, v];
     let sizes = x / size;
-    let on_a_wall = if sizes.fract() == 0.0 { "; it ends on a wall, which is inside" } else { "" };
-    let question =
-        format!("x = {x:e}, {sizes:.15} times the box of {size:e}, v = {v:e}{on_a_wall}");
+    let on_a_wall =
+        if sizes.fract() == 0.0 { ", so that it ends on a wall, which is inside" } else { "" };
+    let question = format!(
+        "a box from 0 to {size:e}, and a particle that would fly to x = {x:e}, which is {sizes:.15} times the box, \
+         with v = {v:e}{on_a_wall}: x and v after reflections"
+    );
     ask.exact(&question, || ends(bounce(x, v, size)), || ends(fold(x, v, size)));
 }
 
@@ -148,7 +168,7 @@ fn step(engine: &mut AllPairs<Count>, n: usize, random: &mut Random, ask: &mut i
     engine.step();
     let cutoffs = size / CUTOFF;
     let question = format!(
-        "a step of {} particles in a box of {cutoffs:.2} cutoffs: x y vx vy of each",
+        "a step of {} particles in a box of {cutoffs:.2} cutoffs: x y vx vy of each particle",
         scene.len()
     );
     let found = || {
@@ -170,7 +190,9 @@ pub(crate) fn looks(random: &mut Random, ask: &mut impl Ask) {
         engine.load(&anywhere(random, n, 10.0 * CUTOFF, 1.0));
         engine.step();
         let tests = engine.statistics().map_or(0, |s| s.pair_tests) as f64;
-        let question = format!("a step of {n} particles: how many pairs the observer was told of");
+        let question = format!(
+            "a step of {n} particles: number of pair tests reported to the observer (`tested`)"
+        );
         ask.judge(&question, || vec![tests], |found| every_pair(n as f64, found));
     }
 }
@@ -194,8 +216,8 @@ pub(crate) fn at_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
     engine.load(&scenes::at_the_cutoff());
     engine.step();
     let seen = engine.statistics().map_or(0, |s| s.navg) as f64;
-    let question = "two particles exactly a cutoff from a third, along x and along y: how many pairs within the \
-                    cutoff the observer was told of, each from both sides";
+    let question = "two particles exactly one cutoff from a third, along x and along y: number of pairs within the \
+                    cutoff reported to the observer (`seen`), each pair from both sides";
     ask.exact(question, || vec![seen], || vec![4.0]);
 }
 
@@ -214,14 +236,15 @@ pub(crate) fn tallies(random: &mut Random, ask: &mut impl Ask) {
             }
         }
         let seen = tally.statistics().expect("a tally has statistics");
-        let name = format!("{n} pairs, and {at_one_position} at one position");
-        let question = format!("{name}: navg, how many count");
+        let name =
+            format!("{n} pairs, and {at_one_position} pairs with both particles at one position");
+        let question = format!("{name}: navg, the number of pairs that count");
         ask.exact(&question, || vec![seen.navg as f64], || vec![n as f64]);
-        let question = format!("{name}: dmin, the least distance above zero in cutoffs");
+        let question = format!("{name}: dmin, the least distance above zero, in cutoffs");
         let near = |right: f64| vec![Near { right, scale: right }];
         let least = || near(distances.iter().copied().fold(1.0, f64::min));
         ask.near(&question, || vec![seen.dmin], least);
-        let question = format!("{name}: davg, the sum of distances in cutoffs");
+        let question = format!("{name}: davg, the sum of the distances, in cutoffs");
         ask.near(&question, || vec![seen.davg], || near(distances.iter().sum()));
     }
 }
@@ -229,7 +252,7 @@ pub(crate) fn tallies(random: &mut Random, ask: &mut impl Ask) {
 /// Asks for the potential of any pair.
 pub(crate) fn potentials(random: &mut Random, ask: &mut impl Ask) {
     for d in distances(random) {
-        let question = format!("{}: the potential", neighbour(d));
+        let question = format!("{}: potential of the pair", neighbour(d));
         ask.near(
             &question,
             || vec![pair_potential(d)],
@@ -249,7 +272,7 @@ pub(crate) fn energies(random: &mut Random, ask: &mut impl Ask) {
         let fastest = random.magnitude(1e-6, 1e6);
         let particles = moving(random, n, size, fastest);
         let name = format!("{n} particles with velocities up to {fastest:.1e}");
-        let question = format!("{name}: the energy of motion, of m v² / 2");
+        let question = format!("{name}: energy of motion, the sum of m v² / 2");
         ask.near(
             &question,
             || vec![kinetic_energy(&particles)],
@@ -263,7 +286,7 @@ pub(crate) fn energies(random: &mut Random, ask: &mut impl Ask) {
             let all = momentum(&particles);
             vec![all.x, all.y]
         };
-        let question = format!("{name}: the momentum along x and along y, of m v");
+        let question = format!("{name}: momentum, the sums of m vx and of m vy");
         ask.near(&question, found, || {
             [|p: &Particle| MASS * p.vx, |p: &Particle| MASS * p.vy]
                 .map(|of| summed(&particles, of))
@@ -271,7 +294,7 @@ pub(crate) fn energies(random: &mut Random, ask: &mut impl Ask) {
         });
         if n <= 1025 {
             let name = format!("{n} particles in a box of {:.1} cutoffs", size / CUTOFF);
-            let question = format!("{name}: the potential energy, of each pair once");
+            let question = format!("{name}: potential energy, to which each pair contributes once");
             ask.near(
                 &question,
                 || vec![potential_energy(&particles)],
@@ -319,13 +342,13 @@ fn potential_of_all(particles: &[Particle]) -> f64 {
 /// Asks about two particles that collide and separate.
 pub(crate) fn a_collision(_: &mut Random, ask: &mut impl Ask) {
     let highest = pair_potential(Vec2::new(MIN_R, 0.0));
-    let question = "the potential at the least distance: above 90";
+    let question = "a pair at the least distance: its potential, which must be above 90";
     ask.judge(
         question,
         || vec![highest],
         |found| match found {
             [highest] if *highest > 90.0 => Ok(()),
-            _ => Err(format!("it is {found:?}: too low")),
+            _ => Err(format!("the potential is {found:?}, which is too low")),
         },
     );
     let at = |x: f64, vx: f64| Particle { x, y: 0.5, vx, ..Particle::default() };
@@ -339,14 +362,16 @@ pub(crate) fn a_collision(_: &mut Random, ask: &mut impl Ask) {
         let end = kinetic_energy(&state) + potential_energy(&state);
         vec![end / start - 1.0, momentum(&state).x]
     };
-    let question = "two particles collide and part again, 400 steps: the relative change of the energy, and the \
+    let question = "two particles that collide and part again, after 400 steps: relative change of the energy, and \
                     momentum along x";
     ask.judge(
         question,
         || Runs::new("1.5", VARIANTS, "energy").run(found),
         |found| match found {
             [change, momentum] if change.abs() < 0.05 && momentum.abs() < 1e-14 => Ok(()),
-            _ => Err(format!("     found: {found:?}\n  expected: less than 0.05, and 0")),
+            _ => {
+                Err(format!("     found: {found:?}\n  expected: a change of less than 0.05, and 0"))
+            }
         },
     );
 }

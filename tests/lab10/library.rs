@@ -27,14 +27,14 @@ pub(crate) fn verlet_steps(_: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn verlet_statistics(_: &mut Random, ask: &mut impl Ask) {
     neighbour_list().statistics_of_each_step(ask, &scenes::dense(), 10);
     neighbour_list().set("skin", 1.0).statistics_of_each_step(ask, &scenes::official(), 40);
-    let question = "a dense box, an official step that is not divided, and one that is divided into ten: dmin and navg of \
-                    each; a step is seen at its beginning";
+    let question = "a dense box, with an official step that is not divided, and with one that is divided into ten \
+                    parts: dmin and navg of each, at the beginning of the step";
     let found = || [1.0, 10.0].map(seen_in_a_step).concat();
     ask.judge(question, found, |found| match found {
         [dmin, navg, dmin_of_ten, navg_of_ten] if dmin == dmin_of_ten && navg == navg_of_ten => {
             Ok(())
         }
-        _ => Err(format!("     found: {found:?}\n  expected: the same twice")),
+        _ => Err(format!("     found: {found:?}\n  expected: the same two numbers twice")),
     });
 }
 
@@ -63,14 +63,16 @@ pub(crate) fn in_a_row(_: &mut Random, ask: &mut impl Ask) {
         let states = [&[7, 1, 12][..], &[1; 20]].map(|parts| state_after(&scene, parts));
         states.concat()
     };
-    let question = "the official scene with 2,000 particles on two threads, 20 steps, first 7, 1 and 12 in a row and then \
-                    one by one: x y vx vy of each particle, twice";
+    let question = "the official scene with 2,000 particles on two threads, 20 steps: x y vx vy of each particle after \
+                    7, 1 and 12 steps in a row, then x y vx vy of each particle after 20 single steps";
     ask.judge(question, found, |found| {
         let mut rest = found;
         let in_a_row = States::split(&mut rest, scene.len(), 1)?.numbers();
         let one_by_one = States::split(&mut rest, scene.len(), 1)?.numbers();
         let odd = in_a_row.iter().zip(&one_by_one).position(|(a, b)| a.to_bits() != b.to_bits());
-        odd.map_or(Ok(()), |k| Err(format!("particle {} has other bits one by one", k / 4)))
+        odd.map_or(Ok(()), |k| {
+            Err(format!("particle {} has different bits after single steps", k / 4))
+        })
     });
 }
 
@@ -137,8 +139,8 @@ pub(crate) fn heating_up(_: &mut Random, ask: &mut impl Ask) {
     };
     let scene = Scene::new(2.1, (0..5000).map(at).collect()).expect("a scene");
     let runs = neighbour_list();
-    let question = "5,000 particles at rest in pairs that push each other apart, 100 steps: the share of particles that \
-                    outruns the list, less than 0.3";
+    let question = "5,000 particles at rest in pairs that push each other apart, 100 steps: share of the particles \
+                    that outruns the list, which must be less than 0.3";
     ask.judge(
         question,
         || vec![share_of_outliers(&scene)],

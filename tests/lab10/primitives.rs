@@ -19,10 +19,10 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
         let mut v = before.v.clone();
         let outside = drift(&mut x, &mut v, &before.a, before.dt, before.size);
         let name = before.name();
-        let question = format!("{name}: the velocities, and three numbers behind them");
+        let question = format!("{name}: velocities, then three numbers that follow them");
         ask.exact(&question, || v, || before.after().v);
-        ask.exact(&format!("{name}: the positions"), || x, || before.after().x);
-        let question = format!("{name}: is any outside? 1 for yes, 0 for no");
+        ask.exact(&format!("{name}: positions"), || x, || before.after().x);
+        let question = format!("{name}: 1 if any particle is outside, 0 if not");
         ask.exact(&question, || vec![truth(outside)], || vec![truth(before.after().is_outside())]);
     }
 }
@@ -85,8 +85,8 @@ pub(crate) fn walls(random: &mut Random, ask: &mut impl Ask) {
             x[i] = at;
             let found = || vec![truth(drift(&mut x, &mut vec![0.0; n], &vec![0.0; n], DT, size))];
             let question = format!(
-                "{} in a box of side {size:?}, at rest, index {i} at {at:?}, the others in the middle: is any outside? 1 \
-                 for yes, 0 for no; on a wall is inside",
+                "{} in a box of side {size:?}, at rest, index {i} at {at:?}, the others in the middle: 1 if any \
+                 particle is outside, 0 if not. A particle on a wall is inside",
                 particles(n)
             );
             ask.exact(&question, found, || vec![truth(at < 0.0 || at > size)]);
@@ -106,8 +106,8 @@ pub(crate) fn lists(random: &mut Random, ask: &mut impl Ask) {
             let outside: Vec<usize> = (0..=n).filter(|i| !range.contains(i)).collect();
             let i = outside[random.below(outside.len())];
             let question = format!(
-                "{}: the pairs of particle {i} with particles of {range:?} within {reach:.4e}, from place 1 of the list \
-                 on; 77 was there before",
+                "{}: pairs of particle {i} with particles of {range:?} within {reach:.4e}, from place 1 of the list \
+                 on, where 77 was before",
                 particles(n + 1)
             );
             let found = || {
@@ -134,8 +134,8 @@ pub(crate) fn reaches(random: &mut Random, ask: &mut impl Ask) {
         }
         let n = bodies.len();
         let question = format!(
-            "particle 0 at (0, 0), and others at {reach:e} and a little more or less: the pairs of particle 0 within \
-             {reach:e}; a particle at this distance is within"
+            "particle 0 at (0, 0), and others at {reach:e} or a rounding error beside it: pairs of particle 0 within \
+             {reach:e}. A particle at this distance is within"
         );
         let found = || {
             let mut list = vec![[77; 2]; n + EIGHT];
@@ -170,8 +170,8 @@ pub(crate) fn near(random: &mut Random, ask: &mut impl Ask) {
             _ => (unit * random.between(0.1, 1.5)).powi(2),
         };
         let question = format!(
-            "{len} pairs of {count} particles from index {first} on: the pairs whose squared distance is {within:?} or \
-             less, one after another"
+            "{len} pairs of {count} particles from index {first} on: the pairs whose squared distance is at most \
+             {within:?}, one after another"
         );
         ask.exact(
             &question,

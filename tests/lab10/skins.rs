@@ -15,13 +15,13 @@ pub(crate) fn expiry(random: &mut Random, ask: &mut impl Ask) {
         let drawn = half * random.around_one();
         for moved in [half, half.next_up(), half.next_down(), drawn, 0.0, 2.0 * skin] {
             let question = format!(
-                "skin {skin:e}, displacement {moved:e}, in units of length: has the list expired? 1 for yes, 0 for no"
+                "skin {skin:e}, displacement {moved:e}, in units of length: 1 if the list has expired, 0 if not"
             );
             let found = || vec![truth(expired(moved, skin))];
             ask.exact(&question, found, || vec![truth(moved > half)]);
         }
     }
-    let question = "no list yet, so an infinite displacement: has the list expired? 1 for yes";
+    let question = "no list yet, so that the displacement is infinite: 1 if the list has expired";
     ask.exact(question, || vec![truth(expired(f64::INFINITY, 0.0))], || vec![1.0]);
 }
 
@@ -31,7 +31,7 @@ pub(crate) fn skins(random: &mut Random, ask: &mut impl Ask) {
         let density = if case < 99 { random.magnitude(1.0, 1e7) } else { 0.0 };
         let displacement = if case < 98 { random.magnitude(1e-4, 10.0) * CUTOFF } else { 0.0 };
         let question = format!(
-            "{density:.1} particles per area that go {:.4} cutoffs in a step: the cheapest skin, in cutoffs",
+            "{density:.1} particles per area that go {:.4} cutoffs in a step: cheapest skin, in cutoffs",
             displacement / CUTOFF
         );
         let found = || vec![best_skin(density, displacement) / CUTOFF];
@@ -59,15 +59,15 @@ impl Cost {
         let least = (2..=60)
             .map(|k| f64::from(k) * 0.05)
             .fold(0.05, |best, skin| if self.of(skin) < self.of(best) { skin } else { best });
-        let &[skin] = found else { return Err("there is no answer".into()) };
+        let &[skin] = found else { return Err("the answer is not complete".into()) };
         // The costs of two skins may differ only by rounding.
         let as_good = (self.of(skin) / self.of(least) - 1.0).abs() < 1e-9;
         if as_good || (skin - least).abs() < 1e-9 {
             return Ok(());
         }
         Err(format!(
-            "     found: {skin:.4}, with which a step costs {:.4} ns a particle\n  expected: {least:.4}, with which it \
-             costs {:.4} ns",
+            "     found: {skin:.4}, with which a step costs {:.4} ns for each particle\n  expected: {least:.4}, with \
+             which a step costs {:.4} ns",
             self.of(skin),
             self.of(least)
         ))

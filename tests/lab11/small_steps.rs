@@ -10,7 +10,8 @@ use super::whole_runs::{counted, end, near_the_list, of_numbers, scattered, stat
 pub(crate) fn small_steps(_: &mut Random, ask: &mut impl Ask) {
     let scene = scenes::official();
     let substep = variant("11.6", "substep").set("substeps", 10.0);
-    let question = format!("{}, official scene, 100 steps: x y vx vy of each", substep.name());
+    let question =
+        format!("{}, official scene: x y vx vy of each particle after 100 steps", substep.name());
     let found = || end(&substep, &scene, 100);
     ask.judge(&question, found, |found| near_the_list(found, &scene, 100, 10));
 }
@@ -24,7 +25,7 @@ pub(crate) fn small_steps_anywhere(_: &mut Random, ask: &mut impl Ask) {
     for (number, scene) in all.into_iter().enumerate() {
         let substep = variant("11.6", "substep");
         let question = format!(
-            "{}, scene {number} with {} particles: x y vx vy of each after each of 3 steps",
+            "{}, scene {number} with {} particles: x y vx vy of each particle after each of 3 steps",
             substep.name(),
             scene.len()
         );
@@ -57,11 +58,12 @@ pub(crate) fn bent_paths(_: &mut Random, ask: &mut impl Ask) {
         || vec![counted(&substep, again, &scene, 60)],
         |found| match found {
             [again] if *again > 0.0 => Ok(()),
-            _ => Err("paths bend out of their margin, and nothing is computed again".into()),
+            _ => Err("paths bend out of their margin, but nothing is computed again".into()),
         },
     );
     let question = format!(
-        "{}, the same in windows of its own choice, of 1 and of 9 steps: x y vx vy of each",
+        "{}, the same scene in windows of its own choice, of 1 and of 9 steps: x y vx vy of each particle after each \
+         of the three runs",
         substep.name()
     );
     let windows = [0.0, 1.0, 9.0].map(|steps| substep.clone().set("window", steps));
@@ -70,6 +72,10 @@ pub(crate) fn bent_paths(_: &mut Random, ask: &mut impl Ask) {
         let runs: Vec<&[f64]> = found.chunks(4 * scene.len()).collect();
         let [own, one, nine] = runs[..] else { return Err("the runs are not complete".into()) };
         near_the_list(own, &scene, 60, 10)?;
-        if own == one && own == nine { Ok(()) } else { Err("other windows gave other bits".into()) }
+        if own == one && own == nine {
+            Ok(())
+        } else {
+            Err("windows of a different length gave different bits".into())
+        }
     });
 }

@@ -78,7 +78,8 @@ pub(crate) fn near_the_list(
         let off = (found.x - right.x).hypot(found.y - right.y);
         if off.is_nan() || off > 1e-9 * scene.size().max(1.0) {
             return Err(format!(
-                "particle {} is {off:e} from where the list has it, with each step in {divide} parts",
+                "particle {} is {off:e} away from its position with a neighbour list, with each step in {divide} \
+                 parts",
                 right.id
             ));
         }
@@ -143,11 +144,12 @@ fn thrown_back() -> Scene {
 pub(crate) fn back_from_a_wall(_: &mut Random, ask: &mut impl Ask) {
     let scene = thrown_back();
     let planned = variant("11.5", "planned").set("window", 16.0);
-    let question = "a particle comes back from a wall, window of 16 steps: vx of the particle that waits for it, not 0";
+    let question = "a particle that comes back from a wall, window of 16 steps: vx of the particle that rests in its \
+                    way, which must not be 0";
     let found = || vec![of_numbers(&end(&planned, &scene, 16))[1].vx];
     ask.judge(question, found, |found| match found {
         [vx] if *vx != 0.0 => Ok(()),
-        _ => Err("the two have not met".into()),
+        _ => Err("the two particles have not met".into()),
     });
     planned.bits_of_all_pairs(ask, &scene, 32);
 }
@@ -156,12 +158,12 @@ pub(crate) fn redone(_: &mut Random, ask: &mut impl Ask) {
     let scene = scattered(100, 0.3, 1);
     let planned = variant("11.5", "planned").set("window", 64.0);
     planned.bits_of_all_pairs(ask, &scene, 64);
-    let question =
-        "100 particles, windows of 64 steps: how many windows are computed again, more than 0";
+    let question = "100 particles, windows of 64 steps: number of windows that are computed again, more than 0";
     let found = || vec![counted(&planned, "windows redone", &scene, 64)];
     ask.judge(question, found, |found| match found {
         [redone] if *redone > 0.0 => Ok(()),
-        _ => Err("the scene is too crowded for such windows, and none is computed again".into()),
+        _ => Err("no window is computed again, although the scene is too crowded for such windows"
+            .into()),
     });
 }
 
@@ -181,8 +183,8 @@ pub(crate) fn beside_the_list(ask: &mut impl Ask) {
     for window in [0.0, 6.0] {
         let planned = by_choice("11.6").set("window", window);
         let question = format!(
-            "{}, windows of {window} steps (0: the planner's choice), 3,000 particles, seed 5, 200 steps: x y vx vy of \
-             each",
+            "{}, windows of {window} steps (0: the planner's choice), 3,000 particles, seed 5: x y vx vy of each \
+             particle after 200 steps",
             planned.name()
         );
         let found = || end(&planned, &scene, 200);
@@ -196,8 +198,8 @@ pub(crate) fn steps_in_a_row(_: &mut Random, ask: &mut impl Ask) {
     let in_windows = planned.clone().set("window", 6.0);
     for runs in [planned, in_windows, variant("11.6", "substep")] {
         let question = format!(
-            "{}, 2,000 particles, seed 2: x y vx vy of each after 1, 7, 1 and 11 steps in a row, and after 1, 8, 9 and 20 \
-             steps one by one",
+            "{}, 2,000 particles, seed 2: x y vx vy of each particle after 1, 7, 1 and 11 steps in a row, then after \
+             1, 8, 9 and 20 single steps",
             runs.name()
         );
         let found = || {
@@ -206,7 +208,11 @@ pub(crate) fn steps_in_a_row(_: &mut Random, ask: &mut impl Ask) {
         };
         ask.judge(&question, found, |found| {
             let (in_a_row, one_by_one) = found.split_at(found.len() / 2);
-            if in_a_row == one_by_one { Ok(()) } else { Err("they have other bits".into()) }
+            if in_a_row == one_by_one {
+                Ok(())
+            } else {
+                Err("steps in a row and single steps ended with different bits".into())
+            }
         });
     }
 }

@@ -93,9 +93,9 @@ impl Number {
     fn question(&self) -> String {
         let Self { kind, parabola: [c, d, e], bend, size, h } = self;
         format!(
-            "a number that {kind}, {c:?} + {d:?} s + {e:?} s², s = (1 + b) t / (1 + b t), b = {bend:?}, of size {size:e}, \
-             in a step of {h:?}: the looks, how many of these were outside the step, then when it falls, as a part of \
-             the step; nothing if it does not"
+            "a number that {kind}, {c:?} + {d:?} s + {e:?} s², s = (1 + b) t / (1 + b t), b = {bend:?}, of size \
+             {size:e}, in a step of {h:?}: number of evaluations, number of these that were outside the step, then the \
+             time at which it falls through zero, as a part of the step; no time if it does not"
         )
     }
 
@@ -137,10 +137,10 @@ impl Number {
     fn verdict(&self, found: &[f64]) -> Result<(), String> {
         let [looks, outside, fall @ ..] = found else { return Err("no looks".into()) };
         if *outside > 0.0 {
-            return Err(format!("{outside} looks were outside the step"));
+            return Err(format!("{outside} evaluations were outside the step"));
         }
         if *looks > 100.0 || self.kind == NOT_FAR_ENOUGH && *looks > 0.0 {
-            return Err(format!("{looks} looks, more than are needed"));
+            return Err(format!("there were {looks} evaluations, more than are needed"));
         }
         let right = self.right();
         // A number that begins with a fall falls at exactly 0.
@@ -160,18 +160,19 @@ fn falls(random: &mut Random, ask: &mut impl Ask, kinds: &[Kind]) {
     }
 }
 
-pub(crate) fn told_by_the_ends(random: &mut Random, ask: &mut impl Ask) {
+pub(crate) fn decided_at_the_ends(random: &mut Random, ask: &mut impl Ask) {
     falls(random, ask, &TOLD_BY_THE_ENDS);
 }
 
 /// Asks about numbers that must be evaluated within the step. Every second number is bent.
-pub(crate) fn told_inside(random: &mut Random, ask: &mut impl Ask) {
+pub(crate) fn decided_inside(random: &mut Random, ask: &mut impl Ask) {
     falls(random, ask, &TOLD_INSIDE);
 }
 
 pub(crate) fn a_touch(_: &mut Random, ask: &mut impl Ask) {
     let at = |t: f64| Watched { value: (t - 1.0) * (t - 1.0), slope: 2.0 * (t - 1.0) };
-    let question = "(t - 1)² in a step of 2 touches 0: when it falls; nothing if it does not";
+    let question = "(t - 1)² in a step of 2, which touches 0: time at which it falls through zero; no number if it \
+                    does not";
     ask.exact(
         question,
         || first_fall(at(0.0), at(2.0), 2.0, &mut |t| at(t)).into_iter().collect(),

@@ -21,7 +21,7 @@ impl Search {
     /// Counts an evaluation at the time `t` of an interval from `low` to `high`.
     pub(crate) fn look(&mut self, t: f64, low: f64, high: f64) {
         self.looks += 1;
-        assert!(self.looks < WITHOUT_END, "{WITHOUT_END} looks, and no end");
+        assert!(self.looks < WITHOUT_END, "{WITHOUT_END} evaluations, and no end");
         self.outside += usize::from(!(low..=high).contains(&t));
     }
 
@@ -105,18 +105,20 @@ impl Falling {
         let late = (part - self.root) / 1e-12;
         if late.is_nan() || late.abs() > 3.0 {
             return Err(format!(
-                "it found {part:?} of the stretch and not {:?}: off by {late:.1e} of 10^-12",
+                "it found {part:?} of the interval instead of {:?}: off by {late:.1e} times 10^-12",
                 self.root
             ));
         }
         if value > 0.0 {
-            return Err(format!("at the moment that it found the number is {value:e}: above zero"));
+            return Err(format!(
+                "at the moment that it found, the number is {value:e}, which is above zero"
+            ));
         }
         if outside > 0.0 {
-            return Err(format!("{outside} looks were outside the stretch"));
+            return Err(format!("{outside} evaluations were outside the interval"));
         }
         if looks > 30.0 {
-            return Err(format!("{looks} looks, more than 30"));
+            return Err(format!("there were {looks} evaluations, but at most 30 are allowed"));
         }
         Ok(())
     }
@@ -132,8 +134,9 @@ pub(crate) fn crossings(random: &mut Random, ask: &mut impl Ask) {
         }
         let Falling { kind, low, high, root, size, .. } = falling;
         let question = format!(
-            "{} of size {size:e}, from {low:?} to {high:?}, which falls through zero {root:?} of the stretch into it: \
-             the moment as a part of the stretch, the number there, the looks, and how many of these were outside",
+            "{} of size {size:e}, from {low:?} to {high:?}, which falls through zero {root:?} of the interval into it: \
+             the moment as a part of the interval, the number at this moment, number of evaluations, number of these \
+             that were outside the interval",
             KINDS[kind]
         );
         ask.judge(&question, || falling.search(), |found| falling.verdict(found));
@@ -145,8 +148,9 @@ pub(crate) fn faint_crossings(_: &mut Random, ask: &mut impl Ask) {
     for size in [1e-300, 1e-308, 1e-315, 1e-320] {
         for root in [0.25, 0.75] {
             let question = format!(
-                "a line of size {size:e}, from 0 to 1e-9, which falls through zero {root} of the stretch into it: 1 if \
-                 it is at most 0 at the moment that was found, and this moment as a part of the stretch"
+                "a line of size {size:e}, from 0 to 1e-9, which falls through zero {root} of the interval into it: 1 \
+                 if it is at most 0 at the moment that was found, 0 if not; then this moment as a part of the \
+                 interval"
             );
             // The smallest number that is not 0 is 5e-324.
             let latest = || root + 3e-12 + 1e-323 / size;

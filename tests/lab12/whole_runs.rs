@@ -67,7 +67,8 @@ fn errors(found: &[f64], scene: &Scene, steps: u32) -> Result<Vec<f64>, String> 
 fn order_in_contact(ask: &mut impl Ask, name: &str, order: f64) {
     let scene = in_contact();
     let question = format!(
-        "variant {name}, two particles in contact, an official step in 4 and in 8 parts: x and y of each particle"
+        "variant {name}, two particles in contact: x and y of each particle after an official step in 4 parts, then \
+         after a step in 8 parts"
     );
     let end = |parts| positions(&end_of(name, parts, &scene, 1));
     ask.judge(
@@ -82,7 +83,7 @@ fn order_in_contact(ask: &mut impl Ask, name: &str, order: f64) {
                 return Ok(());
             }
             Err(format!(
-                "the errors {four:e} and {eight:e} are those of order {found:.2} and not {order}"
+                "the errors {four:e} and {eight:e} are of order {found:.2}, but must be of order {order}"
             ))
         },
     );
@@ -106,8 +107,8 @@ pub(crate) fn across_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
         Particle { x: 0.0612, y: 0.0011, vx: -1.1, vy: 0.1, id: 1 },
     ];
     let scene = Scene::new(0.1, particles).expect("the scene is sound");
-    let question = "two particles come into reach, one past a wall, 16 official steps: x and y of each particle, with \
-                    rk4-located in 1 and in 8 parts of a step, then with rk4 in 8";
+    let question = "two particles that come into reach, one of them past a wall: x and y of each particle after 16 \
+                    official steps, with rk4-located in 1 part and in 8 parts of a step, then with rk4 in 8 parts";
     let runs = [("rk4-located", 1.0), ("rk4-located", 8.0), ("rk4", 8.0)];
     let found = || runs.iter().flat_map(|run| positions(&end_of(run.0, run.1, &scene, 16)));
     ask.judge(question, || found().collect(), |found| {
@@ -116,10 +117,12 @@ pub(crate) fn across_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
         };
         let order = (coarse / fine).log2() / 3.0;
         if order.is_nan() || order <= 3.4 {
-            return Err(format!("the errors {coarse:e} and {fine:e} are those of order {order:.2}, less than four"));
+            return Err(format!("the errors {coarse:e} and {fine:e} are of order {order:.2}, but must be of order 4"));
         }
         if fine >= 0.05 * plain {
-            return Err(format!("off by {fine:e}, and rk4 without located events by {plain:e}"));
+            return Err(format!(
+                "the error is {fine:e}, and that of rk4 without located events is {plain:e}: it \
+                 must be far smaller"));
         }
         Ok(())
     });
@@ -128,8 +131,8 @@ pub(crate) fn across_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn exact_motion(_: &mut Random, ask: &mut impl Ask) {
     starts_with_the_fall();
     let scene = Scene::official(300, 4).expect("the scene is sound");
-    let question = "300 particles, seed 4, 100 official steps of rk4-located, in 10 and in 40 parts: x and y of each \
-                    particle";
+    let question = "300 particles, seed 4: x and y of each particle after 100 official steps of rk4-located, in 10 \
+                    parts and in 40 parts";
     let found = || [10.0, 40.0].map(|parts| positions(&end_of("rk4-located", parts, &scene, 100)));
     ask.judge(
         question,
@@ -140,11 +143,14 @@ pub(crate) fn exact_motion(_: &mut Random, ask: &mut impl Ask) {
             };
             if fine >= 5e-9 || fine.is_nan() {
                 return Err(format!(
-                    "40 parts: a particle is {fine:e} from where the exact motion has it"
+                    "in 40 parts, a particle is {fine:e} away from its position in the exact motion"
                 ));
             }
             if fine >= 0.01 * coarse {
-                return Err(format!("four times smaller steps: {fine:e} and not {coarse:e} off"));
+                return Err(format!(
+                    "with steps of a quarter, the error is {fine:e} instead of {coarse:e}: it must \
+                     shrink to less than a hundredth"
+                ));
             }
             Ok(())
         },

@@ -21,12 +21,12 @@ pub(crate) fn right_steps_of_epochs(random: &mut Random, ask: &mut impl Ask) {
         let width = some_depth(random, &moves);
         let shown = if taken < 9 { format!(", moves of {moves:?}") } else { String::new() };
         let question =
-            format!("{taken} steps{shown}, ghosts {width:?} deep: how many steps are right");
+            format!("{taken} steps{shown}, ghosts {width:?} deep: number of steps that are right");
         let found = || vec![right_steps(&moves, width) as f64];
         ask.exact(&question, found, || vec![right_of(&moves, width) as f64]);
     }
     ask.exact(
-        "2 steps in which nothing moves, ghosts exactly two cutoffs deep: how many steps are right",
+        "2 steps in which nothing moves, ghosts exactly two cutoffs deep: number of steps that are right",
         || vec![right_steps(&[0.0, 0.0], 2.0 * CUTOFF) as f64],
         || vec![2.0],
     );
@@ -55,29 +55,32 @@ pub(crate) fn confirmations(random: &mut Random, ask: &mut impl Ask) {
         for _ in 0..60 {
             let steps = 1 + random.below(12);
             let numbers = steps + random.below(4);
-            let said: Vec<Vec<f64>> = (0..rank.ranks)
+            let sent: Vec<Vec<f64>> = (0..rank.ranks)
                 .map(|_| (0..numbers).map(|_| CUTOFF * random.magnitude(1e-3, 10.0)).collect())
                 .collect();
             let width = CUTOFF * random.magnitude(1.0, 100.0);
-            let mut all = said[rank.number].clone();
+            let mut all = sent[rank.number].clone();
             let right = rank.call("confirm", |world| confirm(world, &mut all, steps, width));
             let name = format!(
-                "{}, {steps} steps, ghosts {width:?} deep, the ranks say {said:?}",
+                "{}, {steps} steps, ghosts {width:?} deep, and the numbers {sent:?} of the ranks",
                 rank.name()
             );
             ask.exact(
-                &format!("{name}: how many steps are right on all ranks, and the numbers that are said then"),
+                &format!(
+                    "{name}: number of steps that are right on all ranks, then the numbers on \
+                     which the ranks agree"
+                ),
                 || [vec![right as f64], all].concat(),
-                || agreed(&said, steps, width),
+                || agreed(&sent, steps, width),
             );
             no_other_calls(&calls_made(), &["MPI_Allreduce"], &name, ask);
         }
     });
 }
 
-fn agreed(said: &[Vec<f64>], steps: usize, width: f64) -> Vec<f64> {
-    let greatest = |k: usize| said.iter().map(|said| said[k]).fold(0.0, f64::max);
-    let all: Vec<f64> = (0..said[0].len()).map(greatest).collect();
+fn agreed(sent: &[Vec<f64>], steps: usize, width: f64) -> Vec<f64> {
+    let greatest = |k: usize| sent.iter().map(|sent| sent[k]).fold(0.0, f64::max);
+    let all: Vec<f64> = (0..sent[0].len()).map(greatest).collect();
     let right = right_of(&all[..steps], width);
     [vec![right as f64], all].concat()
 }

@@ -97,9 +97,9 @@ pub(crate) fn confirmed(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "13.8", &[3], random, |rank, _, ask| {
         let moves = [[0.1, 0.1, 0.1, 0.1], [0.5, 0.1, 0.1, 0.1], [0.1, 0.4, 0.1, 0.8]][rank.number];
         let others = [[7.0, 2.0], [9.0, 1.0], [8.0, 3.0]][rank.number];
-        let mut said: Vec<f64> = moves.iter().map(|far| far * CUTOFF).collect();
-        said.extend(others);
-        let own = said.clone();
+        let mut numbers: Vec<f64> = moves.iter().map(|far| far * CUTOFF).collect();
+        numbers.extend(others);
+        let own = numbers.clone();
         let mut rows = vec![
             ("furthest in each step / cutoff", in_cutoffs(&own[..4])),
             ("other numbers", spaced(&own[4..])),
@@ -107,12 +107,13 @@ pub(crate) fn confirmed(random: &mut Random, ask: &mut impl Ask) {
         for (depth, name) in
             [(5.5, "depth 5.5: steps right"), (4.5, "depth 4.5"), (2.5, "depth 2.5")]
         {
-            said.clone_from(&own);
-            let right = rank.call("confirm", |world| confirm(world, &mut said, 4, depth * CUTOFF));
+            numbers.clone_from(&own);
+            let right =
+                rank.call("confirm", |world| confirm(world, &mut numbers, 4, depth * CUTOFF));
             rows.push((name, right.to_string()));
         }
-        rows.push(("furthest of all", in_cutoffs(&said[..4])));
-        rows.push(("other numbers of all", spaced(&said[4..])));
+        rows.push(("furthest of all", in_cutoffs(&numbers[..4])));
+        rows.push(("other numbers of all", spaced(&numbers[4..])));
         let table = rank.columns(&rows);
         if rank.is_root() {
             ask.example(|| table);

@@ -45,10 +45,10 @@ pub(crate) fn often_cut(on: On) -> RunsOnRanks {
 }
 
 pub(crate) fn cut_again(on: On, ask: &mut impl Ask) {
-    let names = ["times the strips were cut anew"];
+    let names = ["times the strips were cut again"];
     often_cut(on).counters(ask, &scenes::drifting(), 40, &names, |_, found| match found {
         [times] if *times >= 3.0 => Ok(()),
-        _ => Err(format!("{found:?} is less than 3: the scene crossed the box")),
+        _ => Err(format!("{found:?} is less than 3, although the scene crossed the box")),
     });
 }
 
@@ -84,7 +84,9 @@ pub(crate) fn few_messages(ask: &mut impl Ask) {
     let scene = counter(20_000, 1);
     strips(&[2]).counters(ask, &scene, 100, &names, |_, found| match found {
         [steps, messages] if *steps > 4.0 && *messages < 4.0 => Ok(()),
-        _ => Err(format!("{found:?}, and not more than 4 steps and fewer than 4 messages")),
+        _ => Err(format!(
+            "{found:?} must be more than 4 steps per list, and fewer than 4 messages in a step"
+        )),
     });
 }
 
@@ -97,7 +99,8 @@ pub(crate) fn few_messages_of_epochs(ask: &mut impl Ask) {
         match found {
             [steps, messages, again] if *steps > 4.0 && *messages < most && *again <= 2.0 => Ok(()),
             _ => Err(format!(
-                "{found:?}, and not more than 4 steps, fewer than {most} messages and at most 2 epochs taken again"
+                "{found:?} must be more than 4 steps per epoch, fewer than {most} messages in a step, and at most 2 \
+                 epochs taken again"
             )),
         }
     });
@@ -107,7 +110,9 @@ pub(crate) fn taken_again(ask: &mut impl Ask) {
     let names = ["epochs taken again"];
     deep(&[2, 3, 5]).counters(ask, &a_kick(), 12, &names, |_, found| match found {
         [again] if *again >= 1.0 => Ok(()),
-        _ => Err(format!("{found:?}: a particle became fast in step 3")),
+        _ => Err(format!(
+            "{found:?} epochs were taken again, although a particle became fast in step 3"
+        )),
     });
 }
 

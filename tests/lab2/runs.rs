@@ -87,7 +87,11 @@ fn wide() -> Scene {
     }
     // The test stops here, before it requests memory that the machine does not have.
     let bins = Grid::new(size, CUTOFF, particles.len()).bins();
-    assert!(bins <= 8000, "{bins} bins for 1000 particles in a box a million cutoffs wide");
+    assert!(
+        bins <= 8000,
+        "{bins} bins for 1000 particles in a box a million cutoffs wide: there must be at most 8 \
+         for each particle"
+    );
     Scene::new(size, particles).expect("the scene is sound")
 }
 
@@ -129,8 +133,8 @@ pub(crate) fn pair_tests(ask: &mut impl Ask, runs: &Runs) {
         };
         let runs = runs.clone().set(BIN_SIZE, 1.0).statistics();
         let question = format!(
-            "{}, a step of the official scene with {n} particles: how many pairs for each particle the observer was \
-             told of (`tested`); 0.1 are within the cutoff, and with bins of one cutoff 4 are more than enough",
+            "{}, a step of the official scene with {n} particles: number of pair tests for each particle (`tested`). \
+             About 0.1 pairs are within the cutoff, and bins of one cutoff need fewer than 4 tests",
             runs.name()
         );
         ask.judge(

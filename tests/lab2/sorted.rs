@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use common::Vec2;
 use common::soft::{CUTOFF, Particle};
 use lab2::{Gather, Grid, SortedBins};
-use oracle::{Ask, Count, Random, acceleration_of_pair, whole};
+use oracle::{Ask, Count, Random, acceleration_of_pair, integers};
 
 use super::particles::{Binned, binned, ids, particles_of};
 
@@ -44,7 +44,7 @@ fn sort(
 ) {
     bins.refill(particles_of(all));
     let question = format!(
-        "{name}: the particles in memory, bin by bin, those of a bin in the order in which they came"
+        "{name}: particles in memory, bin by bin, and in each bin in the order in which they came"
     );
     ask.exact(
         &question,
@@ -60,14 +60,15 @@ fn sort(
         let row = rows.start + random.below(rows.len());
         let column = random.below(bins.grid().columns());
         let bin = row * bins.grid().columns() + column;
-        let question =
-            format!("{name}: the index at which row {row}, column {column} begins, and its end");
+        let question = format!(
+            "{name}: index at which the bin in row {row}, column {column} begins, and index at which it ends"
+        );
         let found = || {
             let span = bins.span(row, column..column + 1);
-            whole([span.start, span.end])
+            integers([span.start, span.end])
         };
         ask.exact(&question, found, || {
-            whole([bin, bin + 1].map(|end| all.iter().filter(|one| one.bin < end).count()))
+            integers([bin, bin + 1].map(|end| all.iter().filter(|one| one.bin < end).count()))
         });
     }
 }
@@ -121,12 +122,13 @@ impl Around {
         let a = gather.acceleration(&self.particle, [&[], some, &[], more, rest], &mut count);
         let place = if self.at_the_cutoff { "at the cutoff" } else { "near and far" };
         let name = format!("particle {} with {n} candidates {place}", self.particle.id);
-        let question = format!("{name}: its acceleration along x and y, summed in ascending id");
+        let question = format!(
+            "{name}: acceleration of the particle, ax ay, summed in ascending order of ids"
+        );
         ask.exact(&question, || vec![a.x, a.y], || self.sum());
-        let question =
-            format!("{name}: how many candidates were looked at, and how many pairs were summed");
-        let found = || whole([count.tested as usize, count.seen as usize]);
-        ask.exact(&question, found, || whole([n, self.in_reach()]));
+        let question = format!("{name}: number of candidates tested, and number of pairs summed");
+        let found = || integers([count.tested as usize, count.seen as usize]);
+        ask.exact(&question, found, || integers([n, self.in_reach()]));
     }
 
     fn sum(&self) -> Vec<f64> {

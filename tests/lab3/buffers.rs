@@ -62,7 +62,7 @@ impl Leavers {
         let along = self.grid.rows();
         let question = format!(
             "{n} particles in {} change buffers, some of them empty, and particle {n} in its bin; {along} bins along \
-             each wall of {:?}: each particle in the bins of rows {rows:?}, and the number of its bin",
+             each wall of {:?}: id and bin of each particle that the bins of rows {rows:?} hold",
             self.buffers().count(),
             self.grid.size()
         );
@@ -89,7 +89,8 @@ impl Leavers {
             let right: Vec<usize> = own.into_iter().collect();
             if bins != right {
                 return Err(format!(
-                    "the bins that hold particle {} at ({:?}, {:?})\n     found: {bins:?}\n  expected: {right:?}",
+                    "the bins that hold particle {}, which is at ({:?}, {:?})\n     found: {bins:?}\n  expected: \
+                     {right:?}",
                     p.id, p.x, p.y
                 ));
             }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use common::soft::Particle;
 use lab3::take_posted;
-use oracle::{Ask, Random, truth, whole};
+use oracle::{Ask, Random, integers, truth};
 use parking_lot::Mutex;
 use solution2::{Grid, SortedBins};
 
@@ -56,7 +56,7 @@ impl Case {
     fn letters(&self, is: fn(usize, usize) -> bool) -> Vec<f64> {
         let boxes = self.mail.iter().flat_map(|to| to.iter().enumerate());
         let chosen = boxes.filter(|(to, _)| is(*to, self.number));
-        whole([chosen.map(|(_, letters)| letters.lock().len()).sum()])
+        integers([chosen.map(|(_, letters)| letters.lock().len()).sum()])
     }
 }
 
@@ -83,7 +83,7 @@ fn held(bins: &SortedBins) -> Vec<f64> {
     let inside = |(row, column)| {
         bins.bin(row, column).iter().flat_map(move |p: &Particle| [row, column, p.id as usize])
     };
-    whole(cells.flat_map(inside))
+    integers(cells.flat_map(inside))
 }
 
 /// Returns row, column and id of each particle by its position. Particles of a bin are in the order
@@ -92,7 +92,7 @@ fn where_they_lie(grid: &Grid, all: &[Particle]) -> Vec<f64> {
     let place = |p: &Particle| [grid.row(p.y), grid.column(p.x), p.id as usize];
     let mut places: Vec<_> = all.iter().map(place).collect();
     places.sort_by_key(|place| [place[0], place[1]]);
-    whole(places.into_iter().flatten())
+    integers(places.into_iter().flatten())
 }
 
 /// Returns 1 if a member sorts twice after each of `members` members has posted one particle. Each
@@ -118,27 +118,29 @@ pub(crate) fn letters(random: &mut Random, ask: &mut impl Ask) {
         let members = case.mail.len();
         take_posted(&mut case.bins, case.number, &case.mail);
         let name = format!(
-            "a member with {own} particles and {} letters from {members} members, some of which posted none",
+            "a member with {own} particles, and {} letters from {members} members, some of which posted none",
             all.len() - own
         );
-        let question = format!("{name}: id x y vx vy of its particles");
+        let question = format!("{name}: id x y vx vy of each of its particles afterwards");
         ask.exact(&question, || states(case.bins.particles()), || states(&all));
         let question = format!(
-            "{name}: row, column and id of each particle that its bins hold, those of a bin in the order of senders"
+            "{name}: row, column and id of each particle in its bins, and in each bin in the order of the senders"
         );
         ask.exact(&question, || held(&case.bins), || where_they_lie(case.bins.grid(), &all));
-        let question = format!("{name}: letters left in its boxes");
-        ask.exact(&question, || case.letters(|to, own| to == own), || whole([0]));
-        let question = format!("{name}: letters in the boxes of other members, one in each");
+        let question = format!("{name}: number of letters left in its boxes");
+        ask.exact(&question, || case.letters(|to, own| to == own), || integers([0]));
+        let question =
+            format!("{name}: number of letters in the boxes of other members, one in each");
         ask.exact(
             &question,
             || case.letters(|to, own| to != own),
-            || whole([members * (members - 1)]),
+            || integers([members * (members - 1)]),
         );
     }
     for members in [2, 3] {
         let question = format!(
-            "{members} members have posted a particle each: whether it sorts more than once (1)"
+            "{members} members have posted a particle each: 1 if the receiver sorts its particles more than once, 0 if \
+             not"
         );
         ask.exact(&question, || vec![is_sorted_twice(members)], || vec![0.0]);
     }

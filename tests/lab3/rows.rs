@@ -1,7 +1,7 @@
 //! Questions about the rows that a worker owns.
 
 use lab3::own_rows;
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 
 /// Asks for the owners of few and many rows among few and many workers, and of the greatest numbers
 /// of rows.
@@ -16,11 +16,12 @@ pub(crate) fn owners(random: &mut Random, ask: &mut impl Ask) {
         cases.push((rows, 1 + random.size(most)));
     }
     for (rows, workers) in cases {
-        let question =
-            format!("{rows} rows among {workers} workers: first row and end of each worker");
+        let question = format!(
+            "{rows} rows, {workers} workers: first row of each worker, and the row after its last"
+        );
         let found = || {
             let each = (0..workers).map(|worker| own_rows(worker, workers, rows));
-            whole(each.flat_map(|own| [own.start, own.end]))
+            integers(each.flat_map(|own| [own.start, own.end]))
         };
         ask.judge(&question, found, |found| are_shared_out(rows, found));
     }
@@ -32,23 +33,30 @@ fn are_shared_out(rows: usize, found: &[f64]) -> Result<(), String> {
     let mut next = 0.0;
     for (worker, [start, end]) in each.iter().enumerate() {
         if *start != next {
-            return Err(format!("worker {worker} begins with row {start}, not with row {next}"));
+            return Err(format!(
+                "worker {worker} begins with row {start}, but must begin with row {next}"
+            ));
         }
         if end < start {
             return Err(format!(
-                "worker {worker} begins with row {start} and ends before row {end}"
+                "worker {worker} begins with row {start}, but ends before row {end}"
             ));
         }
         next = *end;
     }
     if next != rows as f64 {
-        return Err(format!("the last worker ends before row {next}, not before row {rows}"));
+        return Err(format!(
+            "the last worker ends before row {next}, but must end before row {rows}"
+        ));
     }
     let sizes = || each.iter().map(|[start, end]| end - start);
     let least = sizes().fold(f64::INFINITY, f64::min);
     let most = sizes().fold(0.0, f64::max);
     if most - least > 1.0 {
-        return Err(format!("one worker has {most} rows, and another one has {least}"));
+        return Err(format!(
+            "one worker has {most} rows, and another has {least}; the numbers may differ by one at \
+             most"
+        ));
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use common::soft::Particle;
 use lab4::{Bin, Regions, claim, rebuild, take_own};
 use oracle::scenes::on_edges;
-use oracle::{Ask, Random, Table, ascending, truth, whole};
+use oracle::{Ask, Random, Table, ascending, integers, truth};
 use solution2::{Grid, SortedBins};
 
 use super::bins::{filled, inside, places, regions_of};
@@ -20,13 +20,13 @@ fn fills(random: &mut Random, ask: &mut impl Ask, fill: impl Fn(&mut Regions, &G
         let mut regions = filled(grid.bins(), 1 + random.size(grid.bins()));
         fill(&mut regions, &grid, &particles);
         let name = format!(
-            "{n} particles, {along} bins along each wall of {:e}, with 30 other particles in each bin before",
+            "{n} particles, {along} bins along each wall of {:e}, and 30 other particles in each bin before",
             grid.size()
         );
         let poorer = regions.parts_mut().flatten().filter(|bin| bin.capacity() < 30).count();
-        let question = format!("{name}: how many bins have given memory back");
-        ask.exact(&question, || whole([poorer]), || whole([0]));
-        let question = format!("{name}: particle and bin of each particle that the bins hold");
+        let question = format!("{name}: number of bins that released their memory");
+        ask.exact(&question, || integers([poorer]), || integers([0]));
+        let question = format!("{name}: id and bin of each particle that the bins hold");
         let found = || places(&mut regions);
         ask.judge(&question, found, |found| are_in_their_bins(&grid, &particles, found));
     }
@@ -45,7 +45,8 @@ fn are_in_their_bins(grid: &Grid, particles: &[Particle], found: &[f64]) -> Resu
         let right = [grid.bin(p)];
         if bins != right {
             return Err(format!(
-                "the bins that hold particle {} at ({:?}, {:?})\n     found: {bins:?}\n  expected: {right:?}",
+                "the bins that hold particle {}, which is at ({:?}, {:?})\n     found: {bins:?}\n  expected: \
+                 {right:?}",
                 p.id, p.x, p.y
             ));
         }
@@ -96,15 +97,15 @@ pub(crate) fn owned_rows(random: &mut Random, ask: &mut impl Ask) {
             let room = own.particles_mut().capacity();
             let found = || taken.map_or(vec![-1.0], |()| ids(own.particles()));
             let question = format!(
-                "{n} particles and one on the cut, the owner of rows {rows:?} of {}: the particles that it takes, -1 \
-                 if it takes one that lies in none of its rows",
+                "{n} particles, one of them on the cut, and the owner of rows {rows:?} of {}: the particles that it \
+                 takes; -1 if it takes one that is in none of its rows",
                 grid.rows()
             );
             ask.exact(&question, found, || {
                 ids(particles.iter().filter(|p| rows.contains(&grid.row(p.y))))
             });
             let question = format!(
-                "{n} particles, the owner of rows {rows:?}: whether it gives memory back (1)"
+                "{n} particles, and the owner of rows {rows:?}: 1 if it releases its memory, 0 if not"
             );
             ask.exact(&question, || vec![truth(room < 2000)], || vec![0.0]);
         }
@@ -115,7 +116,7 @@ pub(crate) fn owned_rows(random: &mut Random, ask: &mut impl Ask) {
 fn ids<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
     let mut ids: Vec<usize> = particles.into_iter().map(|p| p.id as usize).collect();
     ids.sort_unstable();
-    whole(ids)
+    integers(ids)
 }
 
 /// Returns two bins along each wall, of side 1. Two regions of two bins still hold particles of the

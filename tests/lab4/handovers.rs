@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use crossbeam::channel::unbounded;
 use crossbeam::queue::SegQueue;
 use lab4::{Bin, Change, Cut, Regions, apply_all, apply_own, post, receive, send, take};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 
 use super::bins::{places, regions_of};
 
@@ -86,7 +86,7 @@ impl Changes {
     fn ask(&self, how: &str, regions: &mut Regions, ask: &mut impl Ask) {
         let name = self.name();
         let question =
-            format!("{name}; changes {how}: particle and bin of each that the bins hold");
+            format!("{name}; changes {how}: id and bin of each particle that the bins hold");
         ask.judge(&question, || places(regions), |found| self.are_made(found));
     }
 
@@ -109,17 +109,17 @@ impl Changes {
         }
         match bins.keys().next() {
             None => Ok(()),
-            Some(particle) => Err(format!("particle {particle} is in a bin and was never there")),
+            Some(particle) => Err(format!("a bin holds particle {particle}, which does not exist")),
         }
     }
 
     /// Asks for the changes that each owner has received.
-    fn ask_letters(&self, told: &[(usize, Change)], ask: &mut impl Ask) {
+    fn ask_letters(&self, received: &[(usize, Change)], ask: &mut impl Ask) {
         let question = format!(
-            "{}: owner, particle, old and new bin of each change that an owner is told of, in ascending order",
+            "{}: owner, particle, old and new bin of each change that an owner receives, in ascending order",
             self.name()
         );
-        let found = || in_order(told.iter().map(|(owner, c)| letter(*owner, c)).collect());
+        let found = || in_order(received.iter().map(|(owner, c)| letter(*owner, c)).collect());
         ask.exact(&question, found, || in_order(self.letters()));
     }
 
@@ -141,7 +141,7 @@ fn letter(owner: usize, c: &Change) -> Letter {
 
 fn in_order(mut letters: Vec<Letter>) -> Vec<f64> {
     letters.sort_unstable();
-    whole(letters.into_iter().flatten())
+    integers(letters.into_iter().flatten())
 }
 
 /// Asks one thread to make the changes of all buffers.
@@ -174,19 +174,19 @@ pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
         let mut regions = all.regions();
         let queues: Vec<_> = regions.locks.iter().map(|_| SegQueue::new()).collect();
         all.changes.iter().for_each(|change| post(all.cut, &queues, *change));
-        let mut told = Vec::new();
+        let mut received = Vec::new();
         for (owner, queue) in queues.iter().enumerate() {
-            told.extend(std::iter::from_fn(|| queue.pop()).map(|change| (owner, change)));
+            received.extend(std::iter::from_fn(|| queue.pop()).map(|change| (owner, change)));
         }
-        all.ask_letters(&told, ask);
+        all.ask_letters(&received, ask);
         // The posted changes go back into the queues.
-        told.into_iter().for_each(|(owner, change)| queues[owner].push(change));
+        received.into_iter().for_each(|(owner, change)| queues[owner].push(change));
         for own in all.owners() {
             take(all.cut, own, regions.locks[own].get_mut(), &queues[own]);
         }
-        let question = format!("{}: changes that are left in the queues", all.name());
+        let question = format!("{}: number of changes left in the queues", all.name());
         let left = || queues.iter().map(SegQueue::len).sum();
-        ask.exact(&question, || whole([left()]), || whole([0]));
+        ask.exact(&question, || integers([left()]), || integers([0]));
         all.ask("taken from queues", &mut regions, ask);
     }
 }
@@ -201,10 +201,10 @@ pub(crate) fn channels(random: &mut Random, ask: &mut impl Ask) {
         all.changes.iter().for_each(|change| send(all.cut, &senders, *change));
         let sent = receivers.iter().enumerate();
         let sent = sent.flat_map(|(owner, receiver)| receiver.try_iter().map(move |c| (owner, c)));
-        let told: Vec<(usize, Change)> = sent.collect();
-        all.ask_letters(&told, ask);
+        let received: Vec<(usize, Change)> = sent.collect();
+        all.ask_letters(&received, ask);
         // The received changes are sent again.
-        for (owner, change) in told {
+        for (owner, change) in received {
             senders[owner].send(change).expect("the channel has a receiver");
         }
         for own in all.owners() {

@@ -45,7 +45,7 @@ fn of_particles<'a>(
 /// Shows the counts of an observer.
 fn counts(tally: &Tally) -> Table {
     let seen = tally.statistics().expect("a tally has statistics");
-    let mut table = Table::new(["pairs seen, each twice", "pairs looked at"]);
+    let mut table = Table::new(["pairs within the cutoff, each twice", "pair tests"]);
     table.row([&seen.navg, &seen.pair_tests]);
     table
 }

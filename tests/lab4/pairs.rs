@@ -5,7 +5,7 @@ use std::ops::Range;
 use common::Vec2;
 use common::soft::{CUTOFF, Observer, Particle};
 use lab4::{pairs_across, pairs_within};
-use oracle::{Ask, Near, Random, acceleration_of_pair, whole};
+use oracle::{Ask, Near, Random, acceleration_of_pair, integers};
 use solution1::Tally;
 use solution2::{Grid, SortedBins};
 
@@ -74,11 +74,12 @@ fn strip(random: &mut Random, grid: Grid, rows: Range<usize>, n: usize) -> Sorte
 /// Asks how often pairs within the cutoff were seen, and how many pairs were tested.
 fn ask_counts(ask: &mut impl Ask, name: &str, tally: &Tally, right: impl FnOnce() -> [usize; 2]) {
     let seen = tally.statistics().expect("a tally has statistics");
-    let question = format!("{name}: how often pairs were seen, each twice, and pairs looked at");
+    let question =
+        format!("{name}: number of pairs reported, each pair twice, and number of pair tests");
     ask.exact(
         &question,
-        || whole([seen.navg as usize, seen.pair_tests as usize]),
-        || whole(right()),
+        || integers([seen.navg as usize, seen.pair_tests as usize]),
+        || integers(right()),
     );
 }
 
@@ -113,7 +114,8 @@ pub(crate) fn within(random: &mut Random, ask: &mut impl Ask) {
         let mut tally = Tally::default();
         pairs_within(&bins, &mut found, &mut tally);
         let name = format!("{n} particles in rows {rows:?} of {along}");
-        let question = format!("{name}: ax, ay of each, added to those from before");
+        let question =
+            format!("{name}: ax, ay of each particle, added to its acceleration from before");
         ask.near(&question, || numbers(&found), || pairs_of(&bins, &first).near());
         ask_counts(ask, &name, &tally, || pairs_of(&bins, &first).counts);
     }
@@ -170,10 +172,11 @@ pub(crate) fn across(random: &mut Random, ask: &mut impl Ask) {
         let mut above = vec![Vec2::ZERO; cut.first_row().len()];
         pairs_across(&cut.lower, &cut.upper, &mut below, &mut above, &mut tally);
         let name = format!("{n} particles on each side of row {row} of {along}");
-        let question = format!("{name}: ax, ay of each below, added to those from before");
+        let question =
+            format!("{name}: ax, ay of each particle below, added to its acceleration from before");
         ask.near(&question, || numbers(&below), || cut.pairs()[0].near());
         let question =
-            format!("{name}: ax, ay that are kept apart for each in the first row above");
+            format!("{name}: ax, ay that are kept apart for each particle in the first row above");
         ask.near(&question, || numbers(&above), || cut.pairs()[1].near());
         ask_counts(ask, &name, &tally, || cut.pairs()[0].counts);
     }

@@ -38,7 +38,8 @@ fn two_calls(name: &str, what: &str, ask: &mut impl Ask) {
         let calls = calls_made();
         vec![count(&calls, ""), count(&calls, "v"), calls.len() as f64]
     };
-    let question = format!("{name}: calls of MPI_{what}, of MPI_{what}v, and of MPI in all");
+    let question =
+        format!("{name}: number of calls of MPI_{what}, of MPI_{what}v, and of MPI in all");
     ask.exact(&question, found, || vec![1.0, 1.0, 2.0]);
 }
 
@@ -51,8 +52,9 @@ pub(crate) fn gathers(random: &mut Random, ask: &mut impl Ask) {
             let found = rank.call("gather_at_root", |world| gather_at_root(world, own));
             let name = format!("gather_at_root on {}, up to {most} items", rank.name());
             two_calls(&name, "Gather", ask);
-            let question =
-                format!("{name}: how many lists it gets, and the length and two sums of each");
+            let question = format!(
+                "{name}: number of lists that this rank gets, then the length of each list and two sums of its items"
+            );
             ask.exact(
                 &question,
                 || of_all(&found, rank.ranks),
@@ -82,7 +84,9 @@ pub(crate) fn scatters(random: &mut Random, ask: &mut impl Ask) {
             let found = rank.call("scatter_from_root", |world| scatter_from_root(world, own));
             let name = format!("scatter_from_root on {}, up to {most} items", rank.name());
             two_calls(&name, "Scatter", ask);
-            let question = format!("{name}: the length of what it gets, and two sums");
+            let question = format!(
+                "{name}: length of the list that this rank gets, and two sums of its items"
+            );
             ask.exact(&question, || sums_of(&found), || sums_of(&lists[rank.number]));
         }
         let lists = vec![vec![Wire::default(); LONG]; if rank.is_root() { rank.ranks } else { 0 }];
@@ -120,9 +124,13 @@ pub(crate) fn broadcasts(random: &mut Random, ask: &mut impl Ask) {
             let name = format!("broadcast of {n} particles, {}", rank.name());
             no_other_calls(&calls_made(), &["MPI_Bcast"], &name, ask);
             let calls = || vec![calls_made().len() as f64];
-            ask.judge(&format!("{name}: calls of MPI_Bcast, three at most"), calls, three_at_most);
-            ask.exact(&format!("{name}: the side of the box"), || vec![size], || vec![side]);
-            let question = format!("{name}: the number of particles, and two sums of them");
+            ask.judge(
+                &format!("{name}: number of calls of MPI_Bcast, at most three"),
+                calls,
+                three_at_most,
+            );
+            ask.exact(&format!("{name}: side of the box"), || vec![size], || vec![side]);
+            let question = format!("{name}: number of particles, and two sums over them");
             let sums = |particles: &[Particle]| {
                 sums_of(&particles.iter().map(Wire::from).collect::<Vec<Wire>>())
             };
@@ -134,7 +142,9 @@ pub(crate) fn broadcasts(random: &mut Random, ask: &mut impl Ask) {
 fn three_at_most(calls: &[f64]) -> Result<(), String> {
     match calls {
         [calls] if *calls <= 3.0 => Ok(()),
-        _ => Err(format!("there are {calls:?}: one for each particle is too many")),
+        _ => Err(format!(
+            "there are {calls:?} calls, but a broadcast of all particles needs at most three"
+        )),
     }
 }
 
@@ -146,10 +156,11 @@ pub(crate) fn quiet_steps(random: &mut Random, ask: &mut impl Ask) {
         rank.call("a step", |_| engine.iter_mut().for_each(|engine| engine.step()));
         let name = format!("a step far from borders, {}", rank.name());
         let question = format!(
-            "{name}: calls of MPI_Gather, MPI_Gatherv, MPI_Scatter and MPI_Scatterv, and of MPI in all"
+            "{name}: number of calls of MPI_Gather, MPI_Gatherv, MPI_Scatter, MPI_Scatterv, and of MPI in all"
         );
         ask.exact(&question, calls_of_a_step, || vec![2.0, 2.0, 1.0, 1.0, 6.0]);
-        let question = format!("{name}: 1 if a rank sends more than lengths, 0 if not");
+        let question =
+            format!("{name}: 1 if a rank sends more than the lengths of its lists, 0 if not");
         let found = || engine.iter().map(|engine| truth(bytes_of_a_step(&**engine) > 100.0));
         ask.exact(&question, || found().collect(), || vec![0.0]);
     });
@@ -195,7 +206,7 @@ pub(crate) fn sums(random: &mut Random, ask: &mut impl Ask) {
                 (0..rank.ranks).map(|number| drawn(random, number, rank.ranks, round)).collect();
             let own = all[rank.number];
             let found = rank.call("reduce", |world| reduce(world, &own));
-            let name = format!("reduce {round}, on {}", rank.name());
+            let name = format!("reduce {round} on {}", rank.name());
             no_other_calls(&calls_made(), &["MPI_Reduce"], &name, ask);
             let question = format!("{name}: 1 for statistics, 0 for none");
             ask.exact(&question, || vec![truth(found.is_some())], || vec![truth(rank.is_root())]);
@@ -211,8 +222,9 @@ pub(crate) fn sums(random: &mut Random, ask: &mut impl Ask) {
                         vec![Near { right: davg, scale: davg }]
                     },
                 );
-                let question =
-                    format!("{name}: upper and lower 32 bits of navg, then of the pair tests");
+                let question = format!(
+                    "{name}: upper and lower 32 bits of navg, then of the number of pair tests"
+                );
                 ask.exact(
                     &question,
                     || halves(found.navg, found.pair_tests),

@@ -2,7 +2,7 @@
 //! ghosts.
 
 use lab6::{Cuts, balanced, interior_rows, neighbours};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 
 /// Asks for the starts of blocks. Rows have few particles, or more than 32 bits can count; the sum
 /// fits into 64 bits.
@@ -22,13 +22,13 @@ pub(crate) fn starts_of_blocks(random: &mut Random, ask: &mut impl Ask) {
         let counts: Vec<u64> = (0..rows).map(count).collect();
         let shown = &counts[..rows.min(40)];
         let question = format!(
-            "{rows} rows on {ranks} ranks, with {shown:?} particles in the first rows: the row at which each block \
-             starts, and the number of rows"
+            "{rows} rows on {ranks} ranks, with {shown:?} particles in the first rows: row at which each block starts, \
+             then the number of rows"
         );
         ask.exact(
             &question,
-            || whole(balanced(&counts, ranks).starts),
-            || whole(starts(&counts, ranks)),
+            || integers(balanced(&counts, ranks).starts),
+            || integers(starts(&counts, ranks)),
         );
     }
 }
@@ -84,8 +84,8 @@ pub(crate) fn neighbours_of_ranks(random: &mut Random, ask: &mut impl Ask) {
         for rank in (0..ranks).rev().take(8) {
             let shown = &cuts.starts[ranks.saturating_sub(8)..];
             let question = format!(
-                "rank {rank} of {ranks}, the last blocks start at rows {shown:?} (the last number is the number of \
-                 rows): the rank before and the rank after, -1 for none"
+                "rank {rank} of {ranks}, and the last blocks start at rows {shown:?} (the last number is the number of \
+                 rows): rank before and rank after, -1 for none"
             );
             let found = || numbers(neighbours(&cuts, rank));
             ask.exact(&question, found, || numbers(beside(&cuts, rank)));
@@ -104,12 +104,12 @@ pub(crate) fn interiors(_: &mut Random, ask: &mut impl Ask) {
         for start in 0..=rows {
             for end in start..=rows {
                 let question = format!(
-                    "block {start}..{end} of {rows} rows: the start and the end of its interior; if no row is interior, \
-                     an empty range within the block"
+                    "block {start}..{end} of {rows} rows: start and end of its interior. If no row is interior, any \
+                     empty range within the block"
                 );
                 let found = || {
                     let interior = interior_rows(&(start..end), rows);
-                    whole([interior.start, interior.end])
+                    integers([interior.start, interior.end])
                 };
                 ask.judge(&question, found, |found| is_interior(found, start, end, rows));
             }
@@ -118,7 +118,7 @@ pub(crate) fn interiors(_: &mut Random, ask: &mut impl Ask) {
 }
 
 fn is_interior(found: &[f64], start: usize, end: usize, rows: usize) -> Result<(), String> {
-    let &[first, last] = found else { return Err("it is not a range".into()) };
+    let &[first, last] = found else { return Err("the answer is not a range".into()) };
     if !(start as f64 <= first && first <= last && last <= end as f64) {
         return Err(format!("{first}..{last} is not a range within the block"));
     }

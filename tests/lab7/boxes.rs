@@ -2,7 +2,7 @@
 
 use hard_discs::{Span, Window};
 use lab7::{block_of, blocks_around, look_around, span};
-use oracle::{Ask, Near, Random, beside, whole};
+use oracle::{Ask, Near, Random, beside, integers};
 
 /// Asks for the swept boxes of fast and slow discs, in windows of any length.
 pub(crate) fn spans(random: &mut Random, ask: &mut impl Ask) {
@@ -16,7 +16,7 @@ pub(crate) fn spans(random: &mut Random, ask: &mut impl Ask) {
         let v = if case % 7 == 0 { 0.0 } else { speed };
         let reach = unit * random.magnitude(1e-6, 1e3);
         let question = format!(
-            "the box of x = {x:?}, v = {v:?} from λ = {} to {}, reach {reach:?}: low and high",
+            "x = {x:?}, v = {v:?}, λ from {} to {}, reach {reach:?}: low and high of the box",
             window.from, window.to
         );
         let found = || {
@@ -63,16 +63,20 @@ pub(crate) fn blocks(random: &mut Random, ask: &mut impl Ask) {
             "a box from x = {:?} to {:?} and from y = {:?} to {:?}, in a square of side {side:?}: its block",
             x.low, x.high, y.low, y.high
         );
-        ask.exact(&question, || whole([block_of(x, y, side)]), || whole([smallest(x, y, side)]));
+        ask.exact(
+            &question,
+            || integers([block_of(x, y, side)]),
+            || integers([smallest(x, y, side)]),
+        );
     }
     for block in 0..21 {
         let found = || {
             let mut found = blocks_around(block);
             found.sort_unstable();
-            whole(found)
+            integers(found)
         };
         let question = format!("block {block}: the blocks around it, in ascending order");
-        ask.exact(&question, found, || whole(around(block)));
+        ask.exact(&question, found, || integers(around(block)));
     }
 }
 
@@ -142,12 +146,12 @@ pub(crate) fn looks_around(random: &mut Random, ask: &mut impl Ask) {
             blocks[block].push((k * 7919 % 4097 * 70_001) as u32);
         }
         let question = format!(
-            "{n} discs in blocks {blocks:?}: both discs of each pair that may meet, in ascending order"
+            "{n} discs in blocks {blocks:?}: both discs of each pair that is tested, in ascending order"
         );
         ask.exact(&question, || pairs_looked_at(&blocks), || pairs_that_may_meet(&blocks));
     }
-    let question = "70,000 discs in the whole square: how many pairs may meet";
-    ask.exact(question, || whole([looks_in_one_block(70_000)]), || whole([69_999 * 35_000]));
+    let question = "70,000 discs in the block of the whole square: number of pairs tested";
+    ask.exact(question, || integers([looks_in_one_block(70_000)]), || integers([69_999 * 35_000]));
 }
 
 fn looks_in_one_block(discs: u32) -> usize {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use hard_discs::{Entry, Square, Survey, expected_work};
 use lab7::{choose_windows, partners};
-use oracle::{Ask, Random, whole, within};
+use oracle::{Ask, Random, integers, within};
 
 use super::words::short;
 
@@ -32,20 +32,21 @@ pub(crate) fn columns(random: &mut Random, ask: &mut impl Ask) {
             let behind = &entries[k + 1..];
             let next: Vec<u64> = behind.iter().take(6).map(|entry| entry.cell).collect();
             let question = format!(
-                "{} entries in rows of {columns} columns, entry {k} begins in cell {} and goes on for {} more, those \
-                 behind it begin in {next:?}: the first that shares a column with it, and the first behind these",
+                "{} entries in rows of {columns} columns; entry {k} begins in cell {} and covers {} more, and the \
+                 entries after it begin in {next:?}: first later entry that shares a column with entry {k}, and the \
+                 entry after the last that does",
                 entries.len(),
                 entry.cell,
                 entry.further
             );
             let found = || {
                 let partners = partners(&entries, k);
-                whole([partners.start, partners.end])
+                integers([partners.start, partners.end])
             };
             ask.exact(&question, found, || {
                 let last = entry.cell + u64::from(entry.further);
                 let shared = behind.iter().take_while(|entry| entry.cell <= last).count();
-                whole([k + 1, k + 1 + shared])
+                integers([k + 1, k + 1 + shared])
             });
         }
     }
@@ -57,16 +58,16 @@ pub(crate) fn far_columns(_: &mut Random, ask: &mut impl Ask) {
     for (cells, further) in [([5, far + 5], 0), ([far - 1, far], 1), ([far - 1, far + 1], 1)] {
         let entries = cells.map(|cell| Entry::new(cell, further, 0, true));
         let question = format!(
-            "entries that begin in cells {cells:?}, and go on for {further} more: the first that shares a column with \
-             entry 0, and the first behind these"
+            "two entries that begin in cells {cells:?}, and cover {further} more: first later entry that shares a \
+             column with entry 0, and the entry after the last that does"
         );
         let found = || {
             let partners = partners(&entries, 0);
-            whole([partners.start, partners.end])
+            integers([partners.start, partners.end])
         };
         ask.exact(&question, found, || {
             let is_shared = cells[1] <= cells[0] + u64::from(further);
-            whole([1, 1 + usize::from(is_shared)])
+            integers([1, 1 + usize::from(is_shared)])
         });
     }
 }
@@ -74,15 +75,16 @@ pub(crate) fn far_columns(_: &mut Random, ask: &mut impl Ask) {
 /// Asks about many narrow boxes. A program that compares each box with all the boxes after it does
 /// not finish.
 pub(crate) fn many_columns(_: &mut Random, ask: &mut impl Ask) {
-    let question = "a million boxes one column from the next, of 1, 2 and 3 columns in turn: how often two share one";
+    let question = "a million boxes, each one column after the one before, and 1, 2 or 3 columns wide in turn: number \
+                    of pairs that share a column";
     let found = || {
         within("7.13", 60, || {
             let entries: Vec<Entry> =
                 (0..1_000_000).map(|k: u32| Entry::new(u64::from(k), k % 3, k, true)).collect();
-            whole([(0..entries.len()).map(|k| partners(&entries, k).len()).sum()])
+            integers([(0..entries.len()).map(|k| partners(&entries, k).len()).sum()])
         })
     };
-    ask.exact(question, found, || whole([999_998]));
+    ask.exact(question, found, || integers([999_998]));
 }
 
 /// A survey of discs for planning a step: slow or fast, sparse or dense, with or without crowds.
@@ -121,15 +123,15 @@ impl Plan {
     /// Returns an error if another number of windows costs less.
     fn is_cheapest(&self, found: &[f64]) -> Result<(), String> {
         let counts: Vec<usize> = (0..=12).map(|k| 1 << k).collect();
-        let &[found] = found else { return Err("there is no number".into()) };
+        let &[found] = found else { return Err("the answer has no number".into()) };
         let Some(&found) = counts.iter().find(|&&count| count as f64 == found) else {
-            return Err(format!("{found} is no power of two from 1 to 4096"));
+            return Err(format!("{found} is not a power of two from 1 to 4096"));
         };
         let cost = self.cost(found);
         let cheaper = counts.into_iter().find(|&count| self.cost(count) < cost * (1.0 - 1e-12));
         match cheaper {
             Some(other) => Err(format!(
-                "{found} windows cost {cost:e}, and {other} windows cost {:e}",
+                "{found} windows cost {cost:e}, but {other} windows cost only {:e}",
                 self.cost(other)
             )),
             None => Ok(()),
@@ -143,11 +145,11 @@ pub(crate) fn plans(random: &mut Random, ask: &mut impl Ask) {
         let plan = Plan::drawn(random, case < 60);
         let Plan { survey, square, crowding } = plan;
         let question = format!(
-            "{survey:?} in a square of side {:?}, radius {:?}, {crowding:?} times as many pairs as expected: the number \
-             of windows",
+            "{survey:?}, a square of side {:?}, radius {:?}, {crowding:?} times as many pairs as expected: number of \
+             windows",
             square.side, square.radius
         );
-        let found = || whole([choose_windows(&survey, square, crowding)]);
+        let found = || integers([choose_windows(&survey, square, crowding)]);
         ask.judge(&question, found, |found| plan.is_cheapest(found));
     }
 }

@@ -22,7 +22,8 @@ pub(crate) fn orders(random: &mut Random, ask: &mut impl Ask) {
         let all: Vec<Candidate> = (0..24).map(|_| draw()).collect();
         for (a, b) in all.iter().flat_map(|a| all.iter().map(move |b| (a, b))) {
             let question = format!(
-                "two candidates, first {}, second {}: the first comes before (-1), after (1), or is the same (0)",
+                "two candidates, first {}, second {}: -1 if the first is taken before the second, 1 if after it, 0 if \
+                 they are the same",
                 event(a),
                 event(b)
             );
@@ -80,8 +81,8 @@ pub(crate) fn single_takes(random: &mut Random, ask: &mut impl Ask) {
         let candidate = Candidate { time: random.between(0.0, 1.0), hit };
         let gone: Vec<usize> = (0..discs).filter(|&disc| !before.free[disc]).collect();
         let question = format!(
-            "{}; of {discs} discs {gone:?} are not free, and one candidate was taken before: {EACH} that was taken \
-             by then, and whether each disc is still free (1)",
+            "{}; of {discs} discs {gone:?} are not free, and one candidate is taken already: {EACH} taken afterwards; \
+             then for each disc 1 if it is still free",
             event(&candidate)
         );
         let found = || {
@@ -132,8 +133,8 @@ pub(crate) fn takes(random: &mut Random, ask: &mut impl Ask) {
         let mut given = sorted.clone();
         random.shuffle(&mut given);
         let question = format!(
-            "{} candidates among {discs} discs, one more was taken before: {EACH} that was taken by then, in order, \
-             and whether each disc is still free (1)",
+            "{} candidates of {discs} discs, and one more that is taken already: {EACH} taken afterwards, in their \
+             order; then for each disc 1 if it is still free",
             given.len()
         );
         let found = || {
@@ -163,7 +164,7 @@ pub(crate) fn takes_of_walls(_: &mut Random, ask: &mut impl Ask) {
             take_in_order(&mut walls, &mut vec![true; discs], &mut taken);
             values(&taken)
         };
-        let question = format!("each of {discs} free discs hits a wall: {EACH} that was taken");
+        let question = format!("{discs} free discs that each hit a wall: {EACH} taken");
         ask.exact(&question, found, || values(&(0..discs).map(wall).collect::<Vec<_>>()));
     }
 }
@@ -175,7 +176,8 @@ const MANY: usize = 1_000_000;
 /// two candidates does not finish.
 pub(crate) fn many_takes(random: &mut Random, ask: &mut impl Ask) {
     let times: Vec<f64> = (0..MANY).map(|_| random.between(0.0, 1.0)).collect();
-    let question = "a million candidates of as many discs: how many were taken, and whether in order of time (1)";
+    let question = "a million candidates of as many discs: number of candidates taken, and 1 if they are in the order \
+                    of time";
     let found = || within("7.4", 60, move || taken_of_many(&times));
     ask.exact(question, found, || vec![MANY as f64, 1.0]);
 }

@@ -82,8 +82,8 @@ pub(crate) fn bounces(random: &mut Random, ask: &mut impl Ask) {
         let bounced = Bounce::drawn(random, case);
         let Bounce { disc, time, hit, square } = bounced;
         let question = format!(
-            "{}, of radius {:?}, at {}, after {} collisions with discs and {} with walls, in a square of side {:?}: \
-             x y vx vy, its collisions with discs and with walls",
+            "{}, of radius {:?}, at {}, after {} collisions with discs and {} with walls, in a square of side {:?}: x \
+             y vx vy after the step, then its collisions with discs and with walls",
             event(&Candidate { time, hit }),
             square.radius,
             words(&disc),
@@ -177,7 +177,7 @@ pub(crate) fn collisions(random: &mut Random, ask: &mut impl Ask) {
         let Crash { mut a, mut b, time, square } = crash;
         let question = format!(
             "case {case}, {} and {} of radius {:?} touch at λ = {time:?}, in a square of side {:?}, after {} and {} \
-             collisions with discs: x y vx vy, collisions with discs and with walls of each",
+             collisions with discs: x y vx vy, collisions with discs and with walls of each disc",
             words(&a),
             words(&b),
             square.radius,
@@ -203,7 +203,7 @@ pub(crate) fn pushes(random: &mut Random, ask: &mut impl Ask) {
         let mut a = Disc::new(4.0 * unit + time * speed, 50.0 * unit, -speed, 0.0);
         let mut b = Disc::new(2.0 * unit, 50.0 * unit, 0.0, 0.0);
         let question = format!(
-            "{} pushes {} of radius {unit:?} at the wall behind it at λ = {time:?}: x y vx vy of the second, its \
+            "{} pushes {} of radius {unit:?} at the wall behind it at λ = {time:?}: x y vx vy of the second disc, its \
              collisions with discs and with walls",
             words(&a),
             words(&b)

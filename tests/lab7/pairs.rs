@@ -62,12 +62,12 @@ fn all_pairs(scene: &Scene, found: &[f64]) -> Result<(), String> {
         let (a, b) = (pair[0] as usize, pair[1] as usize);
         if pair[0] >= pair[1] {
             return Err(format!(
-                "a pair is named by discs {} and {}: the lower is first",
+                "discs {} and {} are in the wrong order: the lower disc of a pair is first",
                 pair[0], pair[1]
             ));
         }
         if !expected.contains(&(a, b)) {
-            return Err(format!("discs {a} and {b} are found, and do not collide"));
+            return Err(format!("discs {a} and {b} are found, but do not collide"));
         }
         if !missing.remove(&(a, b)) {
             return Err(format!("discs {a} and {b} are found twice"));
@@ -75,7 +75,7 @@ fn all_pairs(scene: &Scene, found: &[f64]) -> Result<(), String> {
     }
     match missing.first() {
         Some(&(a, b)) => Err(format!(
-            "discs {a} and {b} collide and are not found: {:?} and {:?}",
+            "discs {a} and {b} collide, but are not found: {:?} and {:?}",
             discs[a], discs[b]
         )),
         None => Ok(()),

@@ -41,16 +41,26 @@ pub(crate) fn refuses_bad_input() {
     for (what, input, line) in [
         ("an empty input", String::new(), 1),
         ("a truncated list", GOOD.replace("2 8 8 -1 -1\n", ""), 3),
-        ("a velocity that is no number", GOOD.replace("5 5 0 1", "5 5 nan 1"), 3),
+        ("a velocity that is not a number", GOOD.replace("5 5 0 1", "5 5 nan 1"), 3),
         ("a count above the list's", GOOD.replace("3 10", "2000000000 10"), 4),
         ("a radius of zero", GOOD.replace("10 1 2", "10 0 2"), 1),
     ] {
         let output = program(&input, &["-t", "1"]);
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(!output.status.success(), "{what} is accepted");
-        assert!(output.stdout.is_empty(), "{what}: discs are written nevertheless");
-        assert_eq!(said.lines().count(), 1, "{what} gets one line, not:\n{said}");
-        assert!(said.contains(&format!("line {line}: ")), "{what} in line {line}, it says: {said}");
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success(), "{what} is accepted, but must be refused");
+        assert!(
+            output.stdout.is_empty(),
+            "{what}: the program writes discs although it refuses the input"
+        );
+        assert_eq!(
+            message.lines().count(),
+            1,
+            "{what} must cause one line of error, not:\n{message}"
+        );
+        assert!(
+            message.contains(&format!("line {line}: ")),
+            "{what} in line {line}, it says: {message}"
+        );
     }
 }
 

@@ -126,15 +126,16 @@ pub(crate) fn steps_in_windows(_: &mut Random, ask: &mut impl Ask) {
         let done = run(&scene, windows, 1);
         ask.exact(
             &format!(
-                "{name}: begin and end (9 for that of the step) of each, and how many discs were free"
+                "{name}: begin and end of each window (9 for the end of the step), and number of free discs when the \
+                 finder is called"
             ),
             || done.asked.concat(),
             || right_windows(&scene, windows),
         );
         ask.exact(
             &format!(
-                "{name}: what was hit (0 a corner, 1 an x wall, 2 a y wall, 3 a pair), and both discs (-1 for none), \
-                 in order"
+                "{name}: kind (0 a corner, 1 an x wall, 2 a y wall, 3 a pair) and both discs (-1 for none) of each \
+                 collision, in order"
             ),
             || done.hits.concat(),
             || right_hits(&scene),
@@ -217,8 +218,8 @@ pub(crate) fn windows(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..300 {
         let walls = Walls::drawn(random, case);
         let question = format!(
-            "discs 2 to {} hit walls at λ = {:?}, window {} of {}, counted from 0, takes walls and the pair of discs \
-             0 and 1: the index of the first wall of a later window, and the first disc of each collision taken",
+            "discs 2 to {} that hit walls at λ = {:?}, and window {} of {}, counted from 0, in which discs 0 and 1 \
+             touch: index of the first wall collision of a later window, then the first disc of each collision taken",
             walls.times.len() + 1,
             walls.times,
             walls.k,

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use hard_discs::{Schedule, Team, Workers};
 use lab7::nested;
-use oracle::{Ask, Random, Share, whole};
+use oracle::{Ask, Random, Share, integers};
 
 use super::loops::{INNER, Loop, NESTED, OUTER, SHARES};
 
@@ -19,11 +19,11 @@ pub(crate) fn held_up(_: &mut Random, ask: &mut impl Ask) {
     for (name, share) in [SHARES[OUTER], SHARES[NESTED]] {
         for chunk in [1, 5] {
             let question = format!(
-                "{name} of {N} discs from a queue in parts of {chunk}, 2 workers, disc 0's worker is held up: the rows \
-                 that the other does by then"
+                "{name} of {N} discs from a queue in parts of {chunk}, 2 workers, of which the worker with disc 0 is \
+                 delayed: rows that the other worker does meanwhile"
             );
-            let found = || whole(rows_of_the_other(N, chunk, share));
-            ask.exact(&question, found, || whole(chunk..N - 1));
+            let found = || integers(rows_of_the_other(N, chunk, share));
+            ask.exact(&question, found, || integers(chunk..N - 1));
         }
     }
 }
@@ -63,8 +63,8 @@ pub(crate) fn shared_loops(random: &mut Random, ask: &mut impl Ask) {
             let row = (which == INNER).then(|| random.below(20));
             let what = row.map_or("all rows".into(), |row| format!("row {row}"));
             let question = format!(
-                "{name} of {n} discs on a team of {count}, {schedule:?}, {what}: how many threads look at pairs, at \
-                 least {count}, and whether one of them looks at more than two thirds (1)"
+                "{name} of {n} discs on a team of {count}, {schedule:?}, {what}: number of threads that test pairs, at \
+                 least {count}; then 1 if one of them tests more than two thirds, 0 if not"
             );
             let found = || threads_of(n, count, schedule, share, row);
             ask.judge(&question, found, |found| match found {
@@ -99,9 +99,9 @@ fn threads_of(
 /// Asks whether each row has its own team if both loops are shared. The second worker of a row must
 /// not be a thread of the team that shares the rows.
 pub(crate) fn fresh_teams(_: &mut Random, ask: &mut impl Ask) {
-    let question = "both loops of 20 discs, on a team of 2 that waits for work: parts of the second worker of a row's \
-                    team that a thread of that team did";
-    ask.exact(question, || whole([parts_of_standing_threads()]), || whole([0]));
+    let question = "both loops of 20 discs, on a team of 2 that waits for work: number of parts of a row's second \
+                    worker that a thread of that team did";
+    ask.exact(question, || integers([parts_of_standing_threads()]), || integers([0]));
 }
 
 fn parts_of_standing_threads() -> usize {

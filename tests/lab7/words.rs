@@ -52,8 +52,8 @@ pub(crate) fn event(candidate: &Candidate) -> String {
 }
 
 /// Description of the numbers of a candidate in [`values`].
-pub(crate) const EACH: &str = "λ, what (0 a corner, 1 the left or right wall, 2 the lower or upper one, 3 a pair), \
-                               and the discs (-1 for none) of each";
+pub(crate) const EACH: &str = "λ, kind (0 a corner, 1 the left or right wall, 2 the lower or upper wall, 3 a pair), \
+                               and both discs (-1 for none) of each candidate";
 
 /// Returns candidates as numbers. Negative zero becomes zero.
 pub(crate) fn values(candidates: &[Candidate]) -> Vec<f64> {

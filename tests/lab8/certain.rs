@@ -27,8 +27,9 @@ pub(crate) fn rounds(random: &mut Random, ask: &mut impl Ask) {
     for discs in [1, 2, 3, 9, 33, 300].into_iter().flat_map(|discs| [discs; 20]) {
         let case = Case::drawn(random, discs + 2);
         let question = format!(
-            "rank 1 of three has {} discs and {} candidates, and decides in {} rounds: after each the number of taken \
-             candidates, the number in the front, {CANDIDATE} of each, which discs are free (1), and which wait (1)",
+            "rank 1 of three with {} discs and {} candidates, which decides in {} rounds. After each round: number of \
+             candidates taken, number in the front, {CANDIDATE} of each; then for each disc 1 if it is free, and for \
+             each disc 1 if it waits",
             case.found.numbers.len(),
             case.found.candidates.len(),
             case.rounds.len()
@@ -78,7 +79,7 @@ impl Case {
             for (free, gone) in free.iter_mut().zip(&round.gone) {
                 *free &= !gone;
             }
-            let after = After::read(&mut found, free.len()).ok_or("an answer is missing")?;
+            let after = After::read(&mut found, free.len()).ok_or("the answer is not complete")?;
             let known = Known { ordered: &ordered, rivals: &round.rivals, free: &free };
             known.judge(&before, &after).map_err(|words| format!("round {number}: {words}"))?;
             free = after.free;
@@ -110,8 +111,8 @@ fn numbers_of(decisions: &Decisions) -> Vec<f64> {
 /// crowd in every round does not finish.
 pub(crate) fn crowd_behind_one(_: &mut Random, ask: &mut impl Ask) {
     let question = format!(
-        "1,000,000 times the same candidate of two discs, and the other ranks tell nothing in 100,000 rounds: {CANDIDATE} \
-         of each in the front"
+        "1,000,000 times the same candidate of two discs, and 100,000 rounds without news from the other ranks: \
+         {CANDIDATE} of each candidate in the front"
     );
     let open = pair(0.5, 0, 1);
     let found = || {

@@ -84,7 +84,7 @@ impl Known<'_> {
             let name = words(candidate);
             match (fates.taken[k], self.obstacle(k, &fates)) {
                 (true, Some(words)) => return Err(format!("{name} is taken, but {words}")),
-                (false, None) => return Err(format!("{name} is certain, and is not taken")),
+                (false, None) => return Err(format!("{name} is certain, but is not taken")),
                 _ => {}
             }
         }
@@ -115,7 +115,7 @@ impl Known<'_> {
         }
         let all = &self.ordered.all;
         match self.open_before(k, fates).next() {
-            Some(open) => Some(format!("{} comes before it and is open", words(&all[open]))),
+            Some(open) => Some(format!("{} comes before it, and is open", words(&all[open]))),
             None => self.rival(k),
         }
     }
@@ -127,7 +127,10 @@ impl Known<'_> {
         let slot = *slots[k].iter().find(|slot| self.rivals[**slot].is_some_and(is_before))?;
         let rival = self.rivals[slot]?;
         Some(match rival == UNKNOWN {
-            true => format!("other ranks have not told what they have for disc {}", numbers[slot]),
+            true => format!(
+                "other ranks have not reported yet what they have for disc {}",
+                numbers[slot]
+            ),
             false => format!("the rival {} of disc {} comes first", words(&rival), numbers[slot]),
         })
     }
@@ -179,7 +182,7 @@ fn same(what: &str, found: &[Candidate], right: Vec<Candidate>) -> Result<(), St
         return Err(format!("{what}: {} is missing", words(missing)));
     }
     Err(match found.iter().find(|candidate| !right.contains(candidate)) {
-        Some(extra) => format!("{what}: {} is not one of them", words(extra)),
+        Some(extra) => format!("{what}: {} must not be there", words(extra)),
         None => format!("{what}: a candidate is there more than once"),
     })
 }

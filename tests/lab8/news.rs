@@ -15,7 +15,7 @@ use super::candidates::{
 const DISCS: [u32; 5] = [1, 3, 9, 33, 300];
 
 /// Asks for the news that a partner receives.
-pub(crate) fn tells(random: &mut Random, ask: &mut impl Ask) {
+pub(crate) fn news_for_partners(random: &mut Random, ask: &mut impl Ask) {
     for (case, discs) in DISCS.into_iter().cycle().take(200).enumerate() {
         let found = Found::drawn(random, discs + 2);
         let mut decisions = found.decisions();
@@ -24,20 +24,20 @@ pub(crate) fn tells(random: &mut Random, ask: &mut impl Ask) {
         let (taken, open) = all.split_at(all.len() / 2);
         decisions.taken = taken.to_vec();
         decisions.front = open.iter().copied().filter(|_| random.below(3) > 0).collect();
-        decisions.told = random.below(taken.len() + 1);
+        decisions.reported = random.below(taken.len() + 1);
         for partner in [0, 2] {
             let question = format!(
-                "case {case}, {} taken candidates, {} of them told, {} in the front, news for rank {partner}: {CANDIDATE} of \
-                 each, and 1 if it is taken",
+                "case {case}, {} taken candidates, {} of them reported, {} in the front, news for rank {partner}: \
+                 {CANDIDATE} of each candidate, and 1 if it is taken",
                 taken.len(),
-                decisions.told,
+                decisions.reported,
                 decisions.front.len()
             );
             ask.judge(
                 &question,
                 || news_for(&decisions, partner).iter().flat_map(numbers).collect(),
                 |news| {
-                    let found_words: Vec<String> = news.chunks(NUMBERS + 1).map(told).collect();
+                    let found_words: Vec<String> = news.chunks(NUMBERS + 1).map(in_words).collect();
                     same(&found_words, &right_news(&found, &decisions, partner))
                 },
             );
@@ -50,7 +50,7 @@ fn numbers(wire: &CandidateWire) -> Vec<f64> {
 }
 
 /// Describes a piece of news in words.
-fn told(numbers: &[f64]) -> String {
+fn in_words(numbers: &[f64]) -> String {
     let Some((taken, candidate)) = numbers.split_last().filter(|_| numbers.len() > NUMBERS) else {
         return "nothing".into();
     };
@@ -71,9 +71,9 @@ fn right_news(found: &Found, decisions: &Decisions, partner: usize) -> Vec<Strin
     let slots = (0..found.numbers.len()).filter(|&slot| found.reach[slot].contains(partner));
     let shared: BTreeSet<u32> = slots.map(|slot| found.numbers[slot]).collect();
     let concerns = |c: &&Candidate| discs_of(c).any(|disc| shared.contains(&disc));
-    let untold = decisions.taken.iter().skip(decisions.told).filter(concerns);
+    let unreported = decisions.taken.iter().skip(decisions.reported).filter(concerns);
     let open = decisions.front.iter().filter(concerns);
-    untold.map(|c| named(c, true)).chain(open.map(|c| named(c, false))).collect()
+    unreported.map(|c| named(c, true)).chain(open.map(|c| named(c, false))).collect()
 }
 
 /// Compares two lists in words, and shows the first item that differs.
@@ -82,21 +82,21 @@ fn same(found: &[String], right: &[String]) -> Result<(), String> {
     let Some(k) = (0..most).find(|&k| found.get(k) != right.get(k)) else { return Ok(()) };
     let item = |list: &[String]| list.get(k).map_or("nothing".to_owned(), String::clone);
     Err(format!(
-        "item {k}, counted from 0\n     found: {}\n  expected: {}",
+        "number {k} of the news, counted from 0\n     found: {}\n  expected: {}",
         item(found),
         item(right)
     ))
 }
 
 /// Asks for a rank's state after it has received news three times, of open and of taken candidates.
-pub(crate) fn hears(random: &mut Random, ask: &mut impl Ask) {
+pub(crate) fn news_from_ranks(random: &mut Random, ask: &mut impl Ask) {
     for (case, discs) in DISCS.into_iter().cycle().take(200).enumerate() {
         let found = Found::drawn(random, discs + 2);
         let all_news: Vec<Vec<News>> = (0..3).map(|time| drawn(random, discs, time)).collect();
         let lengths: Vec<usize> = all_news.iter().map(Vec::len).collect();
         let question = format!(
-            "case {case}, {} discs, three times news of so many candidates {lengths:?}: after each for every disc whether it \
-             is free (1), and of its rival {CANDIDATE}, all -1 if it has none",
+            "case {case}, {} discs, and news three times, of {lengths:?} candidates. After each news, for each disc: 1 \
+             if it is free; {CANDIDATE} of its rival, all -1 if it has none",
             found.numbers.len()
         );
         let answer = || {
@@ -109,7 +109,7 @@ pub(crate) fn hears(random: &mut Random, ask: &mut impl Ask) {
             }
             answer
         };
-        ask.judge(&question, answer, |answer| heard(&found, &all_news, answer));
+        ask.judge(&question, answer, |answer| are_known(&found, &all_news, answer));
     }
 }
 
@@ -146,7 +146,7 @@ fn known(free: &[bool], rivals: &[Option<Candidate>]) -> Vec<f64> {
     numbers
 }
 
-fn heard(found: &Found, all_news: &[Vec<News>], answer: &[f64]) -> Result<(), String> {
+fn are_known(found: &Found, all_news: &[Vec<News>], answer: &[f64]) -> Result<(), String> {
     let mut after = answer.chunks(1 + NUMBERS);
     let mut gone: BTreeSet<u32> = BTreeSet::new();
     for (time, news) in (1..).zip(all_news) {

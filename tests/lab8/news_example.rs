@@ -28,7 +28,7 @@ pub(crate) fn table_of_news(_: &mut Random, ask: &mut impl Ask) {
         );
         for round in 1..=3 {
             all.iter_mut().for_each(take_certain);
-            let taken = |d: &Decisions| meetings(&d.taken[d.told..]);
+            let taken = |d: &Decisions| meetings(&d.taken[d.reported..]);
             table.row(format!("round {round}: takes"), all.iter().map(taken));
             table.row("  leaves open", all.iter().map(|d| meetings(&d.front)));
             tell(&mut all, &mut table);
@@ -52,24 +52,24 @@ fn of_tower(rank: usize, found: &[Candidate]) -> Decisions {
 fn tell(all: &mut [Decisions], table: &mut Columns) {
     let mut mail: Vec<Vec<CandidateWire>> = Vec::new();
     for partner in 0..all.len() {
-        let tells: Vec<Vec<CandidateWire>> = (0..all.len())
+        let sent: Vec<Vec<CandidateWire>> = (0..all.len())
             .map(|rank| if rank == partner { Vec::new() } else { news_for(&all[rank], partner) })
             .collect();
-        table.row(format!("  tells rank {partner}"), tells.iter().map(|news| told(news)));
-        mail.push(tells.concat());
+        table.row(format!("  tells rank {partner}"), sent.iter().map(|news| reports(news)));
+        mail.push(sent.concat());
     }
     for (decisions, mail) in all.iter_mut().zip(&mail) {
-        decisions.told = decisions.taken.len();
+        decisions.reported = decisions.taken.len();
         hear(decisions, mail);
     }
 }
 
-fn told(news: &[CandidateWire]) -> String {
-    let told = news.iter().map(|wire| {
+fn reports(news: &[CandidateWire]) -> String {
+    let reports = news.iter().map(|wire| {
         let end = if wire.is_taken() { "taken" } else { "open" };
         format!("{} {end}", meetings(slice::from_ref(&Candidate::from(wire))))
     });
-    told.collect::<Vec<_>>().join(", ")
+    reports.collect::<Vec<_>>().join(", ")
 }
 
 /// Names the discs of each candidate.

@@ -108,7 +108,7 @@ pub(crate) fn table_of_ends(_: &mut Random, ask: &mut impl Ask) {
 fn rival_words(rival: Option<&Candidate>) -> String {
     match rival {
         None => "-".into(),
-        Some(rival) if *rival == UNKNOWN => "not told yet".into(),
+        Some(rival) if *rival == UNKNOWN => "not known yet".into(),
         Some(rival) => words(rival),
     }
 }
@@ -121,7 +121,7 @@ fn end_of(decisions: &Decisions, candidate: &Candidate) -> &'static str {
     } else if decisions.front.contains(candidate) {
         "open, in the front"
     } else if is_free {
-        "open, behind another one"
+        "open, behind an earlier one"
     } else {
         "dropped"
     }

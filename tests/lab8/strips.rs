@@ -3,7 +3,7 @@
 
 use hard_disc_ranks::{DiscWire, Reach, Strips};
 use lab8::{ghosts_for, looks_at, reached};
-use oracle::{Ask, Random, beside, whole};
+use oracle::{Ask, Random, beside, integers};
 use solution6::Cuts;
 
 use super::wires::{DISC, same_discs, wires};
@@ -54,11 +54,11 @@ pub(crate) fn boxes(random: &mut Random, ask: &mut impl Ask) {
         let disc = flying(random, &strips, reach, 0);
         let Strips { bottom, height, cuts } = &strips;
         let question = format!(
-            "a disc at y = {:?} with vy = {:?}, its box {reach:?} beyond its path; rows {height:?} high from {bottom:?} on, \
-             the strips begin at rows {:?}: the first and the last rank that the box reaches",
+            "a disc at y = {:?} with vy = {:?}, and its box {reach:?} beyond its path; rows {height:?} high from \
+             {bottom:?} on, and strips that begin at rows {:?}: first and last rank that the box reaches",
             disc.y, disc.vy, cuts.starts
         );
-        let ends = |reach: Reach| whole([reach.first, reach.last]);
+        let ends = |reach: Reach| integers([reach.first, reach.last]);
         ask.exact(
             &question,
             || ends(reached(&strips, &disc, reach)),
@@ -72,9 +72,9 @@ pub(crate) fn lookers(_: &mut Random, ask: &mut impl Ask) {
     let all = || (0..5).flat_map(|first| (first..5).map(move |last| Reach { first, last }));
     for (a, b) in all().flat_map(|a| all().map(move |b| (a, b))) {
         ask.exact(
-            &format!("a pair of discs, the boxes reach {a:?} and {b:?}: the ranks that look at it"),
-            || whole((0..5).filter(|&rank| looks_at(rank, a, b))),
-            || whole((0..5).filter(|&rank| a.contains(rank) && b.contains(rank)).take(1)),
+            &format!("a pair of discs whose boxes reach {a:?} and {b:?}: ranks that test it"),
+            || integers((0..5).filter(|&rank| looks_at(rank, a, b))),
+            || integers((0..5).filter(|&rank| a.contains(rank) && b.contains(rank)).take(1)),
         );
     }
 }
@@ -93,9 +93,9 @@ pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
         let lists = ghosts_for(&partners, &own, &strips, reach);
         let name = format!("{n} own discs, {ranks} strips, partners {partners:?}");
         ask.exact(
-            &format!("{name}: the number of lists"),
-            || whole([lists.len()]),
-            || whole([partners.len()]),
+            &format!("{name}: number of lists"),
+            || integers([lists.len()]),
+            || integers([partners.len()]),
         );
         for (k, partner) in partners.iter().enumerate() {
             let question = format!("{name}: {DISC} of each ghost for rank {partner}");

@@ -53,9 +53,9 @@ fn visit(task: &str) {
 /// Reports once that tests, or parts of them, do not run here. The test harness would hide the
 /// output of `eprintln`, because a test that cannot run passes.
 fn skip(what: &str, why: &GpuError) {
-    static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+    static PRINTED: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     let line = format!("{what}: {why}\n");
-    if SAID.lock().expect("no test panics here").insert(line.clone()) {
+    if PRINTED.lock().expect("no test panics here").insert(line.clone()) {
         io::stderr().write_all(line.as_bytes()).expect("standard error is open");
     }
 }

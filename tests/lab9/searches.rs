@@ -50,8 +50,8 @@ fn candidates_of<R: Real>(
     let mut engine = HardDiscs::new(finder, Choice::Host);
     for (name, scene) in scenes {
         let question = format!(
-            "scene '{name}' of {} discs, in {}, {steps} steps: of each step the number of candidates, then kind (0 corner, \
-             1 and 2 walls, 3 pair), discs, time of each",
+            "scene '{name}' of {} discs, in {}, {steps} steps: for each step the number of candidates, then kind (0 \
+             corner, 1 and 2 walls, 3 pair), discs, time of each candidate",
             scene.len(),
             std::any::type_name::<R>()
         );
@@ -97,7 +97,7 @@ fn are_of_steps(found: &[f64], scene: &Scene, steps: usize) -> Result<(), String
 /// Checks that a step has these candidates.
 fn are_right(found: &[f64], right: &[Candidate]) -> Result<(), String> {
     if found[0] != right.len() as f64 {
-        return Err(format!("{} candidates, and not {}", found[0], right.len()));
+        return Err(format!("there are {} candidates instead of {}", found[0], right.len()));
     }
     let (found, _) = found[1..].as_chunks::<4>();
     let right = sorted(right);
@@ -105,7 +105,7 @@ fn are_right(found: &[f64], right: &[Candidate]) -> Result<(), String> {
     match found.iter().zip(right).find(|(found, right)| found != right) {
         None => Ok(()),
         Some((found, right)) => Err(format!(
-            "the first candidate that differs, as kind, discs, time\n     found: {found:?}\n  expected: {right:?}"
+            "kind, discs and time of the first candidate that differs\n     found: {found:?}\n  expected: {right:?}"
         )),
     }
 }

@@ -27,6 +27,9 @@ function pages(folder) {
   });
 }
 
+// The address without the part that figures write their state into.
+const address = page => page.url().split("#")[0];
+
 // In the page: what is cut off. Code may be scrolled, and on a phone a table may; paper cannot.
 function cutOff(wide) {
   const found = [];
@@ -155,21 +158,27 @@ async function back(page, figure, note) {
 }
 
 // Steps through each table to its end, by button and by keyboard: what it shows then is what was
-// recorded.
+// recorded, its picture has changed, and the address leads to the same moment.
 async function stepThrough(page) {
   const found = [];
   for (const figure of await page.locator("figure.steps").all()) {
     const said = () => figure.locator("output").textContent();
-    const [first, url] = [await said(), page.url()];
-    const note = text => found.push(`steps, ${first}: ${text}`);
     await figure.evaluate(figure => {
       for (let fold = figure.closest("details"); fold; fold = fold.parentElement.closest("details"))
         fold.open = true;
     });
+    const first = await said();
+    const picture = () => figure.locator(".steps-picture").innerHTML();
+    const url = address(page);
+    await figure.getByRole("button", { name: "From the start" }).click();
+    const drawn = await picture();
+    const note = text => found.push(`steps, ${first}: ${text}`);
     await figure.getByRole("button", { name: "Next" }).click();
-    if ((await said()) === first) note("the button does not go on");
+    const [second, moved] = [await said(), await picture()];
     await figure.locator(".steps-frame").press("ArrowLeft");
-    if ((await said()) !== first || page.url() !== url) note("the arrow key does not go back");
+    if ((await said()) === second) note("the button does not go on");
+    await figure.locator(".steps-frame").press("ArrowRight");
+    if ((await said()) !== second || address(page) !== url) note("the arrow key does not go back");
     await figure.locator(".steps-frame").press("End");
     const [shown, recorded] = await figure.evaluate(figure => {
       const rows = [...figure.querySelectorAll("tr")];
@@ -178,6 +187,14 @@ async function stepThrough(page) {
       return [texts.slice(0, -1).join(""), texts.at(-1)].map(text => text.replace(/\s/g, ""));
     });
     if (shown !== recorded) note("it does not show what was recorded");
+    if ([moved, await picture()].every(now => now === drawn)) note("its picture does not change");
+    const [end, state] = [await said(), page.url()];
+    await figure.getByRole("button", { name: "From the start" }).click();
+    await page.evaluate(url => (location.href = url), state);
+    await page.waitForFunction(([figure, end]) => figure.querySelector("output").textContent === end, [
+      await figure.elementHandle(),
+      end,
+    ]).catch(() => note("its address does not lead to its moment"));
   }
   return found;
 }
@@ -191,6 +208,46 @@ async function inaccessible(page) {
     const why = first.failureSummary.split("\n")[1] ?? "";
     return `${id}, ${others.length + 1} times: ${first.html.slice(0, 120)}: ${why}`;
   });
+}
+
+// A box whose slider was moved has its state in the address, which restores it.
+async function restored(page) {
+  const figure = page.locator("figure.live").first();
+  if ((await figure.count()) === 0) return [];
+  const slider = figure.getByRole("slider").first();
+  const begun = await slider.inputValue();
+  await slider.press("End");
+  const [moved, state] = [await slider.inputValue(), page.url()];
+  await slider.press("Home");
+  await page.evaluate(url => (location.href = url), state);
+  await page.waitForTimeout(50);
+  return moved !== begun && (await slider.inputValue()) === moved ? [] : ["the address does not restore a slider"];
+}
+
+// A box that is not checked hides the programs on such workers, and only those.
+async function filter(page) {
+  const found = [];
+  for (const plot of await page.locator("figure.plot").all()) {
+    const rows = () => plot.locator(".plot-row >> visible=true").count();
+    const ranks = await plot.locator(".plot-row.ranks").count();
+    const all = await rows();
+    await plot.getByRole("checkbox", { name: "ranks" }).uncheck();
+    if (ranks === 0 || (await rows()) !== all - ranks) found.push("a filter of the plot does not hide its programs");
+    await plot.getByRole("checkbox", { name: "ranks" }).check();
+  }
+  return found;
+}
+
+// The head of a long table stays in sight.
+async function headStays(page) {
+  const table = page.locator("main table:has(tr:nth-child(30))").first();
+  if ((await table.count()) === 0) return [];
+  const top = await table.evaluate(table => {
+    table.rows[25].scrollIntoView();
+    return table.tHead.rows[0].cells[0].getBoundingClientRect().top;
+  });
+  await page.evaluate(() => scrollTo(0, 0));
+  return top >= 0 && top < 200 ? [] : [`the head of a long table is at ${Math.round(top)} px`];
 }
 
 // A prediction that is committed is shown below its question and beside its answer, and stored. (Chromium without a
@@ -234,20 +291,49 @@ function wrapped() {
 
 // An arrow key turns the page, unless something has the focus: a button, a fold, a block that can be scrolled.
 async function turns(page) {
-  const url = page.url();
+  const url = address(page);
   for (const what of ["figure button", "summary", "pre > code[tabindex]", ".table-wrapper[tabindex]", "a.figure"]) {
     const element = page.locator(`main ${what} >> visible=true`).first();
     if ((await element.count()) === 0) continue;
     await element.press("ArrowRight");
     await page.waitForTimeout(20);
-    if (page.url() !== url) return [`an arrow key on ${what} turns the page`];
+    if (address(page) !== url) return [`an arrow key on ${what} turns the page`];
   }
   const canvas = page.locator("figure.live canvas").first();
   if ((await canvas.count()) === 0) return [];
   await canvas.click();
   await page.keyboard.press("ArrowRight");
   await page.waitForTimeout(20);
-  return page.url() === url ? [] : ["an arrow key after a click into a box turns the page"];
+  return address(page) === url ? [] : ["an arrow key after a click into a box turns the page"];
+}
+
+// A lecture has eight to fourteen slides, among them a picture, a question, and an exercise with its answer in the
+// notes. On a screen each slide holds all of its contents, also with notes, and the arrow keys lead to the last one.
+async function present(page, wide) {
+  const slides = await page.locator("main > .slide").count();
+  if (slides === 0) return [];
+  const found = [];
+  const note = text => found.push(`slides: ${text}`);
+  const has = async (what, text) => (await page.locator(`.slide ${what}`, { hasText: text }).count()) > 0;
+  if (slides < 8 || slides > 14) note(`there are ${slides}`);
+  if (!(await has("img")) || !(await has("aside", "Ask:"))) note("no picture or no question");
+  if (!(await has("h2 ~ aside", "Answer:")) || !(await has("h2", "Five minutes:"))) note("no exercise or no answer");
+  if (!wide) return found;
+  await page.setViewportSize({ width: 1280, height: 720 });
+  await page.keyboard.press("Home");
+  for (const notes of ["without", "with"]) {
+    const full = await page.evaluate(() =>
+      [...document.querySelectorAll(".slide")].flatMap((slide, k) => {
+        const end = slide.getBoundingClientRect().bottom - 0.04 * innerHeight;
+        return [...slide.children].some(child => child.getBoundingClientRect().bottom > end) ? [k + 1] : [];
+      }),
+    );
+    if (full.length) note(`${notes} notes there is no room on ${full}`);
+    await page.keyboard.press("n");
+  }
+  for (let k = 1; k < slides; k++) await page.keyboard.press(k % 2 ? "ArrowRight" : "Space");
+  if (!page.url().endsWith(`#slide-${slides}`)) note(`the keys lead to ${page.url().split("#")[1]} of ${slides}`);
+  return found;
 }
 
 // A click on a drawing shows it larger, in the page.
@@ -284,7 +370,9 @@ async function look(page, file, { width, theme, prints }) {
   const note = text => found.push(text);
   const onError = error => note(`script: ${error.message}`);
   const onConsole = message => message.type() === "error" && note(`console: ${message.text()}`);
-  const onFailed = request => note(`not found: ${request.url()}`);
+  // A browser gives up its request for the icon when the address changes.
+  const isGivenUp = request => request.failure().errorText === "net::ERR_ABORTED";
+  const onFailed = request => isGivenUp(request) || note(`not found: ${request.url()}`);
   page.on("pageerror", onError).on("console", onConsole).on("requestfailed", onFailed);
   await page.goto(pathToFileURL(file).href);
   await page.evaluate(() => document.fonts.ready);
@@ -294,11 +382,16 @@ async function look(page, file, { width, theme, prints }) {
   (await page.evaluate(broken)).forEach(note);
   (await play(page)).forEach(note);
   (await stepThrough(page)).forEach(note);
+  (await restored(page)).forEach(note);
+  (await filter(page)).forEach(note);
+  if (width > 1000) (await headStays(page)).forEach(note);
   (await turns(page)).forEach(note);
   (await enlarge(page)).forEach(note);
   (await skip(page)).forEach(note);
   (await predict(page)).forEach(note);
   (await inaccessible(page)).forEach(note);
+  (await present(page, width > 1000)).forEach(note);
+  await page.setViewportSize({ width, height: 900 });
   if (prints) {
     // A4 with the usual margins.
     await page.setViewportSize({ width: 718, height: 900 });

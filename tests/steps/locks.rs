@@ -63,8 +63,8 @@ fn inside(regions: &mut Regions) -> Vec<String> {
     let bins = |(region, bins): (usize, &mut Vec<Bin>)| {
         let first = region * each;
         let full = bins.iter().enumerate().filter(|(_, bin)| !bin.is_empty());
-        let said = full.map(|(k, bin)| format!("bin {}: {}", first + k, spaced(bin)));
-        said.collect::<Vec<_>>().join(", ")
+        let words = full.map(|(k, bin)| format!("bin {}: {}", first + k, spaced(bin)));
+        words.collect::<Vec<_>>().join(", ")
     };
     regions.parts_mut().enumerate().map(bins).collect()
 }
@@ -120,7 +120,7 @@ impl Recorder {
                 holder.map_or("free".into(), |thread| format!("thread {thread}"))
             };
             let cells: Vec<_> =
-                state.threads.iter().map(Thread::said).chain([0, 1].map(holder)).collect();
+                state.threads.iter().map(Thread::words).chain([0, 1].map(holder)).collect();
             state.table.row(format!("thread {number} {what}"), cells);
             self.change.notify_all();
         }
@@ -129,13 +129,13 @@ impl Recorder {
 }
 
 impl Thread {
-    fn said(&self) -> String {
+    fn words(&self) -> String {
         let has: Vec<_> = self.has.iter().map(usize::to_string).collect();
         let has = (!has.is_empty()).then(|| format!("has {}", has.join(" and ")));
         let verb = if self.waits { "waits" } else { "asks" };
         let asks = self.asks_for.map(|lock| format!("{verb} for {lock}"));
-        let said: Vec<_> = has.into_iter().chain(asks).collect();
-        if said.is_empty() { "-".into() } else { said.join(", ") }
+        let words: Vec<_> = has.into_iter().chain(asks).collect();
+        if words.is_empty() { "-".into() } else { words.join(", ") }
     }
 }
 
@@ -148,7 +148,7 @@ impl Watch for Recorder {
         if state.threads.iter().all(|thread| thread.waits) {
             state.over = true;
             drop(state);
-            resume_unwind(Box::new("else both threads would wait for ever"));
+            resume_unwind(Box::new("both threads would wait forever"));
         }
     }
 

@@ -19,7 +19,7 @@ fn printed(name: &str, flags: &[&str], threads: usize) -> Option<String> {
     assert!(!errors.contains("rebin.c:"), "{errors}");
     let mut command = Command::new(program);
     let ended = command.env("OMP_NUM_THREADS", threads.to_string()).output().ok()?;
-    let [stdout, stderr] = [&ended.stdout, &ended.stderr].map(|said| String::from_utf8_lossy(said));
+    let [stdout, stderr] = [&ended.stdout, &ended.stderr].map(|text| String::from_utf8_lossy(text));
     Some(format!("{stdout}{stderr}"))
 }
 

@@ -13,8 +13,8 @@ impl Team<'_> {
     }
 
     /// Returns the order that the first process received, on all processes.
-    pub fn share(&self, told: String) -> String {
-        told
+    pub fn share(&self, line: String) -> String {
+        line
     }
 }
 

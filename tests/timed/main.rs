@@ -64,8 +64,8 @@ fn timed(nonce: &str, team: &Team<'_>) -> io::Result<()> {
     if team.is_first() {
         println!("\n@{nonce} ready");
     }
-    let told = team.share(if team.is_first() { line() } else { String::new() });
-    let Some(order) = order(&told) else { panic!("there is no such order") };
+    let message = team.share(if team.is_first() { line() } else { String::new() });
+    let Some(order) = order(&message) else { panic!("there is no such order") };
     // x, y, vx, vy of each particle, by number.
     let state = scene::run(&order);
     let Some(state) = state else { panic!("there is no variant {}", order.variant) };

@@ -33,8 +33,8 @@ impl Team<'_> {
     }
 
     /// Returns the order that the first rank received, on all ranks.
-    pub fn share(&self, told: String) -> String {
-        let (root, mut bytes) = (self.0.process_at_rank(0), told.into_bytes());
+    pub fn share(&self, line: String) -> String {
+        let (root, mut bytes) = (self.0.process_at_rank(0), line.into_bytes());
         let mut length = bytes.len() as u64;
         root.broadcast_into(&mut length);
         bytes.resize(length as usize, 0);

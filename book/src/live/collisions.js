@@ -2,7 +2,7 @@
 "use strict";
 (() => {
   const { make, handle, slider, Player, redraw } = player;
-  const { panel } = panels;
+  const { panel, legend } = panels;
 
   boxes.collisions = element => {
     let scene,
@@ -34,7 +34,14 @@
       "Hard discs in a square; arrow keys choose one, with Shift they move it",
       [0, side, 0, side],
     );
-    const list = make(make(row, "div", { className: "live-panel" }), "ol", { className: "live-list" });
+    const list = make(make(row, "div", { className: "live-panel" }), "ol", { className: "live-list", tabIndex: 0 });
+    list.setAttribute("aria-label", "The candidates");
+    legend(element, {
+      chosen: "the chosen disc",
+      path: "a straight path",
+      candidate: "two discs where they would meet",
+      hit: "a collision that happens",
+    });
     const stages = [
       "the start, with straight paths",
       "candidates, in order of their time",
@@ -59,7 +66,7 @@
             if (stage === 2 && !taken.has(hit)) return;
             const [p, q] = [where(scene.discs[hit.a], hit.time), where(scene.discs[hit.b], hit.time)];
             for (const place of [p, q])
-              sheet.disc(...place, radius, { line: stage === 2 ? orange : blue, width: mine(hit) ? 2.5 : 1 });
+              sheet.disc(...place, radius, { line: stage === 2 ? orange : ink, width: mine(hit) ? 2.5 : 1 });
             sheet.text((p[0] + q[0]) / 2, (p[1] + q[1]) / 2, k + 1, ink);
           });
         }

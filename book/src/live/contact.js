@@ -3,7 +3,7 @@
 (() => {
   const { CUTOFF, DT } = soft;
   const { make, slider, Player, redraw } = player;
-  const { cutoffs, percent, panel, at } = panels;
+  const { cutoffs, percent, panel, legend, at } = panels;
 
   boxes.contact = element => {
     const size = 0.1,
@@ -46,14 +46,15 @@
         half + wide,
       ]),
     );
+    legend(element, { contact: "in contact", dot: "an official step", first: "one disc", second: "the other" });
     const draw = () => {
       runs.forEach(({ box, start, trail }, k) => {
         const { sheet, line } = panels[k];
         sheet.begin();
-        const { blue, orange, grey } = sheet.colours;
-        [blue, orange].forEach((colour, i) => {
+        const { orange, grey, owners } = sheet.colours;
+        [owners[1], owners[2]].forEach((colour, i) => {
           sheet.disc(...at(box, i), CUTOFF / 2, {
-            fill: box.touching[i] ? colour : null,
+            fill: box.touching[i] ? orange : null,
             line: colour,
             opacity: 0.6,
           });

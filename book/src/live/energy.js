@@ -3,7 +3,7 @@
 (() => {
   const { DT } = soft;
   const { make, slider, Player, redraw } = player;
-  const { whole, percent, panel, discs } = panels;
+  const { whole, percent, panel, legend, discs } = panels;
 
   boxes.energy = element => {
     let box,
@@ -20,6 +20,7 @@
     const row = make(element, "div", { className: "live-panels" });
     const left = panel(row, "", "A hundred particles in their box", [0, box.size, 0, box.size]);
     const right = panel(row, "", "Change of the energy against time", [0, 1, -0.5, 0.5]);
+    legend(element, { contact: "in contact", alone: "alone", asked: "the energy" });
     const draw = () => {
       left.sheet.begin();
       discs(left.sheet, box);

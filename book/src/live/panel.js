@@ -16,6 +16,13 @@
     return { sheet, line: make(div, "p", { className: "live-line" }) };
   }
 
+  // Adds a legend: the words of each mark. In all boxes blue is chosen and orange is in contact.
+  function legend(parent, words) {
+    const list = make(parent, "ul", { className: "live-legend" });
+    for (const [mark, text] of Object.entries(words))
+      make(list, "li", { className: `is-${mark}`, textContent: text });
+  }
+
   function discs(sheet, box, style) {
     const { grey, orange } = sheet.colours;
     for (let i = 0; i < box.n; i++) {
@@ -41,5 +48,5 @@
 
   // The boxes, by the name that a page asks for: each fills an element.
   globalThis.boxes = {};
-  globalThis.panels = { whole, cutoffs, percent, panel, discs, at, middle };
+  globalThis.panels = { whole, cutoffs, percent, panel, legend, discs, at, middle };
 })();

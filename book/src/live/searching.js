@@ -4,7 +4,7 @@
 (() => {
   const { CUTOFF } = soft;
   const { make, handle, slider, Player, redraw } = player;
-  const { whole, cutoffs, panel, discs, at, middle } = panels;
+  const { whole, cutoffs, panel, legend, discs, at, middle } = panels;
 
   // Which particles one of them asks, drawn by the kind of search.
   const { spokes } = layers;
@@ -18,6 +18,12 @@
       layers.list(...drawing);
       spokes(...drawing);
     },
+  };
+
+  const marks = {
+    all: {},
+    bins: { bins: "bins that it looks into" },
+    list: { listed: "pairs of the list", reach: "how far the list looks" },
   };
 
   const searches = {
@@ -70,6 +76,13 @@
         `Particles in a box, ${heading}; arrow keys choose one, with Shift they move it`,
         [0, size, 0, size],
       );
+    });
+    const marked = names.map(name => marks[name]);
+    legend(element, {
+      chosen: "the chosen particle",
+      asked: "particles that it asks",
+      contact: "in contact",
+      ...Object.assign({}, ...marked),
     });
     const draw = () => {
       names.forEach((name, k) => {

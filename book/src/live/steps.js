@@ -1,12 +1,11 @@
 // Steps through a table of what threads or ranks do and have, row by row. A <figure class="steps">
 // has the table as text, as a test of the kit recorded it, which stays where there are no scripts and
 // in print: a line of names, then a line for each moment. Particles that stood in a column first have
-// its colour ever after; those in parentheses are ghosts.
+// its colour ever after; those in parentheses are ghosts. With `data-picture` a picture moves above the
+// table. Needs pictures.js.
 "use strict";
 (() => {
-  // A cell of particles, or of other numbers.
-  const NUMBERS = /^[-\d |()]+( waits)?$/,
-    OTHER = /\b(count|counts|displacements)\b/;
+  const { make, fill, ofParticles, NUMBERS, OTHER } = pictures;
 
   // The columns' names and where they begin; then rows, the name of each before its cells.
   function read(text) {
@@ -17,40 +16,30 @@
     return { names: cut(head), rows: lines.map(cut) };
   }
 
-  const make = (parent, name, properties = {}) => {
-    const element = Object.assign(document.createElement(name), properties);
-    parent.append(element);
-    return element;
-  };
-
-  // Numbers as tiles in the colours of `homes`, those in parentheses dashed. What stands between two
-  // bars stays together.
-  function fill(cell, text, homes) {
-    for (const part of text.split(/(?=\|)/)) {
-      const span = make(cell, "span"),
-        isGhost = part.includes("(");
-      for (const word of part.match(/\d+|\D+/g)) {
-        if (!/\d/.test(word)) {
-          span.append(word);
-          continue;
-        }
-        const tile = make(span, "b", { className: isGhost ? "steps-ghost" : "", textContent: word });
-        tile.style.setProperty("--home", `var(--steps-${(homes.get(word) ?? 0) % 4})`);
-      }
-    }
-  }
-
   // The column in which each particle stands first, not as a ghost.
   function firstPlaces(rows) {
     const homes = new Map();
     for (const [name, ...cells] of rows)
       if (!OTHER.test(name))
         cells.forEach((cell, column) => {
-          if (!NUMBERS.test(cell)) return;
-          for (const [number] of cell.replace(/\(.*?\)/g, "").matchAll(/\d+/g))
+          const own = cell.replace(/\(.*?\)/g, "");
+          for (const [number] of own.matchAll(NUMBERS.test(cell) ? /\d+/g : /\d+[-+]\d+/g))
             if (!homes.has(number)) homes.set(number, column);
         });
     return homes;
+  }
+
+  // Adds the picture that a figure asks for, and returns the function that draws it at a moment.
+  function picture(box, { picture, holds = "^$" }, table) {
+    if (!picture) return undefined;
+    const element = make(box, "div", { className: `steps-picture is-${picture}`, ariaHidden: "true" });
+    element.style.setProperty("--columns", table.names.length);
+    const draw = pictures.kinds[picture](element, { ...table, holds: new RegExp(holds) });
+    return at => {
+      draw(at);
+      // It grows but does not shrink, so the buttons stay where they are.
+      element.style.minHeight = `${element.offsetHeight}px`;
+    };
   }
 
   function build(figure) {
@@ -60,6 +49,7 @@
     box.className = "steps-box";
     figure.insertBefore(box, figure.querySelector("figcaption"));
     figure.classList.add("is-steps");
+    const draw = picture(box, figure.dataset, { names: names.slice(1), rows, homes });
     const frame = make(box, "div", { className: "steps-frame", tabIndex: 0 });
     frame.setAttribute("role", "region");
     frame.setAttribute("aria-label", "The moments so far; arrow keys go on and back");
@@ -76,7 +66,7 @@
         const cell = make(line, "td");
         if (text !== rows[row - 1]?.[column + 1]) cell.className = "is-new";
         if (/waits/.test(text)) cell.classList.add("is-waiting");
-        if (NUMBERS.test(text) && !OTHER.test(name)) fill(cell, text, homes);
+        if (ofParticles(name, text)) fill(cell, text, homes);
         else cell.textContent = text;
       });
       return line;
@@ -88,13 +78,23 @@
       made.onclick = go;
       return made;
     };
-    const back = button("Back", () => show(at - 1)),
-      next = button("Next", () => show(at + 1));
-    button("From the start", () => show(0));
+    const back = button("Back", () => go(at - 1)),
+      next = button("Next", () => go(at + 1));
+    button("From the start", () => go(0));
+    const moment = make(buttons, "input", { type: "range", name: "moment", min: 1, max: rows.length });
+    moment.setAttribute("aria-label", "Moment");
+    moment.addEventListener("input", () => show(moment.value - 1));
     const said = make(buttons, "output", { className: "steps-said" });
     let at = 0;
+    // Buttons and keys move the slider, because the address contains its value.
+    function go(row) {
+      moment.value = row + 1;
+      moment.dispatchEvent(new Event("input", { bubbles: true }));
+    }
     function show(row) {
-      at = Math.max(0, Math.min(row, rows.length - 1));
+      at = row;
+      moment.value = at + 1;
+      draw?.(at);
       lines.forEach((line, k) => {
         line.classList.toggle("is-now", k === at);
         line.classList.toggle("is-to-come", k > at);
@@ -110,11 +110,11 @@
       const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: rows.length }[event.key];
       if (to === undefined || event.altKey || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
-      show(to);
+      go(to);
     });
     // It opens where there is something to see.
     const hasNumbers = text => NUMBERS.test(text) && /\d/.test(text);
-    show(rows.findIndex(([name, ...cells]) => !OTHER.test(name) && cells.some(hasNumbers)));
+    show(Math.max(0, rows.findIndex(([name, ...cells]) => !OTHER.test(name) && cells.some(hasNumbers))));
   }
 
   document.querySelectorAll("figure.steps:not(.is-steps)").forEach(build);

@@ -3,7 +3,7 @@
 (() => {
   const { DT } = soft;
   const { make, slider, Player, redraw } = player;
-  const { whole, panel, discs } = panels;
+  const { whole, panel, legend, discs } = panels;
 
   boxes.windows = element => {
     let box,
@@ -27,6 +27,12 @@
       "Particles in a box; some fly freely, some are in groups",
       [0, box.size, 0, box.size],
     );
+    legend(element, {
+      asked: "a free path through the window",
+      meets: "a path that meets another or a wall",
+      contact: "in a group, computed step by step",
+      alone: "free, computed once",
+    });
     const draw = () => {
       sheet.begin();
       const { grey, orange } = sheet.colours;

@@ -1,7 +1,8 @@
-//! The calls of MPI that a rank makes, by file and line, compared with those of all other ranks.
+//! The MPI calls of a rank, by file and line, compared with the calls of all other ranks.
 //!
-//! Ranks that make different calls where all must make the same would wait for ever, or take one message for another.
-//! While a watch looks on, they first tell each other what they are about to call.
+//! If ranks make different calls where all must make the same call, they wait forever, or mistake one
+//! message for another. While a watch is on, ranks first report to each other which call they will
+//! make.
 
 use std::backtrace::Backtrace;
 use std::panic::PanicHookInfo;
@@ -15,21 +16,21 @@ use mpi::traits::*;
 
 use crate::record;
 
-/// Words that ranks tell each other: numbers of eight bytes.
+/// Number of words of eight bytes in a text that ranks exchange.
 const WORDS: usize = 24;
 
-/// Of the paths in a trace, those of what a student writes or reads begin so.
+/// Parts of the paths of files that a student writes or reads, in a stack trace.
 const OWN: [&str; 3] = ["/labs/", "/solutions/", "/tests/"];
 
-/// Given code that calls MPI for a lab.
+/// Parts of the paths of given code that calls MPI for a lab.
 const GIVEN: [&str; 2] = ["/labs/common-mpi/src/", "/labs/common-mpi/sys/"];
 
 static CALLS: Mutex<Calls> = Mutex::new(Calls { made: Vec::new(), together: 0, last: None });
 
 struct Calls {
-    /// Since [`begin`].
+    /// Names of the calls since [`begin`].
     made: Vec<&'static str>,
-    /// How many all ranks have made together.
+    /// Number of calls that all ranks have made together.
     together: u64,
     last: Option<Last>,
 }
@@ -45,18 +46,19 @@ fn calls() -> MutexGuard<'static, Calls> {
     CALLS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Forgets which calls were made.
+/// Forgets the calls that were made.
 pub(crate) fn begin() {
     calls().made.clear();
 }
 
-/// The names of the calls that this rank has made in the last [`together`](crate::together), in their order, and of
-/// what it has [noted](note). None without a watch.
+/// Returns the names of the calls that this rank has made in the last [`together`](crate::together),
+/// and its [notes](note), in their order. Empty without a watch.
 pub fn calls_made() -> Vec<&'static str> {
     calls().made.clone()
 }
 
-/// Notes something else that this rank does, such as `walls_of`, among its [calls](calls_made). Nothing without a watch.
+/// Notes a different action of this rank, such as `walls_of`, among its [calls](calls_made). Without a
+/// watch it does nothing.
 pub fn note(what: &'static str) {
     let mut calls = calls();
     if calls.last.is_some() {
@@ -64,7 +66,8 @@ pub fn note(what: &'static str) {
     }
 }
 
-/// Where this rank is, if it has made a call: past it, or for how long in it.
+/// Describes where this rank is: past its last call, or in it, and for how long. `None` if it has made
+/// no call.
 pub(crate) fn location() -> Option<String> {
     let calls = calls();
     let Last { name, since, is_over, from } = calls.last.as_ref()?;
@@ -75,7 +78,7 @@ pub(crate) fn location() -> Option<String> {
     Some(format!("in {name}{at} for {} s", since.elapsed().as_secs()))
 }
 
-/// Hears of a call before it is made, and of nothing when it is over.
+/// Records a call before it is made. `None` reports that the call is over.
 pub(crate) fn hear(call: Option<&Call>) {
     let mut calls = calls();
     let Some(call) = call else {
@@ -94,7 +97,7 @@ pub(crate) fn hear(call: Option<&Call>) {
     }
 }
 
-/// Ends the job if this is not the same call on all ranks, or its buffers do not fit each other.
+/// Ends the job if ranks make different calls, or if their buffers do not fit each other.
 fn compare(number: u64, call: &Call) {
     let [count, size] = call.items;
     let name = call.name.bytes().chain(call.operation.unwrap_or_default().bytes());
@@ -103,19 +106,22 @@ fn compare(number: u64, call: &Call) {
     let all = share(own);
     let own_rank = SimpleCommunicator::world().rank();
     let differs = all.iter().any(|other| other[..2] != own[..2]);
-    let uneven = call.is_alike && all.iter().any(|other| other[2] * other[3] != count * size);
+    let uneven = call.is_uniform && all.iter().any(|other| other[2] * other[3] != count * size);
     if differs || uneven {
         let what = match call.name {
-            "MPI_Finalize" => "nothing more: it has ended".into(),
+            "MPI_Finalize" => "no further call: the rank has ended".into(),
             _ if differs => name_and_root(call) + &location_here(),
             name => format!("{name} with {}{}", in_words(call.items), location_here()),
         };
         let words: Vec<String> = share(packed(&what)).iter().map(unpacked).collect();
         if own_rank == 0 {
-            let how =
-                if differs { "is not the same on all" } else { "has buffers of different lengths" };
+            let how = if differs {
+                "make different calls as"
+            } else {
+                "use buffers of different lengths in"
+            };
             let lines = by_rank(&words);
-            end(&format!("Call {number} that all ranks make together {how}:\n{lines}"));
+            end(&format!("Ranks {how} collective call {number}:\n{lines}"));
         }
         loop {
             thread::park();
@@ -153,22 +159,22 @@ fn in_words([count, size]: [i64; 2]) -> String {
     format!("{count} item{} of {size} bytes", if count == 1 { "" } else { "s" })
 }
 
-/// A line for each rank, or for all that say the same.
+/// Returns a line for each different text, with the ranks that have it.
 fn by_rank(words: &[String]) -> String {
     let mut lines = String::new();
-    for (rank, said) in words.iter().enumerate() {
-        if words[..rank].contains(said) {
+    for (rank, words_of_rank) in words.iter().enumerate() {
+        if words[..rank].contains(words_of_rank) {
             continue;
         }
-        let alike = words.iter().enumerate().filter(|(_, other)| *other == said);
+        let alike = words.iter().enumerate().filter(|(_, other)| *other == words_of_rank);
         let ranks: Vec<String> = alike.map(|(rank, _)| rank.to_string()).collect();
         let who = if ranks.len() == 1 { "rank" } else { "ranks" };
-        lines += &format!("  {who} {}: {said}\n", ranks.join(", "));
+        lines += &format!("  {who} {}: {words_of_rank}\n", ranks.join(", "));
     }
     lines
 }
 
-/// Text in numbers, as much as there is room for.
+/// Returns a text as numbers, cut to the room for it.
 fn packed(text: &str) -> [i64; WORDS] {
     let mut bytes = [0; 8 * WORDS];
     let length = text.floor_char_boundary(bytes.len());
@@ -181,7 +187,7 @@ fn unpacked(words: &[i64; WORDS]) -> String {
     String::from_utf8_lossy(&bytes).trim_end_matches('\0').into()
 }
 
-/// ` (labs/lab5/src/root.rs, line 29)`: the location of the last call.
+/// Returns the location of the last call: ` (labs/lab5/src/root.rs, line 29)`.
 fn location_here() -> String {
     calls().last.as_ref().map_or_else(String::new, |last| location_in(&last.from))
 }
@@ -191,13 +197,14 @@ fn location_in(trace: &Backtrace) -> String {
         .map_or_else(String::new, |location| format!(" ({location})"))
 }
 
-/// The innermost location of a trace that a student knows, in words.
+/// Describes the innermost location of a trace in a file that a student knows.
 fn own_location(trace: &str) -> Option<String> {
     let mut parts = own_frame(trace)?.split(':');
     Some(format!("{}, line {}", parts.next()?, parts.next()?))
 }
 
-/// The innermost location of a trace that a student knows, such as `labs/lab5/src/root.rs:29:14`.
+/// Returns the innermost location of a trace in a file that a student knows:
+/// `labs/lab5/src/root.rs:29:14`.
 fn own_frame(trace: &str) -> Option<&str> {
     let mut locations = trace.lines().filter_map(|line| line.trim_start().strip_prefix("at "));
     locations.find_map(|location| {
@@ -207,28 +214,29 @@ fn own_frame(trace: &str) -> Option<&str> {
     })
 }
 
-/// Where a panic was: in a lab or a test, or where it called what panicked.
+/// Returns the location of a panic in a lab or a test. If other code panicked, returns the location in
+/// the lab or test that called it.
 pub(crate) fn panicked_at(info: &PanicHookInfo<'_>) -> String {
-    let said = info.location().map_or_else(String::new, ToString::to_string);
-    if said.contains("labs/lab") || said.contains("tests/") {
-        return said;
+    let location = info.location().map_or_else(String::new, ToString::to_string);
+    if location.contains("labs/lab") || location.contains("tests/") {
+        return location;
     }
     let trace = format!("{:#}", Backtrace::force_capture());
-    own_frame(&trace).map_or(said, str::to_owned)
+    own_frame(&trace).map_or(location, str::to_owned)
 }
 
-/// What to say where a rank calls one of MPI's methods that the root calls alone, or, being the root, one of those
-/// that the other ranks call; none where `panic`, of such a method, is about something else.
+/// Returns a message if a rank calls a method that only the root calls, or if the root calls a method
+/// of the other ranks. `None` if the panic has a different reason.
 pub(crate) fn wrong_side(rank: i32, panic: &str, trace: &Backtrace) -> Option<String> {
     let trace = format!("{trace:#}");
-    // Where the compiler has not put the method into its caller, its name stands above its location.
+    // If the compiler has not inlined the method, its name is on the line above its location.
     let above = trace.split_once("/collective.rs:").map_or("", |(above, _)| above);
     let name = above.lines().rev().nth(1).unwrap_or_default();
     let mut words = name.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
     let method = words.rfind(|word| word.contains("_into"));
     let location =
         own_location(&trace).map_or_else(String::new, |location| format!(" ({location})"));
-    // Only the other ranks' methods assert that two things differ: the rank and the root's.
+    // Only the methods of the other ranks assert that two numbers differ: the rank and the root.
     if panic.contains("left != right") {
         let method = method.unwrap_or("a method of the other ranks");
         let why = "the methods of the root end in _root";
@@ -244,7 +252,7 @@ mod tests {
     use super::{by_rank, own_location, packed, unpacked};
 
     #[test]
-    fn the_source_line_of_the_call() {
+    fn the_location_is_that_of_the_lab() {
         let trace = "  0: common_mpi::calls::hear\n    at /kit/labs/common-mpi/src/calls.rs:9:1\n  \
                      1: mpi::collective::Root::gather_into\n    at /x/mpi-0.8.2/src/collective.rs:730:13\n  \
                      2: lab5::root::gather_at_root\n    at /my labs/kit/labs/lab5/src/root.rs:29:14\n";
@@ -253,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn words_reach_other_ranks() {
+    fn texts_are_packed_and_unpacked() {
         let long = "MPI_Gather of root 0 … ".repeat(20);
         for text in ["", "MPI_Bcast (labs/lab5/src/scene.rs, line 27)", &long] {
             assert!(text.starts_with(&unpacked(&packed(text))), "{text}");
@@ -262,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn ranks_that_say_the_same_share_a_line() {
+    fn ranks_with_the_same_text_share_a_line() {
         let words = ["a", "b", "a"].map(String::from);
         assert_eq!(by_rank(&words), "  ranks 0, 2: a\n  rank 1: b\n");
     }

@@ -1,4 +1,4 @@
-//! When a rank computes, communicates and waits.
+//! The times in which a rank computes, communicates and waits.
 
 use std::cell::{Cell, RefCell};
 use std::panic::Location;
@@ -12,22 +12,23 @@ use mpi::traits::*;
 use crate::epoch::Epoch;
 use crate::watch::here;
 
-/// How exactly times of two machines can be compared, in seconds.
+/// Error of a comparison of times on two machines, in seconds.
 const ALIKE: f64 = 2e-5;
 
-/// Records what this rank does in each step, if the user asked for it (`--events`); else it records
-/// nothing and costs nothing.
+/// A recorder of this rank's activities in each step. Without `--events` it records nothing and costs
+/// nothing.
 ///
-/// All ranks make the same calls in the same order. What lies between two calls is computing. In a call
-/// a rank *waits* until the last of its partners has come to the same call, and *communicates* for the rest of
-/// it. A partner that comes only after this rank has left was not waited for.
+/// All ranks make the same calls in the same order. Between two calls a rank computes. In a call it
+/// *waits* until the last of its partners has entered the same call, and *communicates* for the rest
+/// of the call. It did not wait for a partner that enters the call after this rank has left it.
 #[derive(Debug, Default)]
 pub struct Clock {
     log: Option<RefCell<Log>>,
     at: Cell<At>,
 }
 
-/// How far a rank is: the step, from 1, its calls up to now, and those of all steps.
+/// The position of a rank: the step, counted from 1, its calls in this step, and its calls in all
+/// steps.
 #[derive(Clone, Copy, Debug, Default)]
 struct At {
     step: u32,
@@ -44,8 +45,8 @@ impl At {
         Self { step: self.step + 1, number: 0, ..self }
     }
 
-    /// The call in words, before it or past it.
-    fn said(self, how: &str, location: &Location<'_>) -> String {
+    /// Describes the position in or past a call.
+    fn describe(self, how: &str, location: &Location<'_>) -> String {
         let Self { step, number, total } = self;
         let file = location.file();
         let line = location.line();
@@ -53,14 +54,14 @@ impl At {
     }
 }
 
-/// The ranks that a call has to do with.
+/// The ranks that take part in a call.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Partners {
-    /// All ranks, each with each.
+    /// All ranks, each with every other.
     All,
-    /// All ranks, by way of this one.
+    /// All ranks, through this one.
     Through(Rank),
-    /// These.
+    /// These ranks.
     These(Vec<Rank>),
 }
 
@@ -68,9 +69,9 @@ pub enum Partners {
 struct Log {
     epoch: Epoch,
     step: u32,
-    /// When the current stretch began; none outside steps.
+    /// Begin of the current stretch. `None` outside steps.
     since: Option<f64>,
-    /// When this rank's part of the current call was on its way, and with which partners; none outside calls.
+    /// Time at which this rank entered the current call, and its partners. `None` outside calls.
     call: Option<(f64, Partners)>,
     stretches: Vec<Stretch>,
 }
@@ -84,7 +85,7 @@ struct Stretch {
     call: Option<(f64, Partners)>,
 }
 
-/// An event, as it looks in a message.
+/// An event in a message.
 #[derive(Clone, Copy, Debug, Equivalence)]
 #[repr(C)]
 struct EventWire {
@@ -95,12 +96,12 @@ struct EventWire {
 }
 
 impl Clock {
-    /// A clock that records if `on`.
+    /// Returns a clock that records if `on` is true.
     pub fn new(on: bool) -> Self {
         Self { log: on.then(|| RefCell::new(Log::new(Epoch::now()))), at: Cell::default() }
     }
 
-    /// Starts over. All ranks call it together.
+    /// Starts from the beginning. All ranks call it together.
     pub fn start(&mut self, world: &SimpleCommunicator) {
         self.at.take();
         if self.log.is_some() {
@@ -108,14 +109,14 @@ impl Clock {
         }
     }
 
-    /// A step begins.
+    /// Begins a step.
     pub fn begin_step(&self) {
         self.at.set(self.at.get().next_step());
         here(|| format!("in step {}, before its first call", self.at.get().step));
         self.note(|log, now| log.since = Some(now));
     }
 
-    /// The step ends.
+    /// Ends the step.
     pub fn end_step(&self) {
         here(|| format!("after step {}", self.at.get().step));
         self.note(|log, now| {
@@ -125,19 +126,19 @@ impl Clock {
         });
     }
 
-    /// Does `call`, which all ranks make together, with these partners.
+    /// Makes `call` with these partners. All ranks make it together.
     #[track_caller]
     pub fn call<R>(&self, partners: Partners, call: impl FnOnce() -> R) -> R {
         let at = self.at.get().next_call();
         let location = Location::caller();
         self.at.set(at);
-        here(|| at.said("in", location));
+        here(|| at.describe("in", location));
         self.note(|log, now| {
             log.stretch_ends(now);
             log.call = Some((now, partners));
         });
         let result = call();
-        here(|| at.said("past", location));
+        here(|| at.describe("past", location));
         self.note(|log, now| {
             log.stretch_ends(now);
             log.call = None;
@@ -145,7 +146,7 @@ impl Clock {
         result
     }
 
-    /// Does `work` within a call, while messages travel.
+    /// Does `work` within a call, while messages are under way.
     pub fn work<R>(&self, work: impl FnOnce() -> R) -> R {
         let mut outer = None;
         self.note(|log, now| {
@@ -168,8 +169,8 @@ impl Clock {
         }
     }
 
-    /// The activities of all ranks, in order of ranks and times, on the root; elsewhere no events. None if it does
-    /// not record. All ranks call it together.
+    /// Returns the activities of all ranks on the root, in the order of ranks and times, and no events
+    /// on other ranks. `None` if the clock does not record. All ranks call it together.
     pub fn events(&self, world: &SimpleCommunicator) -> Option<Vec<Event>> {
         let own = self.own(world)?;
         if world.rank() != 0 {
@@ -187,8 +188,8 @@ impl Clock {
         Some(events)
     }
 
-    /// The seconds that all ranks together have computed, communicated and waited; nothing if it does not
-    /// record. All ranks call it together.
+    /// Returns the seconds that all ranks together have computed, communicated and waited. Empty if the
+    /// clock does not record. All ranks call it together.
     pub fn report(&self, world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
         let Some(own) = self.own(world) else { return Vec::new() };
         let (mut seconds, mut all) = ([0.0; 3], [0.0; 3]);
@@ -198,7 +199,8 @@ impl Clock {
         names.into_iter().zip(all).collect()
     }
 
-    /// What this rank did, once all have told each other when they came to each call.
+    /// Returns this rank's activities, after all ranks have exchanged the times at which they entered
+    /// each call.
     fn own(&self, world: &SimpleCommunicator) -> Option<Vec<EventWire>> {
         let log = self.log.as_ref()?.borrow();
         let calls = log.stretches.iter().filter_map(|stretch| stretch.call.as_ref());
@@ -233,7 +235,7 @@ impl Log {
         Self { epoch, step: 0, since: None, call: None, stretches: Vec::new() }
     }
 
-    /// The time since the last stretch ended is the next stretch.
+    /// Ends the stretch that began when the last one ended.
     fn stretch_ends(&mut self, now: f64) {
         let Some(begin) = self.since else { return };
         let call = self.call.clone();
@@ -243,19 +245,19 @@ impl Log {
 }
 
 impl Stretch {
-    /// A part of the stretch, as an event.
+    /// Returns a part of the stretch as an event.
     fn part(&self, activity: Activity, begin: f64, end: f64) -> EventWire {
         EventWire { begin, end, step: self.step, activity: activity as u32 }
     }
 }
 
 impl Partners {
-    /// The ranks that these lists go to.
+    /// Returns the ranks that receive these lists.
     pub fn receivers<T>(lists: &[(Rank, Vec<T>)]) -> Self {
         Self::These(lists.iter().map(|(rank, _)| *rank).collect())
     }
 
-    /// Those of this rank.
+    /// Returns the partners of this rank.
     fn of(&self, world: &SimpleCommunicator) -> Vec<Rank> {
         match self {
             Self::Through(middle) if world.rank() != *middle => vec![*middle],

@@ -1,36 +1,36 @@
-//! The time that all ranks count from.
+//! The moment from which all ranks count their times.
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// How often clocks of two machines are compared.
+/// Number of comparisons of the clocks of two machines.
 const LOOKS: usize = 9;
 
-/// No machine's name is longer.
+/// Greatest length of a machine's name in bytes.
 const LONGEST_NAME: usize = 256;
 
-/// A moment that all ranks count their times from.
+/// A moment from which all ranks count their times.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Epoch {
-    /// In nanoseconds, by the root's clock.
+    /// The moment in nanoseconds, by the root's clock.
     start: u64,
     /// Seconds by which this rank's clock is ahead of the root's.
     ahead: f64,
 }
 
 impl Epoch {
-    /// This moment, for a rank by itself.
+    /// Returns the present moment of this rank alone.
     pub(crate) fn now() -> Self {
         Self { start: nanoseconds(), ahead: 0.0 }
     }
 
-    /// This moment of the root. All ranks call it together.
+    /// Returns the present moment of the root. All ranks call it together.
     ///
-    /// The ranks of one machine have the same clock. All ranks leave a barrier at nearly the same time, so clocks of
-    /// two machines are compared there; the median of some looks is right even if a rank was kept from leaving
-    /// at once.
+    /// The ranks of one machine have the same clock. All ranks leave a barrier at nearly the same
+    /// time, so the clocks of two machines are compared after barriers. The median of several
+    /// comparisons is right even if a rank sometimes leaves a barrier late.
     pub(crate) fn of_root(world: &SimpleCommunicator) -> Self {
         let root = world.process_at_rank(0);
         let mut epoch = Self::now();
@@ -53,7 +53,7 @@ impl Epoch {
         epoch
     }
 
-    /// Seconds since then, by the root's clock.
+    /// Returns the seconds since the moment, by the root's clock.
     pub(crate) fn seconds(&self) -> f64 {
         nanoseconds().wrapping_sub(self.start).cast_signed() as f64 * 1e-9 - self.ahead
     }

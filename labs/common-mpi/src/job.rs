@@ -15,7 +15,7 @@ use crate::{calls, watch};
 /// The exit code of a job in which a rank panicked: the code of a panic in a program without ranks.
 const PANICKED: i32 = 101;
 
-/// Where the launchers of Open MPI and MPICH tell a rank how many there are.
+/// Variables in which the launchers of Open MPI and MPICH pass the number of ranks.
 const NUMBER_OF_RANKS: [&str; 2] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE"];
 
 /// The longest message that is sent at once: its length must be an `i32`.
@@ -32,7 +32,7 @@ pub fn drive_hard(variants: &[Variant<dyn hard::Simulation>]) -> ExitCode {
     as_rank(|world| hard::drive_on_rank(variants, world.rank() == 0, |input| share(world, input)))
 }
 
-/// The root's bytes, on all ranks.
+/// Returns the root's bytes on all ranks.
 fn share(world: &SimpleCommunicator, bytes: Option<Vec<u8>>) -> Vec<u8> {
     let root = world.process_at_rank(0);
     let mut bytes = bytes.unwrap_or_default();
@@ -47,7 +47,7 @@ fn share(world: &SimpleCommunicator, bytes: Option<Vec<u8>>) -> Vec<u8> {
 ///
 /// If `program` panics or returns a failure on any rank, the whole job ends: other ranks may be
 /// waiting in a call that this rank will never make. Only the thread that called `as_rank` may
-/// talk to other ranks.
+/// communicate with other ranks.
 pub fn as_rank(program: impl FnOnce(&SimpleCommunicator) -> ExitCode) -> ExitCode {
     let Some((universe, threads)) = mpi::initialize_with_threading(Threading::Funneled) else {
         eprintln!("error: MPI is already running in this program");
@@ -67,10 +67,10 @@ pub fn as_rank(program: impl FnOnce(&SimpleCommunicator) -> ExitCode) -> ExitCod
     code
 }
 
-/// The communicator of all ranks.
+/// Returns the communicator of all ranks.
 ///
 /// # Errors
-/// MPI is not running: the program did not start with [`as_rank`].
+/// If MPI is not running because the program did not start with [`as_rank`].
 pub fn world() -> Result<SimpleCommunicator, BuildError> {
     if mpi::is_initialized() && !mpi::is_finalized() {
         Ok(SimpleCommunicator::world())
@@ -79,14 +79,16 @@ pub fn world() -> Result<SimpleCommunicator, BuildError> {
     }
 }
 
-/// A launcher of one MPI that starts a program built with another makes n jobs of one rank each,
-/// which would all write the same file.
+/// Describes why the program does not fit its launcher. `None` if it fits.
+///
+/// If the launcher belongs to a different MPI library, it starts n jobs of one rank each, which would
+/// all write the same file.
 fn misfit(world: &SimpleCommunicator, threads: Threading) -> Option<String> {
     let started = NUMBER_OF_RANKS.iter().find_map(|name| env::var(name).ok()?.parse().ok());
     if let Some(started) = started.filter(|&started: &i32| started > world.size()) {
         return Some(format!(
             "mpiexec started {started} ranks that see only {} of them: this program was built \
-             with another MPI ({})",
+             with a different MPI library ({})",
             world.size(),
             library(),
         ));
@@ -99,7 +101,7 @@ fn library() -> String {
     version.split([',', '\n']).next().unwrap_or_default().trim().to_owned()
 }
 
-/// A panic prints as it always does, after the number of its rank, and then ends the job.
+/// Makes a panic print its usual message after the number of its rank, and then end the job.
 fn end_job_on_panic(world: &SimpleCommunicator) {
     let rank = world.rank();
     let main = thread::current().id();
@@ -107,7 +109,7 @@ fn end_job_on_panic(world: &SimpleCommunicator) {
         let of_mpi = info.location().filter(|at| at.file().ends_with("collective.rs"));
         let words = of_mpi
             .and_then(|_| calls::wrong_side(rank, &info.to_string(), &Backtrace::force_capture()));
-        // In one piece, since several ranks may panic at once.
+        // One call prints the whole message, because several ranks may panic at once.
         let words = words.unwrap_or_else(|| words_of_panic(rank, info)) + "\n";
         eprint!("{words}");
         if thread::current().id() == main {
@@ -118,7 +120,7 @@ fn end_job_on_panic(world: &SimpleCommunicator) {
     }));
 }
 
-/// The rank, and what a panic prints in a program without ranks.
+/// Returns the rank, and the message that a panic prints in a program without ranks.
 fn words_of_panic(rank: i32, info: &PanicHookInfo<'_>) -> String {
     let thread = thread::current();
     let name = thread.name().unwrap_or("without a name");

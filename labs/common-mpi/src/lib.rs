@@ -1,16 +1,17 @@
 //! Given code for the labs with ranks (5, 6, 8 and 13).
 //!
-//! An MPI program is started many times at once, by `mpiexec -n 4 PROGRAM`; each copy is a *rank*
-//! with memory of its own. The same in every lab:
+//! `mpiexec -n 4 PROGRAM` starts four copies of an MPI program. Each copy is a *rank* with its own
+//! memory. Every lab with ranks uses these items:
 //!
-//! - [`as_rank`]: a job starts together and ends together. A rank that fails ends all
-//!   others, else they would wait for its messages for ever.
+//! - [`as_rank`]: starts and ends a job. A rank that fails ends all others, because they would wait
+//!   for its messages forever.
 //! - [`world`]: the communicator that all ranks share.
 //! - [`Wire`] and [`Ghost`]: the form of a particle in a message.
-//! - [`displacements`], [`total`] and [`split`]: lists of several ranks, one behind the other in one buffer.
-//! - [`Traffic`]: how many messages and bytes a rank sends; [`report_memory`]: what it holds;
-//!   [`Clock`]: when it computes, communicates and waits; [`together`]: where it is when the job stands still, and
-//!   which calls it makes that other ranks do not.
+//! - [`displacements`], [`total`] and [`split`]: lists of several ranks, one after another in a buffer.
+//! - [`Traffic`]: the number of messages and bytes that a rank sends. [`report_memory`]: its memory.
+//! - [`Clock`]: the times in which a rank computes, communicates and waits.
+//! - [`together`]: a call of all ranks. If the job hangs, it reports where each rank is, and the calls
+//!   that ranks do not make together.
 
 mod calls;
 mod clock;

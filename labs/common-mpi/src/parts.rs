@@ -1,11 +1,12 @@
-//! Lists for ranks: one for each, or one behind the other in one buffer, as Gatherv and Scatterv want them.
+//! Lists for ranks: a list for each rank, or all lists one after another in a buffer, as Gatherv and
+//! Scatterv need them.
 
 use mpi::Count;
 
 use crate::Wire;
 
-/// Where each part begins when parts of these sizes stand one behind the other: of 2, 4, 1 at 0, 2,
-/// 6. Counted in items, not in bytes.
+/// Returns the beginning of each part of a buffer, counted in items: parts of 2, 4 and 1 items begin at
+/// 0, 2 and 6.
 pub fn displacements(counts: &[Count]) -> Vec<Count> {
     let mut next = 0;
     let mut begins = Vec::with_capacity(counts.len());
@@ -16,12 +17,12 @@ pub fn displacements(counts: &[Count]) -> Vec<Count> {
     begins
 }
 
-/// How many items there are in parts of these sizes.
+/// Returns the number of items in parts of these sizes.
 pub fn total(counts: &[Count]) -> usize {
     counts.iter().map(|count| *count as usize).sum()
 }
 
-/// The parts of `all`, which have these sizes.
+/// Returns the parts of `all`, which have these sizes.
 pub fn split(all: &[Wire], counts: &[Count]) -> Vec<Vec<Wire>> {
     let mut rest = all;
     let mut parts = Vec::with_capacity(counts.len());
@@ -33,7 +34,8 @@ pub fn split(all: &[Wire], counts: &[Count]) -> Vec<Vec<Wire>> {
     parts
 }
 
-/// The lists for `ranks` ranks, from particles that each have their rank, in the order of the particles.
+/// Returns a list for each of `ranks` ranks, from particles with their ranks. Lists keep the order of
+/// the particles.
 pub fn by_rank(particles: impl IntoIterator<Item = (usize, Wire)>, ranks: usize) -> Vec<Vec<Wire>> {
     let mut lists = vec![Vec::new(); ranks];
     for (rank, wire) in particles {

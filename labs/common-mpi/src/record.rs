@@ -1,4 +1,4 @@
-//! The calls of a rank in a file, for a table of all ranks: `cargo lab run --watch`.
+//! A file with the calls of a rank, from which `cargo lab run --watch` makes a table of all ranks.
 
 use std::env;
 use std::fs::File;
@@ -8,10 +8,10 @@ use std::sync::{Mutex, PoisonError};
 
 use mpi::ffi::Call;
 
-/// The folder of the files, one for each rank.
+/// Variable with the folder of the files, one for each rank.
 const FOLDER: &str = "CUTOFF_CALLS";
 
-/// No table shows more.
+/// Greatest number of calls in a table.
 const MOST: usize = 2000;
 
 static RECORD: Mutex<Option<Record>> = Mutex::new(None);
@@ -30,8 +30,8 @@ pub(crate) fn begin(rank: i32) -> bool {
     true
 }
 
-/// Writes down a call before it is made, and what stands in it: the number that it has on all ranks, or 0; its name;
-/// the other rank, or -1; the tag; where it is. `location` is asked only if there is a record.
+/// Writes a line about a call before it is made: its number on all ranks, or 0; its name; the other
+/// rank, or -1; the tag; its location. `location` is called only if there is a record.
 pub(crate) fn note(number: u64, call: &Call, location: impl FnOnce() -> Option<String>) {
     let mut record = RECORD.lock().unwrap_or_else(PoisonError::into_inner);
     let Some(Record { file, calls }) = record.as_mut().filter(|record| record.calls < MOST) else {
@@ -42,6 +42,6 @@ pub(crate) fn note(number: u64, call: &Call, location: impl FnOnce() -> Option<S
     *calls += 1;
     let number = if call.is_collective { number } else { 0 };
     let other = call.other.unwrap_or([-1, -1]);
-    // Line by line, without a buffer: a job that stands still has told what it did.
+    // There is no buffer, so that the file of a job that hangs is complete.
     let _ = writeln!(file, "{number}\t{}\t{}\t{}\t{location}", call.name, other[0], other[1]);
 }

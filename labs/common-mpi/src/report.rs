@@ -1,4 +1,4 @@
-//! What ranks report: the messages and bytes that they send, and the memory that they take.
+//! Reports of ranks: the messages and bytes that they send, and their memory.
 
 use std::fs;
 
@@ -6,10 +6,10 @@ use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// Counts the messages and bytes that this rank sends to other ranks.
+/// A counter of the messages and bytes that this rank sends to other ranks.
 ///
-/// It counts what the program asks for. How the library carries it, such as a gather by way of
-/// other ranks, is its own affair.
+/// It counts the requests of the program. The library may send them in a different way, such as a
+/// gather through other ranks.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Traffic {
     steps: u64,
@@ -18,18 +18,19 @@ pub struct Traffic {
 }
 
 impl Traffic {
-    /// A step begins.
+    /// Begins a step.
     pub fn begin_step(&mut self) {
         self.steps += 1;
     }
 
-    /// These items go to one other rank in one message.
+    /// Counts a message with these items to another rank.
     pub fn sent<T>(&mut self, items: &[T]) {
         self.messages += 1;
         self.bytes += size_of_val(items) as u64;
     }
 
-    /// Rank `own` sends each other rank a count, and its list if that has items: `lists` has one for every rank.
+    /// Counts an exchange: rank `own` sends each other rank a count, and its list unless it is empty.
+    /// `lists` has a list for each rank.
     pub fn exchanged<T>(&mut self, own: usize, lists: &[Vec<T>]) {
         for (_, list) in lists.iter().enumerate().filter(|(rank, _)| *rank != own) {
             self.sent(&[0_i32]);
@@ -39,8 +40,8 @@ impl Traffic {
         }
     }
 
-    /// Messages and bytes per step: of the mean rank and of the one that sends most. All ranks
-    /// call it together; only the root, rank 0, gets the answer.
+    /// Returns messages and bytes per step, of the mean rank and of the busiest rank. All ranks call it
+    /// together. Only the root, rank 0, gets the result.
     pub fn report(&self, world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
         let steps = self.steps.max(1) as f64;
         let own = [self.messages as f64 / steps, self.bytes as f64 / steps];
@@ -55,9 +56,10 @@ impl Traffic {
     }
 }
 
-/// The most memory that each rank had since it started, in MiB: of the mean rank and of the one
-/// with most. All ranks call it together; only the root gets the answer, and only where the system
-/// tells it (Linux). The MPI library's own memory is part of it.
+/// Returns the peak memory of ranks since their start in MiB, of the mean rank and of the largest.
+///
+/// It includes the MPI library's own memory. All ranks call it together. Only the root gets the
+/// result, and only if the system reports it (Linux).
 pub fn report_memory(world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
     let own = [peak_resident().unwrap_or(0.0)];
     match mean_and_greatest(own, world) {
@@ -68,7 +70,7 @@ pub fn report_memory(world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
     }
 }
 
-/// The most physical memory that this process had, in MiB.
+/// Returns the peak physical memory of this process in MiB.
 fn peak_resident() -> Option<f64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
@@ -76,8 +78,8 @@ fn peak_resident() -> Option<f64> {
     Some(kibibytes / 1024.0)
 }
 
-/// For each of several numbers of a rank: the mean over all ranks, and the greatest. All ranks call
-/// it together; only the root, rank 0, gets the answer.
+/// Returns the mean over all ranks and the greatest of each of several numbers. All ranks call it
+/// together. Only the root, rank 0, gets the result.
 fn mean_and_greatest<const N: usize>(
     own: [f64; N],
     world: &SimpleCommunicator,

@@ -1,4 +1,4 @@
-//! Where a rank is, said when its job stands still.
+//! A watch that reports where each rank is if a job hangs.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -7,15 +7,18 @@ use std::{env, thread};
 
 use crate::{calls, record};
 
-/// Asks ranks to compare their calls, and each to say where it is after some seconds.
+/// Variable that makes ranks compare their calls. Its value is the number of seconds after which each
+/// rank reports where it is.
 const WATCH: &str = "CUTOFF_WATCH";
 
 static ON: AtomicBool = AtomicBool::new(false);
 static LOCATION: Mutex<String> = Mutex::new(String::new());
 
-/// Makes `call`, which other ranks must make too, and notes that this rank is in it, for the watch that the
-/// environment variable `CUTOFF_WATCH` starts: after that number of seconds each rank that still runs prints where it is.
-/// What ranks call together is compared, and ends the job at once where they differ.
+/// Makes `call`, which other ranks must make too, and notes that this rank is in it.
+///
+/// The variable `CUTOFF_WATCH` starts a watch: after that number of seconds, each rank that still runs
+/// prints where it is. The watch also compares the calls that ranks make together, and ends the job if
+/// they differ.
 pub fn together<R>(what: &str, call: impl FnOnce() -> R) -> R {
     here(|| format!("in {what}"));
     calls::begin();
@@ -24,7 +27,7 @@ pub fn together<R>(what: &str, call: impl FnOnce() -> R) -> R {
     result
 }
 
-/// Notes where this rank is; nothing without a watch.
+/// Notes where this rank is. Without a watch it does nothing.
 pub(crate) fn here(location: impl FnOnce() -> String) {
     if ON.load(Ordering::Relaxed) {
         *LOCATION.lock().unwrap_or_else(PoisonError::into_inner) = location();
@@ -45,7 +48,7 @@ pub(crate) fn start(rank: i32) {
         thread::sleep(Duration::from_secs(seconds));
         let location = LOCATION.lock().unwrap_or_else(PoisonError::into_inner);
         let call = calls::location().map_or_else(String::new, |call| format!(", {call}"));
-        // In one piece, since all ranks print at once.
+        // One call prints the whole line, because all ranks print at the same time.
         let line = format!("after {seconds} s rank {rank} is {location}{call}\n");
         eprint!("{line}");
     });

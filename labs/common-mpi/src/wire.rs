@@ -1,12 +1,12 @@
 //! The form of a particle in a message.
 //!
-//! MPI must know how the fields of a struct lie in memory. `Equivalence` tells it, so that a slice
-//! of these types can be sent as it is.
+//! MPI must know the layout of a struct in memory. `Equivalence` describes it, so that a slice of
+//! these types can be sent unchanged.
 
 use common::soft::Particle;
 use mpi::traits::Equivalence;
 
-/// A whole particle: for one that moves to another rank.
+/// All data of a particle that moves to another rank.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Equivalence)]
 #[repr(C)]
 pub struct Wire {
@@ -18,7 +18,7 @@ pub struct Wire {
     pub vx: f64,
     /// Velocity along y.
     pub vy: f64,
-    /// Its number in the scene.
+    /// Number of the particle in the scene.
     pub id: u64,
 }
 
@@ -31,7 +31,7 @@ pub struct Ghost {
     pub x: f64,
     /// Position along y.
     pub y: f64,
-    /// Its number in the scene.
+    /// Number of the particle in the scene.
     pub id: u64,
 }
 
@@ -54,7 +54,7 @@ impl From<&Particle> for Ghost {
 }
 
 impl From<&Ghost> for Particle {
-    /// A ghost never moves here: its velocity is left out.
+    /// The velocity is 0, because a ghost does not move on this rank.
     fn from(g: &Ghost) -> Self {
         Self { x: g.x, y: g.y, vx: 0.0, vy: 0.0, id: g.id as u32 }
     }

@@ -1,10 +1,10 @@
-//! Looks for an MPI library. Its header is translated to Rust; if there is none, `src/absent.rs` stands in.
+//! Finds an MPI library and translates its header to Rust. Without a library, `src/absent.rs` is used.
 
 use std::env;
 use std::error::Error;
 use std::path::Path;
 
-/// What Rust sees as a type of its own, whatever the library makes of it: an integer or a pointer.
+/// Types that are distinct types in Rust, although the library may define them as integers or pointers.
 const HANDLES: &str = "MPI_(Comm|Datatype|Errhandler|Group|Info|Message|Op|Request|Session|Win)";
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rustc-check-cfg=cfg(no_mpi)");
     let Ok(mpi) = build_probe_mpi::probe() else {
         println!("cargo::rustc-cfg=no_mpi");
-        // A file that never is: a library may be installed at any time, so the next build looks again.
+        // The file never exists, so the next build looks again: a library may have been installed.
         println!("cargo::rerun-if-changed=src/no-such-file");
         return Ok(());
     };

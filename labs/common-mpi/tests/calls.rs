@@ -1,4 +1,4 @@
-//! What is said of ranks whose calls do not belong together.
+//! Messages about ranks whose calls do not match.
 //!
 //! As in `job.rs`, a test starts this program again on ranks to play a part.
 
@@ -11,7 +11,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::Job;
 
-/// Long before the watch would ask where ranks are.
+/// Time limit, long before the watch would report where ranks are.
 const AT_ONCE: Duration = Duration::from_secs(30);
 
 fn program(part: impl FnOnce(&SimpleCommunicator)) {
@@ -22,18 +22,18 @@ fn program(part: impl FnOnce(&SimpleCommunicator)) {
     assert_eq!(code, ExitCode::SUCCESS);
 }
 
-/// What is said when `part` is played on three ranks, which must fail at once.
-fn said(part: &str) -> String {
+/// Returns the message of `part` on three ranks, which must fail at once.
+fn message(part: &str) -> String {
     let ended = Job::part("0.0", part, 3).run();
     assert!(!ended.status.success(), "{part} goes well");
     assert!(ended.took < AT_ONCE, "{part} took {:?}", ended.took);
     ended.stderr
 }
 
-fn assert_said(part: &str, words: &[&str]) {
-    let said = said(part);
+fn assert_message(part: &str, words: &[&str]) {
+    let message = message(part);
     for words in words {
-        assert!(said.contains(words), "{part}: '{words}' is not in\n{said}");
+        assert!(message.contains(words), "{part}: '{words}' is not in\n{message}");
     }
 }
 
@@ -41,9 +41,9 @@ fn assert_said(part: &str, words: &[&str]) {
 fn different_calls_are_named_with_their_lines() {
     let [gather, broadcast] =
         ["rank 0: MPI_Gather of root 0 (", "ranks 1, 2: MPI_Bcast of root 0 ("];
-    let words = ["Call 2 that all ranks make together is not the same on all", gather, broadcast];
-    assert_said("one_gathers", &words);
-    assert_said("one_gathers", &["tests/calls.rs, line "]);
+    let words = ["Ranks make different calls as collective call 2", gather, broadcast];
+    assert_message("one_gathers", &words);
+    assert_message("one_gathers", &["tests/calls.rs, line "]);
 }
 
 #[test]
@@ -63,7 +63,7 @@ fn one_gathers() {
 #[test]
 fn different_reductions_are_different_calls() {
     let words = ["rank 1: MPI_Allreduce of a maximum (", "ranks 0, 2: MPI_Allreduce of a sum ("];
-    assert_said("one_takes_the_maximum", &words);
+    assert_message("one_takes_the_maximum", &words);
 }
 
 #[test]
@@ -78,8 +78,8 @@ fn one_takes_the_maximum() {
 
 #[test]
 fn a_rank_that_has_ended_is_named() {
-    let words = ["rank 1: nothing more: it has ended", "ranks 0, 2: MPI_Barrier ("];
-    assert_said("one_ends", &words);
+    let words = ["rank 1: no further call: the rank has ended", "ranks 0, 2: MPI_Barrier ("];
+    assert_message("one_ends", &words);
 }
 
 #[test]
@@ -95,9 +95,9 @@ fn one_ends() {
 #[test]
 fn buffers_that_do_not_fit_are_named_with_their_lengths() {
     let words = ["rank 1 has room for 3 items of 8 bytes, and rank 0, the root, sends it 2 items"];
-    assert_said("one_expects_more", &words);
-    let words = ["has buffers of different lengths", "rank 2: MPI_Bcast with 1 item of 8 bytes"];
-    assert_said("one_expects_less", &words);
+    assert_message("one_expects_more", &words);
+    let words = ["use buffers of different lengths in", "rank 2: MPI_Bcast with 1 item of 8 bytes"];
+    assert_message("one_expects_less", &words);
 }
 
 #[test]
@@ -126,8 +126,8 @@ fn one_expects_less() {
 fn the_roots_methods_are_the_roots() {
     let words =
         ["rank 1 calls gather_into_root (", "only the root may call a method that ends in _root"];
-    assert_said("all_call_as_the_root", &words);
-    assert_said("the_root_calls_as_others", &["rank 0, the root, calls reduce_into ("]);
+    assert_message("all_call_as_the_root", &words);
+    assert_message("the_root_calls_as_others", &["rank 0, the root, calls reduce_into ("]);
 }
 
 #[test]

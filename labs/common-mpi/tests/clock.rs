@@ -1,4 +1,4 @@
-//! What a rank did when, of a job in which it is known.
+//! Recorded activities of a job whose activities are known.
 //!
 //! As in `job.rs`, a test starts this program again on ranks to play a part.
 

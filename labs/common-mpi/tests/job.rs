@@ -1,7 +1,7 @@
-//! A job ends together, whatever becomes of one of its ranks.
+//! All ranks of a job end together, even if one of them fails.
 //!
-//! Each test starts this very test program again on ranks, to play one of the parts below, which
-//! a plain run of the tests ignores.
+//! Each test starts this test program again on ranks, to run one of the parts below. A plain run of
+//! the tests ignores the parts.
 
 use std::panic::catch_unwind;
 use std::process::ExitCode;
@@ -12,7 +12,8 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{Ended, Job};
 
-/// A launcher may take a second or two to see that a rank is gone.
+/// Time limit for the end of a job. A launcher may need a second or two to notice that a rank has
+/// ended.
 const SOON: Duration = Duration::from_secs(20);
 
 fn play(part: &str, ranks: usize) -> Ended {
@@ -60,8 +61,8 @@ fn a_panic_on_one_rank_ends_the_others() {
 
 #[test]
 fn a_panic_in_the_library_names_its_caller() {
-    let said = play("a_rank_unwraps_nothing", 1).stderr;
-    assert!(said.contains(" panicked at tests/job.rs:"), "{said}");
+    let message = play("a_rank_unwraps_nothing", 1).stderr;
+    assert!(message.contains(" panicked at tests/job.rs:"), "{message}");
 }
 
 #[test]
@@ -104,19 +105,22 @@ fn one_rank_fails() {
 
 #[test]
 fn a_hang_names_its_task_and_where_each_rank_is() {
-    let said = words_of_a_hang();
-    assert!(said.contains("task 0.1: 2 ranks gave no answer within 2 s"), "{said}");
-    assert!(said.contains("some rank waits for a call that another rank does not make"), "{said}");
-    assert!(said.contains("rank 0 is in its receive, in MPI_"), "{said}");
-    assert!(said.contains("rank 1 is in its receive, in MPI_"), "{said}");
+    let message = message_of_a_timeout();
+    assert!(message.contains("task 0.1: 2 ranks gave no answer within 2 s"), "{message}");
+    assert!(
+        message.contains("some rank waits for a call that another rank does not make"),
+        "{message}"
+    );
+    assert!(message.contains("rank 0 is in its receive, in MPI_"), "{message}");
+    assert!(message.contains("rank 1 is in its receive, in MPI_"), "{message}");
     let start = Instant::now();
-    assert!(words_of_a_hang().contains("task 0.1: not tried"), "another job of the same task");
+    assert!(message_of_a_timeout().contains("task 0.1: not tried"), "another job of the same task");
     assert!(start.elapsed() < Duration::from_secs(2), "and nobody waits for it");
 }
 
-fn words_of_a_hang() -> String {
-    let hang = catch_unwind(|| Job::part("0.1", "all_ranks_wait", 2).within(2).run());
-    *hang.expect_err("it hangs").downcast().expect("words")
+fn message_of_a_timeout() -> String {
+    let timeout = catch_unwind(|| Job::part("0.1", "all_ranks_wait", 2).within(2).run());
+    *timeout.expect_err("it hangs").downcast().expect("words")
 }
 
 #[test]

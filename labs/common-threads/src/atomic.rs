@@ -1,4 +1,4 @@
-//! A number that says with each operation what it promises about other memory.
+//! An atomic number whose operations have an ordering.
 
 use std::fmt;
 use std::sync::Arc;
@@ -8,8 +8,9 @@ use crate::Memory;
 
 /// An [`AtomicU64`] that a test can put into a [`Memory`].
 ///
-/// `load(Relaxed)` and `store(…, Relaxed)` promise nothing about other memory. A thread whose `load(Acquire)` reads what a
-/// `store(…, Release)` wrote sees all that the other thread had written before that.
+/// `load(Relaxed)` and `store(…, Relaxed)` guarantee nothing about other memory. If a `load(Acquire)`
+/// reads the number of a `store(…, Release)`, its thread sees everything that the other thread had
+/// written before the store.
 #[derive(Default)]
 pub struct Atomic {
     bits: AtomicU64,
@@ -17,21 +18,21 @@ pub struct Atomic {
 }
 
 impl Atomic {
-    /// A number that begins with `bits`.
+    /// Returns a number that begins as `bits`.
     pub fn new(bits: u64) -> Self {
         Self { bits: AtomicU64::new(bits), watched: None }
     }
 
-    /// A number in a memory that a test looks into, called `name` there.
+    /// Returns a number in a memory that a test observes. It is called `name` there.
     pub fn watched(bits: u64, memory: &Arc<Memory>, name: &'static str) -> Self {
         let location = memory.location(name, bits);
         Self { bits: AtomicU64::new(bits), watched: Some((Arc::clone(memory), location)) }
     }
 
-    /// The number, as this thread may see it.
+    /// Returns the number, as this thread may see it.
     ///
     /// # Panics
-    /// `ordering` is [`Ordering::Release`] or [`Ordering::AcqRel`], which a load does not have.
+    /// If `ordering` is [`Ordering::Release`] or [`Ordering::AcqRel`], which a load cannot have.
     #[inline]
     pub fn load(&self, ordering: Ordering) -> u64 {
         let bits = self.bits.load(ordering);
@@ -41,7 +42,7 @@ impl Atomic {
     /// Replaces the number.
     ///
     /// # Panics
-    /// `ordering` is [`Ordering::Acquire`] or [`Ordering::AcqRel`], which a store does not have.
+    /// If `ordering` is [`Ordering::Acquire`] or [`Ordering::AcqRel`], which a store cannot have.
     #[inline]
     pub fn store(&self, bits: u64, ordering: Ordering) {
         self.bits.store(bits, ordering);

@@ -1,10 +1,10 @@
-//! A fence that a test can see.
+//! A fence that a test can observe.
 
 use std::cell::Cell;
 use std::sync::atomic::{self, Ordering};
 
 thread_local! {
-    /// The fences that this thread has passed since its last operation on a watched number.
+    /// Fences that this thread has passed since its last operation on a watched number.
     static PASSED: Cell<Passed> = const { Cell::new(Passed { acquire: false, release: false }) };
 }
 
@@ -14,13 +14,14 @@ pub(crate) struct Passed {
     pub(crate) release: bool,
 }
 
-/// [`std::sync::atomic::fence`], of which a [`Memory`](crate::Memory) learns: it does not see that of `std`.
+/// Calls [`std::sync::atomic::fence`] and reports it to a [`Memory`](crate::Memory), which does not
+/// see the fence of `std`.
 ///
-/// Stores that follow a fence of [`Ordering::Release`] hand on what the thread knew at the fence. A fence of
-/// [`Ordering::Acquire`] takes over what the loads before it were handed.
+/// Stores after a fence with [`Ordering::Release`] pass on the thread's knowledge at the fence. A
+/// fence with [`Ordering::Acquire`] takes over the knowledge that the loads before it received.
 ///
 /// # Panics
-/// `ordering` is [`Ordering::Relaxed`], which a fence does not have.
+/// If `ordering` is [`Ordering::Relaxed`], which a fence cannot have.
 #[inline]
 pub fn fence(ordering: Ordering) {
     atomic::fence(ordering);
@@ -30,7 +31,7 @@ pub fn fence(ordering: Ordering) {
     PASSED.set(passed);
 }
 
-/// The fences since the last call.
+/// Returns the fences since the last call.
 pub(crate) fn take_passed() -> Passed {
     PASSED.take()
 }

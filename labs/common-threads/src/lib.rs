@@ -1,19 +1,21 @@
-//! What threads share, made so that a test can look on: for the labs with threads (3 and 4).
+//! Shared data of threads that tests can observe, for the labs with threads (3 and 4).
 //!
-//! An error of threads shows itself when one thread comes in at the wrong moment, which may be never in a thousand runs.
-//! So a test does not wait for the moment but makes it, or finds out that there is one:
+//! An error between threads needs a second thread at the wrong moment, which may not happen in a
+//! thousand runs. So a test does not wait for the moment. It creates the moment, or shows that it
+//! exists:
 //!
-//! - [`Word`]: an atomic number. A test can have [another thread's operation](Word::interrupted) happen between a load
-//!   and the exchange that relies on it.
-//! - [`Atomic`]: an atomic number whose operations have an ordering, [`fence`], and [`Memory`], in which a test sees
-//!   every reading that the orderings allow.
-//! - [`Lock`]: a mutex with a number, of which a [`Watch`] is told all that happens.
-//! - [`LockOrder`]: a watch that finds a deadlock before it happens, from the order in which locks are taken.
-//! - [`Stopwatch`]: a clock that counts how often it is started.
+//! - [`Word`]: an atomic number. A test can insert [another thread's operation](Word::interrupted)
+//!   between a load and the exchange that relies on it.
+//! - [`Atomic`]: an atomic number whose operations have an ordering; [`fence`]; and [`Memory`], in
+//!   which a test sees every reading that the orderings allow.
+//! - [`Lock`]: a mutex with a number, whose uses are reported to a [`Watch`].
+//! - [`LockOrder`]: a watch that finds a deadlock before it happens, from the order in which locks
+//!   are taken.
+//! - [`Stopwatch`]: a clock that counts its starts.
 //!
 //! # Example
 //!
-//! An update is lost if another one comes between, and the word says so:
+//! An update is lost if another update comes between, and the word reports it:
 //!
 //! ```
 //! use std::sync::atomic::Ordering;
@@ -27,8 +29,8 @@
 //!
 //! # Errors
 //!
-//! A [`LockOrder`] panics on the thread that takes locks in an order that can end in a deadlock. A [`Memory`] panics on
-//! a thread that reads and waits or writes. Nothing else here fails.
+//! A [`LockOrder`] panics on the thread that takes locks in an order that can end in a deadlock. A
+//! [`Memory`] panics on a reading thread that waits or writes. Nothing else here fails.
 
 mod atomic;
 mod fence;

@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use parking_lot::{Mutex, MutexGuard};
 
-/// What is told of a lock, on the thread that uses it.
+/// An observer of locks. Its methods are called on the thread that uses the lock.
 pub trait Watch: Send + Sync {
     /// The thread asks for the lock, and may have to wait.
     fn asks(&self, _lock: usize) {}
     /// The thread has the lock now.
     fn has(&self, _lock: usize) {}
-    /// The thread gives the lock back.
+    /// The thread releases the lock.
     fn returns(&self, _lock: usize) {}
 }
 
@@ -24,30 +24,31 @@ pub struct Lock<T> {
 }
 
 impl<T> Lock<T> {
-    /// Lock number `number`, which guards `value`.
+    /// Returns lock number `number`, which guards `value`.
     pub fn new(number: usize, value: T) -> Self {
         Self { number, mutex: Mutex::new(value), watch: None }
     }
     // ANCHOR_END: lock
 
-    /// Tells `watch` of all that happens from now on.
+    /// Reports all uses from now on to `watch`.
     pub fn watch(&mut self, watch: Arc<dyn Watch>) {
         self.watch = Some(watch);
     }
 
-    /// What the lock guards, without taking it: `&mut` says that no other thread can see it.
+    /// Returns the guarded value without taking the lock: `&mut` proves that no other thread has
+    /// access.
     pub fn get_mut(&mut self) -> &mut T {
         self.mutex.get_mut()
     }
 
-    /// The lock, if it is free.
+    /// Takes the lock if it is free.
     #[inline]
     pub fn try_lock(&self) -> Option<Guard<'_, T>> {
         self.tell(|watch| watch.asks(self.number));
         self.mutex.try_lock().map(|guard| self.taken(guard))
     }
 
-    /// The lock, as soon as it is free.
+    /// Waits until the lock is free, and takes it.
     #[inline]
     pub fn lock(&self) -> Guard<'_, T> {
         self.tell(|watch| watch.asks(self.number));
@@ -67,7 +68,7 @@ impl<T> Lock<T> {
     }
 }
 
-/// The right to use what a lock guards, until it is dropped.
+/// Access to the value that a lock guards. Dropping it releases the lock.
 pub struct Guard<'a, T> {
     lock: &'a Lock<T>,
     guard: MutexGuard<'a, T>,

@@ -7,24 +7,24 @@ use parking_lot::Mutex;
 
 use crate::Watch;
 
-/// Records which lock is asked for while which is held.
+/// Records which locks a thread holds when it asks for another lock.
 ///
-/// If one thread asks for lock 7 while it holds lock 3, and at any other time a thread asks for lock 3
-/// while it holds lock 7, then the two wait for each other for ever on the day on which they do it at
-/// once. So it need not happen to be found: it panics at the second request, and names both locks.
+/// Suppose that one thread asks for lock 7 while it holds lock 3, and that at any other time a thread
+/// asks for lock 3 while it holds lock 7. If both do so at once, they wait for each other forever.
+/// The deadlock need not happen to be found: the second request panics and names both locks.
 #[derive(Default)]
 pub struct LockOrder(Mutex<Orders>);
 
 #[derive(Default)]
 struct Orders {
     held: HashMap<ThreadId, Vec<usize>>,
-    /// (held, asked for)
+    /// Pairs of a held lock and a lock that was asked for.
     asked: HashSet<(usize, usize)>,
     most_held: usize,
 }
 
 impl LockOrder {
-    /// The most locks that one thread has held at once.
+    /// Returns the greatest number of locks that one thread has held at once.
     pub fn most_held(&self) -> usize {
         self.0.lock().most_held
     }
@@ -36,17 +36,16 @@ impl Watch for LockOrder {
         let held = orders.held.entry(thread::current().id()).or_default().clone();
         let opposite = held.iter().find(|held| orders.asked.contains(&(lock, **held))).copied();
         orders.asked.extend(held.iter().map(|held| (*held, lock)));
-        // A panic gives the thread's locks back, which is recorded too.
+        // A panic releases the thread's locks, which is recorded too.
         drop(orders);
         assert!(
             !held.contains(&lock),
-            "a thread that holds lock {lock} asks for it again, and waits for itself for ever"
+            "a thread asks for lock {lock}, which it holds already, so it would wait for itself forever"
         );
         if let Some(held) = opposite {
             panic!(
-                "a thread holds lock {held} and asks for lock {lock}, and a thread has held lock \
-                 {lock} and asked for lock {held}: if both do it at once, each waits for the other \
-                 for ever"
+                "a thread holds lock {held} and asks for lock {lock}. Earlier, a thread held lock {lock} and asked for \
+                 lock {held}. If both do so at once, each waits for the other forever"
             );
         }
     }

@@ -1,4 +1,4 @@
-//! All that one thread may see of what another one writes.
+//! Everything that one thread may see of another thread's writes.
 
 use std::fmt::Write;
 use std::sync::atomic::Ordering;
@@ -7,31 +7,34 @@ use parking_lot::Mutex;
 
 use crate::fence::take_passed;
 
-/// The memory of one thread that writes and one that reads, as the language promises it and no better.
+/// The memory of a writing thread and a reading thread, with the guarantees of the language and no
+/// others.
 ///
-/// A processor such as those of the x86 family keeps more order than that, so that on it a wrong ordering does no harm for
-/// years. Here every reading that the orderings allow happens, one after the other: a location has all numbers that were
-/// ever written there, and a load takes any of them that is not older than one that its thread knows of. A store of
-/// [`Ordering::Release`] hands on what its thread knows, and a load of [`Ordering::Acquire`] takes it over. A
-/// [`fence`](crate::fence) does the same for the relaxed stores behind it and the relaxed loads before it.
+/// Processors of the x86 family keep more order, so a wrong ordering may do no harm there for years.
+/// Here every reading that the orderings allow happens, one after the other. A location keeps all
+/// numbers that were ever written to it. A load takes any of them that is not older than one that
+/// its thread knows. A store with [`Ordering::Release`] passes on the knowledge of its thread, and a
+/// load with [`Ordering::Acquire`] takes it over. A [`fence`](crate::fence) does the same for the
+/// relaxed stores after it and the relaxed loads before it.
 #[derive(Default)]
 pub struct Memory(Mutex<State>);
 
 #[derive(Default)]
 struct State {
     locations: Vec<Location>,
-    /// Of each location the newest message that the thread knows of: it reads none before that.
+    /// For each location, the newest message that the thread knows. It reads no older message.
     known: Vec<usize>,
-    /// What the thread knew at its last fence of release; empty if there was none.
+    /// Knowledge of the thread at its last release fence; empty if there was none.
     released: Vec<usize>,
-    /// What the thread knows after its next fence of acquire.
+    /// Knowledge that the thread takes over at its next acquire fence.
     handed: Vec<usize>,
-    /// Whether it is the thread that reads.
+    /// Whether the reading thread is running.
     reads: bool,
-    /// Which of the messages that it may each load takes, and of how many.
+    /// For each load, the index of the message that it takes, and the number of messages that it may
+    /// take.
     choices: Vec<(usize, usize)>,
     loads: usize,
-    told: String,
+    log: String,
 }
 
 struct Location {
@@ -41,11 +44,11 @@ struct Location {
 
 struct Message {
     bits: u64,
-    /// Of each location what one knows who acquires this message.
+    /// For each location, the message that a thread knows once it has acquired this message.
     known: Vec<usize>,
 }
 
-/// More loads than a thread needs that does not wait.
+/// More loads than a thread needs if it does not wait.
 const MOST: usize = 64;
 
 impl Memory {
@@ -58,30 +61,30 @@ impl Memory {
         state.locations.len() - 1
     }
 
-    /// Has one thread `write`, once, and another one `read`, once for each way in which its loads may go.
-    /// Returns what came of each reading, and both threads' operations in words.
+    /// Runs `write` once as one thread, and `read` as another thread once for each possible outcome
+    /// of its loads. Returns the result of each reading, and the operations of both threads in words.
     pub fn readings<T>(
         &self,
         write: impl FnOnce(),
         mut read: impl FnMut() -> T,
     ) -> Vec<(T, String)> {
         write();
-        let written = std::mem::take(&mut self.0.lock().told);
+        let written = std::mem::take(&mut self.0.lock().log);
         let mut readings = Vec::new();
         loop {
             {
                 let state = &mut *self.0.lock();
-                // A fence behind the last operation orders nothing.
+                // A fence after the last operation orders nothing.
                 take_passed();
                 state.reads = true;
                 state.loads = 0;
-                state.told.clone_from(&written);
+                state.log.clone_from(&written);
                 state.known.fill(0);
                 state.handed.fill(0);
             }
             let came = read();
             let state = &mut *self.0.lock();
-            readings.push((came, state.told.clone()));
+            readings.push((came, state.log.clone()));
             state.choices.truncate(state.loads);
             while state.choices.pop_if(|(taken, of)| *taken + 1 == *of).is_some() {}
             match state.choices.last_mut() {
@@ -94,7 +97,7 @@ impl Memory {
     pub(crate) fn store(&self, location: usize, bits: u64, ordering: Ordering) {
         let state = &mut *self.0.lock();
         state.pass_fences();
-        assert!(!state.reads, "the thread that reads writes {}", state.locations[location].name);
+        assert!(!state.reads, "the reading thread writes {}", state.locations[location].name);
         let messages = &state.locations[location].messages;
         state.known[location] = messages.len();
         let known = match ordering {
@@ -103,7 +106,7 @@ impl Memory {
         };
         state.locations[location].messages.push(Message { bits, known });
         let name = state.locations[location].name;
-        let _ = writeln!(state.told, "  one thread    writes {name}, {ordering:?}");
+        let _ = writeln!(state.log, "  one thread    writes {name}, {ordering:?}");
     }
 
     pub(crate) fn load(&self, location: usize, ordering: Ordering) -> u64 {
@@ -115,15 +118,18 @@ impl Memory {
             return state.locations[location].messages[newest].bits;
         }
         state.loads += 1;
-        assert!(state.loads <= MOST, "it looks again and again: it waits");
+        assert!(
+            state.loads <= MOST,
+            "the thread reads again and again until the value changes: it waits"
+        );
         if state.choices.len() < state.loads {
             state.choices.push((0, newest - oldest + 1));
         }
-        // The newest first.
+        // The newest message comes first.
         let taken = newest - state.choices[state.loads - 1].0;
         let Location { name, messages } = &state.locations[location];
         let when = if taken == 0 { "as it was before" } else { "as it was written" };
-        let _ = writeln!(state.told, "  the other one reads  {name}, {ordering:?}: {when}");
+        let _ = writeln!(state.log, "  the other one reads  {name}, {ordering:?}: {when}");
         state.known[location] = taken;
         learn(&mut state.handed, &messages[taken].known);
         if ordering != Ordering::Relaxed {
@@ -134,22 +140,22 @@ impl Memory {
 }
 
 impl State {
-    /// Does what the fences do that the thread has passed since its last load or store.
+    /// Applies the fences that the thread has passed since its last load or store.
     fn pass_fences(&mut self) {
         let passed = take_passed();
         let who = if self.reads { "the other one" } else { "one thread   " };
         if passed.acquire {
             learn(&mut self.known, &self.handed);
-            let _ = writeln!(self.told, "  {who} passes a fence, Acquire");
+            let _ = writeln!(self.log, "  {who} passes a fence, Acquire");
         }
         if passed.release {
             self.released.clone_from(&self.known);
-            let _ = writeln!(self.told, "  {who} passes a fence, Release");
+            let _ = writeln!(self.log, "  {who} passes a fence, Release");
         }
     }
 }
 
-/// Takes over what is newer, of each location.
+/// Takes over newer knowledge about each location.
 fn learn(known: &mut [usize], newer: &[usize]) {
     for (known, newer) in known.iter_mut().zip(newer) {
         *known = (*known).max(*newer);
@@ -163,7 +169,7 @@ mod tests {
 
     use crate::{Atomic, Memory, fence};
 
-    /// What a thread may read of a number and a flag, in that order, each 0 before and 1 after.
+    /// Returns what a thread may read from a number and a flag. Each is 0 first and then 1.
     fn seen(raise: [Ordering; 2], flag_first: bool) -> Vec<[u64; 2]> {
         let memory = Arc::new(Memory::default());
         let [number, flag] = ["number", "flag"].map(|name| Atomic::watched(0, &memory, name));
@@ -186,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn who_acquires_the_flag_sees_what_was_written_before_its_release() {
+    fn an_acquired_flag_shows_what_was_written_before_its_release() {
         for both in [[Release, Acquire], [SeqCst, SeqCst]] {
             assert_eq!(seen(both, false), [[0, 0], [1, 0], [1, 1]]);
             assert_eq!(seen(both, true), [[0, 0], [0, 1], [1, 0], [1, 1]]);
@@ -194,13 +200,14 @@ mod tests {
     }
 
     #[test]
-    fn with_one_of_both_alone_anything_is_seen() {
+    fn release_or_acquire_alone_orders_nothing() {
         for half in [[Relaxed, Acquire], [Release, Relaxed], [Relaxed, Relaxed]] {
             assert_eq!(seen(half, false), [[0, 0], [0, 1], [1, 0], [1, 1]]);
         }
     }
 
-    /// What a thread may read of a number and of a flag that is stored relaxed, with a fence on either side.
+    /// Returns what a thread may read from a number and a flag that is stored relaxed, with a fence in
+    /// each thread.
     fn seen_with_fences(fences: [Ordering; 2], load: Ordering) -> Vec<[u64; 2]> {
         let memory = Arc::new(Memory::default());
         let [number, flag] = ["number", "flag"].map(|name| Atomic::watched(0, &memory, name));
@@ -246,7 +253,7 @@ mod tests {
 
     #[test]
     #[should_panic = "it waits"]
-    fn a_thread_that_waits_is_told() {
+    fn a_waiting_thread_panics() {
         let memory = Arc::new(Memory::default());
         let flag = Atomic::watched(0, &memory, "flag");
         memory.readings(|| {}, || while flag.load(Acquire) == 0 {});

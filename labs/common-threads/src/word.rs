@@ -1,15 +1,16 @@
-//! A number that several threads change.
+//! An atomic number that several threads change.
 
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Called before a thread writes what it has made of a read, as if another thread came in just then.
+/// A function that is called between a thread's read and the write that relies on it, as if another
+/// thread came in at that moment.
 type Interruption = Box<dyn Fn(&AtomicU64) + Send + Sync>;
 
-/// An [`AtomicU64`]: each operation happens as a whole, and two operations do not.
+/// An [`AtomicU64`]: each operation is indivisible, but two operations together are not.
 ///
-/// All of them are [`Ordering::Relaxed`]: the number itself is never torn or lost, and nothing is
-/// promised about other memory. For a sum that is read after a barrier that is enough.
+/// All operations are [`Ordering::Relaxed`]. The number itself is never torn or lost, but nothing is
+/// guaranteed about other memory. This is enough for a sum that is read after a barrier.
 #[derive(Default)]
 pub struct Word {
     bits: AtomicU64,
@@ -17,20 +18,21 @@ pub struct Word {
 }
 
 impl Word {
-    /// A word that begins with `bits`.
+    /// Returns a word that begins as `bits`.
     pub fn new(bits: u64) -> Self {
         Self { bits: AtomicU64::new(bits), interruption: None }
     }
 
-    /// The same, with another thread's operation after each [`load`](Self::load) and before each
-    /// [`compare_exchange`](Self::compare_exchange): what a test needs, so that a lost update is not left to luck.
+    /// Returns the same word with another thread's operation after each [`load`](Self::load) and before
+    /// each [`compare_exchange`](Self::compare_exchange). With it, a test does not need luck to lose an
+    /// update.
     #[must_use]
     pub fn interrupted(mut self, by: impl Fn(&AtomicU64) + Send + Sync + 'static) -> Self {
         self.interruption = Some(Box::new(by));
         self
     }
 
-    /// The number now.
+    /// Returns the number.
     pub fn load(&self) -> u64 {
         let bits = self.bits.load(Ordering::Relaxed);
         self.interrupt();
@@ -43,7 +45,7 @@ impl Word {
         }
     }
 
-    /// Replaces the number, whatever it is by now.
+    /// Replaces the number, even if another thread has changed it.
     pub fn store(&self, bits: u64) {
         self.bits.store(bits, Ordering::Relaxed);
     }
@@ -53,7 +55,7 @@ impl Word {
         self.bits.fetch_add(addend, Ordering::Relaxed);
     }
 
-    /// Replaces the number if `bits` are less.
+    /// Replaces the number if `bits` is less.
     pub fn fetch_min(&self, bits: u64) {
         self.bits.fetch_min(bits, Ordering::Relaxed);
     }
@@ -61,7 +63,8 @@ impl Word {
     /// Replaces the number by `new` if it still is `old`.
     ///
     /// # Errors
-    /// It is not; then the error is what it is now, and nothing has changed.
+    /// If the number is no longer `old`: the number. Nothing has changed then. The exchange may also
+    /// fail if the number still is `old`.
     pub fn compare_exchange(&self, old: u64, new: u64) -> Result<u64, u64> {
         self.interrupt();
         self.bits.compare_exchange_weak(old, new, Ordering::Relaxed, Ordering::Relaxed)

@@ -90,15 +90,15 @@ pub(crate) fn run<O: Parser>(
 fn end_in_one_line() {
     let usual = panic::take_hook();
     panic::set_hook(Box::new(move |panic| {
-        let said = panic.payload_as_str().unwrap_or_default();
-        if let Some(refusal) = threads::refusal(said) {
+        let message = panic.payload_as_str().unwrap_or_default();
+        if let Some(refusal) = threads::refusal(message) {
             eprintln!("error: {refusal}");
             // Threads that were started may wait at a barrier for the one that was not.
             process::exit(1);
         }
         match panic.location() {
-            Some(at) if said.starts_with("not yet implemented: task ") => eprintln!(
-                "error: {said} ({}, line {}); '--list-variants' names other programs",
+            Some(at) if message.starts_with("not yet implemented: task ") => eprintln!(
+                "error: {message} ({}, line {}); '--list-variants' names other programs",
                 at.file(),
                 at.line()
             ),

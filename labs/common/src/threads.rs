@@ -65,8 +65,8 @@ mod tests {
     fn only_a_complaint_about_threads_is_one() {
         ask_for(7, true).unwrap();
         assert_eq!(startable(3), 3);
-        let said = refusal("failed to spawn thread: Os { code: 11 }").unwrap();
-        assert!(said.starts_with("only 6 of 7 threads could be started: "), "{said}");
+        let message = refusal("failed to spawn thread: Os { code: 11 }").unwrap();
+        assert!(message.starts_with("only 6 of 7 threads could be started: "), "{message}");
         assert_eq!(refusal("index out of bounds"), None);
     }
 }

@@ -121,7 +121,7 @@ impl<S: ?Sized> Variant<S> {
         let (least, greatest) = parameter.range;
         if !(least..=greatest).contains(&value) {
             return Err(ParameterError(format!(
-                "parameter '{name}' of variant {variant} must lie in {least} to {greatest}, not {value}"
+                "parameter '{name}' of variant {variant} must be {least} to {greatest}, not {value}"
             )));
         }
         for (known, current) in &mut config.parameters {

@@ -28,67 +28,85 @@ use whole_runs::*;
 oracle::questions! {
     task_11_1 {
         flown_steps => "Three particles that fly freely, in steps of 0.1: x after 1, 3 and 10 steps, to the last digit.",
-        flights => "Any number of particles that fly freely for any number of steps: x of each, to the bit.",
+        flights => "Any number of particles that fly freely for any number of steps: x of each particle, bit for bit.",
     }
     task_11_2 {
-        closest_approaches => "Two free flights, the second d from the first and with velocity w as seen by it: the least \
-                               distance within a time of 0 to 8.",
+        closest_approaches => "Two free flights, the second at d and with velocity w as seen from the first: the least \
+                               distance within times of 0 to 8.",
         approaches => "Two free flights of any length and any speed: the square of their least distance.",
     }
     task_11_3 {
         joined_pairs => "Eleven particles and seven pairs that join their groups: the root of each particle after each \
                          pair.",
-        roots => "Chains and trees: the root of a number, and how many parents are above it before and then.",
-        long_chain => "A chain of a million numbers: the root, from its end.",
-        joins => "Pairs in any order: the root of each number after each pair.",
-        many_joins => "A million numbers, each joined to the next: the root of the last.",
+        roots => "Chains and trees of numbers: the root of a number, and the number of its parents before the call and \
+                  after it.",
+        long_chain => "A chain of a million numbers: the root of its last number.",
+        joins => "Pairs that are joined in any order: the root of each number after each pair.",
+        many_joins => "A million numbers, each joined to the next: the root of the last number.",
     }
     task_11_4 {
-        deviations => "A particle that deviates from its free flight, and a margin of 0.05 cutoffs: whether it may have \
-                       met a particle that is not on its list.",
-        margins => "Any deviation and any margin: 1 if the particle is too far off its path, else 0.",
+        deviations => "A particle that deviates from its free flight, and a margin of 0.05 cutoffs: whether it may \
+                       have met a particle that is not on its list.",
+        margins => "Any deviation and any margin: 1 if the particle is too far off its free flight, 0 if not.",
     }
     task_11_5 {
-        walls_ahead => "A particle in a box of side 1 and a window of four steps of 0.125: whether it may meet a wall.",
-        walls => "A particle anywhere and a window of any length: 1 if it may meet a wall, else 0.",
-        windows after "11.1, 11.2, 11.3, 11.4" => "Windows of 1 to 16 steps: the bits of all pairs.",
-        back_from_a_wall after "11.1, 11.2, 11.3, 11.4" => "A particle comes back from a wall within a window of 16 steps \
-                                                            and meets one that waits: the bits of all pairs.",
-        redone after "11.1, 11.2, 11.3, 11.4" => "A scene too crowded for windows of 64 steps: the bits of all pairs.",
+        walls_ahead => "A particle in a box of side 1, and a window of four steps of 0.125: whether the particle may \
+                        meet a wall.",
+        walls => "A particle anywhere, and a window of any length: 1 if the particle may meet a wall, 0 if not.",
+        windows after "11.1, 11.2, 11.3, 11.4" => "Windows of 1 to 16 steps: the state after each step, bit for bit as \
+                                                   in `all-pairs`.",
+        back_from_a_wall after "11.1, 11.2, 11.3, 11.4" => "A particle that comes back from a wall within a window of \
+                                                            16 steps, and meets a particle at rest: the state after \
+                                                            each step, bit for bit as in `all-pairs`.",
+        redone after "11.1, 11.2, 11.3, 11.4" => "A scene that is too crowded for windows of 64 steps: the state after \
+                                                  each step, bit for bit as in `all-pairs`, and the number of windows \
+                                                  that are computed again.",
     }
     task_11_6 {
-        window_lengths => "A box with so many particles per area and this mean speed: the steps of a window.",
-        lengths => "Any density and any speed: the steps of a window.",
-        plans => "The official scene, spread or pressed together: what the programs planned and substep take.",
-        a_crystal => "Particles in a crystal, three cutoffs apart: how many neighbours the planner expects.",
-        a_fast_particle => "A nearly empty box, and the same box with one fast particle: windows, then a list.",
-        threads_that_pay => "Variant planned: how many threads work, of those that are given.",
+        window_lengths => "The number of particles per area, and their mean speed: the number of steps in a window.",
+        lengths => "Any density and any speed: the number of steps in a window.",
+        plans => "The official scene, spread out or pressed together: the choice of the programs `planned` and \
+                  `substep`, windows or a list.",
+        a_crystal => "Particles in a crystal, three cutoffs apart: the number of neighbours that the planner expects.",
+        a_fast_particle => "A nearly empty box, and the same box with one fast particle: the planner's choice, which \
+                            must be windows and then a list.",
+        threads_that_pay => "The variant `planned`: the number of threads that work, out of those that are given.",
         steps_counted = |_, ask| steps_on_a_list(ask)
-            => "Variant planned, a long run on a list: how often a particle is touched in a step.",
+            => "The variant `planned` in a long run on a list: the number of times that a particle is touched in a \
+                step.",
         planned after "11.1, 11.2, 11.3, 11.4, 11.5" = |_, ask| follows_the_model(ask, by_choice("11.6"), 200)
-            => "Variant planned, by the planner's choice: each step is the model's.",
+            => "The variant `planned` with the planner's choice: the state after each step, compared with the model.",
         planned_in_windows after "11.1, 11.2, 11.3, 11.4, 11.5" = |_, ask| follows_the_model(ask, in_windows("11.6"), 40)
-            => "Variant planned, in windows of 6 steps: each step is the model's.",
-        statistics after "11.1, 11.2, 11.3, 11.4, 11.5" => "Variant planned: dmin, davg and navg of each step.",
+            => "The variant `planned` in windows of 6 steps: the state after each step, compared with the model.",
+        statistics after "11.1, 11.2, 11.3, 11.4, 11.5" => "The variant `planned`: dmin, davg and navg of each step.",
         memory after "11.1, 11.2, 11.3, 11.4, 11.5" = |_, ask| by_choice("11.6").keeps_its_memory(ask)
-            => "A long run by the planner's choice: the memory that it holds does not grow with the number of steps.",
+            => "A long run with the planner's choice: the memory in use, which must not grow with the number of \
+                steps.",
         memory_in_windows after "11.1, 11.2, 11.3, 11.4, 11.5" = |_, ask| in_windows("11.6").keeps_its_memory(ask)
-            => "A long run in windows: the memory that it holds does not grow with the number of steps.",
+            => "A long run in windows: the memory in use, which must not grow with the number of steps.",
         official_bytes after "11.1, 11.2, 11.3, 11.4, 11.5" = |_, ask| official_output(ask)
-            => "Variant planned, the official scene, 1,000 particles: the output of 1,000 steps, byte for byte.",
+            => "The variant `planned` in the official scene of 1,000 particles: the output of 1,000 steps, byte for \
+                byte.",
         neighbour_list after "11.1, 11.2, 11.3, 11.4, 11.5" = |_, ask| beside_the_list(ask)
-            => "Variant planned, 3,000 particles, 200 steps: how far they are from where a neighbour list takes them.",
+            => "The variant `planned` with 3,000 particles, 200 steps: the state at the end, compared with that of a \
+                neighbour list.",
         any_threads after "11.1, 11.2, 11.3, 11.4, 11.5" = |_, ask| planned_on_threads(ask)
-            => "Variant planned on 1 to 8 threads: the same bits.",
-        steps_in_a_row after "11.1, 11.2, 11.3, 11.4, 11.5" => "Steps in a row: the bits of as many steps one by one.",
-        small_steps after "11.1, 11.2, 11.3, 11.4, 11.5" => "Variant substep, the official scene, 100 steps: how far the \
-                                                             particles are from where small steps for all take them.",
-        small_steps_anywhere after "11.1, 11.2, 11.3, 11.4, 11.5" => "Variant substep, hard scenes: each of 3 steps is ten \
-                                                                      small steps for all.",
-        bent_paths after "11.1, 11.2, 11.3, 11.4, 11.5" => "Variant substep, overlapping particles that push each other \
-                                                            far: the same bits in windows of 1 and of 9 steps.",
+            => "The variant `planned` on 1 to 8 threads: the state at the end, with the same bits on each number of \
+                threads.",
+        steps_in_a_row after "11.1, 11.2, 11.3, 11.4, 11.5" => "Several steps in a row, and as many single steps: the \
+                                                                state at the end, with the same bits.",
+        small_steps after "11.1, 11.2, 11.3, 11.4, 11.5" => "The variant `substep` in the official scene, 100 steps: \
+                                                             the state at the end, compared with small steps for all \
+                                                             particles.",
+        small_steps_anywhere after "11.1, 11.2, 11.3, 11.4, 11.5" => "The variant `substep` in hard scenes: the state \
+                                                                      after each of 3 steps, compared with ten small \
+                                                                      steps for all particles.",
+        bent_paths after "11.1, 11.2, 11.3, 11.4, 11.5" => "The variant `substep` with overlapping particles that push \
+                                                            each other far: the state at the end, with the same bits \
+                                                            in windows of 1 and of 9 steps.",
         small_steps_any_threads after "11.1, 11.2, 11.3, 11.4, 11.5" = |_, ask| substep_on_threads(ask)
-            => "Variant substep on 1 to 8 threads: the same bits.",
+            => "The variant `substep` on 1 to 8 threads: the state at the end, with the same bits on each number of \
+                threads.",
     }
 }
 

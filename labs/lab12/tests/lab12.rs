@@ -23,50 +23,58 @@ use whole_runs::*;
 
 oracle::questions! {
     task_12_1 {
-        drifts_and_kicks => "A step of length 1 by three compositions: each drift and each kick for its time, and how far \
-                             positions and velocities are then.",
-        steps => "A step of any composition: what is done one after the other, each as 0 for a drift or 1 for a kick and \
-                  then its time.",
-        velocity_verlet => "Velocity Verlet: the drifts and the kicks, as fractions of a step.",
-        pefrl => "PEFRL: the drifts and the kicks, as fractions of a step.",
+        drifts_and_kicks => "A step of length 1 by three compositions: the time of each drift and of each kick, and \
+                             the times that positions and velocities have reached after it.",
+        steps => "A step of any composition: its drifts (0) and kicks (1) in their order, each with its time.",
+        velocity_verlet => "Velocity Verlet: its drifts and its kicks, as fractions of a step.",
+        pefrl => "PEFRL: its drifts and its kicks, as fractions of a step.",
         official_steps = |_, ask| variant("12.1", "euler").resynchronised(ask, &scenes::official(), 50)
-            => "Variant euler, the official scene: each of 50 steps is the official step.",
+            => "The variant `euler` in the official scene: the state after each of 50 steps, which must be the \
+                official step.",
         dense_box = |_, ask| variant("12.1", "euler").resynchronised(ask, &scenes::dense(), 20)
-            => "Variant euler, 150 particles in a dense box: each of 20 steps is the official step.",
+            => "The variant `euler` with 150 particles in a dense box: the state after each of 20 steps, which must be \
+                the official step.",
         over_the_edges = |_, ask| variant("12.1", "euler").resynchronised_on_each(ask, scenes::edges(), 3)
-            => "Variant euler, pairs at 0.9995 cutoffs in every direction: each of 3 steps is the official step.",
-        orders => "Two particles that stay in contact: by how much the error shrinks if the parts of a step are half as \
-                   long.",
+            => "The variant `euler` with pairs 0.9995 cutoffs apart, in every direction: the state after each of 3 \
+                steps, which must be the official step.",
+        orders => "Two particles that stay in contact: the order of the error, from steps in 4 and in 8 parts.",
     }
     task_12_2 {
-        four_looks => "Two particles on springs, a = -x, and a step of length 1: where each of the four looks is, and the \
-                       weighted sum of the slopes.",
-        runge_kutta => "Particles that pull one another, in a ring: where each of the four looks is, and the weighted sum \
-                        of the slopes.",
+        four_looks => "Two particles on springs, a = -x, and a step of length 1: the positions at which each of the \
+                       four evaluations is made, and the weighted sum of the slopes.",
+        runge_kutta => "Particles in a ring that pull one another: the positions at which each of the four evaluations \
+                        is made, and the weighted sum of the slopes.",
         memory = |_, ask| variant("12.2", "rk4").keeps_its_memory(ask)
-            => "A long run: the memory that it holds does not grow with the number of steps.",
-        order => "Two particles that stay in contact: by how much the error of rk4 shrinks if the parts of a step are half \
-                  as long.",
-        errors after "12.1" => "Two particles that stay in contact, an official step in 2, 4 and 8 parts: the error of each \
-                                method beside rk4 with 256 parts.",
+            => "A long run: the memory in use, which must not grow with the number of steps.",
+        order => "Two particles that stay in contact: the order of the error of `rk4`, from steps in 4 and in 8 \
+                  parts.",
+        errors after "12.1" => "Two particles that stay in contact, and an official step in 2, 4 and 8 parts: the \
+                                error of each method, compared with `rk4` in 256 parts.",
     }
     task_12_3 {
-        falling_numbers => "A number that falls through zero between low and high: the moment.",
-        crossings => "A number that falls in any way and in any units: the moment, and how often the number was looked at.",
-        faint_crossings => "A line so near to zero that a product of two numbers may be 0: the moment.",
-        contacts => "Two particles meet head on: how long they stay in reach, and how near they come.",
+        falling_numbers => "A number that falls through zero between low and high: the moment at which it does.",
+        crossings => "A number that falls in any way and in any units: the moment at which it falls through zero, and \
+                      the number of times that it was evaluated.",
+        faint_crossings => "A line so near to zero that a product of two numbers may be 0: the moment at which it \
+                            falls through zero.",
+        contacts => "Two particles that meet head on: the number of steps for which they stay in reach, and their \
+                     least distance.",
     }
     task_12_4 {
-        watched_numbers after "12.3" => "A number with its value and its slope at both ends of a step of length 1: when it \
-                                         falls through zero.",
-        told_by_the_ends => "A number of which both ends of a step tell all: when it falls through zero.",
-        told_inside after "12.3" => "A number that turns or falls inside a step: when it falls through zero.",
-        a_touch after "12.3" => "(t - 1)² in a step of 2: it touches zero and does not fall.",
-        across_the_cutoff after "12.2, 12.3" => "Two particles come into reach, one past a wall: the error of rk4-located \
-                                                 is of fourth order.",
-        exact_motion after "12.2, 12.3" => "300 particles, 100 official steps of rk4-located: how far they are from the \
-                                            exact motion.",
-        any_threads after "12.2, 12.3" => "Variant rk4-located on 1 to 8 threads: the same bits.",
+        watched_numbers after "12.3" => "A number with its value and its slope at both ends of a step of length 1: the \
+                                         time at which it falls through zero.",
+        decided_at_the_ends => "A number whose values and slopes at both ends of a step are sufficient: the time at \
+                                which it falls through zero.",
+        decided_inside after "12.3" => "A number that turns or falls inside a step: the time at which it falls through \
+                                        zero.",
+        a_touch after "12.3" => "The number (t - 1)² in a step of 2, which touches zero: no time, because it does not \
+                                 fall through zero.",
+        across_the_cutoff after "12.2, 12.3" => "Two particles that come into reach, one of them past a wall: the \
+                                                 errors of `rk4-located`, which must be of fourth order.",
+        exact_motion after "12.2, 12.3" => "300 particles, and 100 official steps of `rk4-located`: the distance of \
+                                            the particles from the exact motion.",
+        any_threads after "12.2, 12.3" => "The variant `rk4-located` on 1 to 8 threads: the state at the end, with the \
+                                           same bits on each number of threads.",
     }
 }
 

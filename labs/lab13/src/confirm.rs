@@ -28,7 +28,7 @@ pub fn right_steps(moves: &[f64], width: f64) -> usize {
 ///
 /// All ranks have taken `steps` steps. [`right_steps`] computes the number of right steps.
 ///
-/// - `said`: first the greatest distance that a particle of this rank moved in each step, then
+/// - `numbers`: first the greatest distance that a particle of this rank moved in each step, then
 ///   other numbers, from which the next epoch is planned. Replace each number by the greatest that
 ///   any rank said.
 /// - `width`: the depth with which ghosts were chosen, a length. It is the same on all ranks.
@@ -38,6 +38,6 @@ pub fn right_steps(moves: &[f64], width: f64) -> usize {
 /// alone rolls back to an earlier step would get the ghosts of a later step.
 ///
 /// Book: chapter 13, *And if it was wrong*.
-pub fn confirm(world: &SimpleCommunicator, said: &mut [f64], steps: usize, width: f64) -> usize {
+pub fn confirm(world: &SimpleCommunicator, numbers: &mut [f64], steps: usize, width: f64) -> usize {
     todo!("task 13.8b: all ranks agree how many steps are right")
 }

@@ -113,7 +113,7 @@ impl DeepHalo for Lab13 {
         best_depth(outlook)
     }
 
-    fn confirm(world: &SimpleCommunicator, said: &mut [f64], steps: usize, width: f64) -> usize {
-        confirm(world, said, steps, width)
+    fn confirm(world: &SimpleCommunicator, numbers: &mut [f64], steps: usize, width: f64) -> usize {
+        confirm(world, numbers, steps, width)
     }
 }

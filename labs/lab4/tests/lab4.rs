@@ -41,10 +41,10 @@ mod regions;
 oracle::questions! {
     task_4_1 {
         region_table = regions::table
-            => "Some bins in some regions: how many bins and which lock each region has; and which region each of five \
-                bins lies in.",
+            => "Some bins in some regions: the number of bins and the lock of each region, and the regions of five \
+                bins.",
         sizes = regions::sizes
-            => "Any number of bins in any number of regions: how many bins each region has.",
+            => "Any number of bins in any number of regions: the number of bins in each region.",
         places = regions::places
             => "Any bin in regions of any size: its region, and its index there.",
         lock_numbers = regions::numbers
@@ -52,111 +52,123 @@ oracle::questions! {
     }
     task_4_2 {
         meter_table = meters::table
-            => "A meter, moment by moment: free locks, and locks that another thread holds.",
+            => "A meter that takes free locks, and locks that another thread holds: locks taken, locks waited for, and \
+                time waited after each.",
         free_locks = meters::free
-            => "A free lock that is taken many times: locks taken, locks waited for, and no look at the clock.",
+            => "A free lock that is taken many times: locks taken, locks waited for, and the number of looks at the \
+                clock, which must be 0.",
         held_locks = meters::held
-            => "Two locks that another thread holds: both are counted, and both waits are measured.",
+            => "Two locks that another thread holds: locks taken, locks waited for, and the time of both waits.",
     }
     task_4_3 {
         lock_table after "4.1, 4.2" = lock_examples::table
-            => "Changes of bins: how many locks each takes and holds at once; and two threads that want the same two \
-                locks, moment by moment.",
+            => "Changes of bins: the locks that each takes, and the most that it holds at once. Then two threads that \
+                want the same two locks: the locks and the particles after each event.",
         one_by_one after "4.1, 4.2" = locks::one_by_one
-            => "132 changes, one after another: the locks that they take, and the bins of all particles.",
+            => "132 changes, one after another: the locks that they take, and the bin of each particle.",
         large_numbers after "4.1, 4.2" = locks::large_numbers
-            => "A particle and bins of large numbers: the locks that a change takes, and the particles in both bins.",
+            => "A particle and bins with large numbers: the locks that a change takes, and the particles in both \
+                bins.",
         many_threads after "4.1, 4.2" = locks::many_threads
-            => "Changes by several threads at the same time: the locks that they take, and the bins of all particles.",
+            => "Changes by several threads at the same time: the locks that they take, and the bin of each particle.",
         another_between after "4.1, 4.2" = intruders::same_bins
-            => "A change, and another thread that makes one between its two requests: the bins of all particles.",
+            => "A change, and a change by another thread between its two requests for locks: the bin of each \
+                particle.",
         other_regions after "4.1, 4.2" = intruders::other_regions
-            => "A thread that holds locks: another thread can change bins in other regions.",
+            => "A thread that holds a lock: whether another thread can change bins in other regions, which it must.",
     }
     task_4_4 {
         move_table = moves::table
-            => "Five particles in four rows of bins: where each is after a move, and which of them tell of a change.",
+            => "Five particles in four rows of bins: the position of each particle after a move, and the changes of \
+                bins that are reported.",
         any_moves = moves::moves
-            => "Any number of particles: where each is after a move, and which of them tell of a change.",
-        global_lock after "4.1, 4.2, 4.3" => "Runs of `global-lock` on 1 to 17 threads: the bits of all pairs, and the \
-                                              statistics of each step.",
-        region_locks after "4.1, 4.2, 4.3" => "Runs of `region-locks` on 1 to 17 threads: the bits of all pairs, and the \
-                                               statistics of each step.",
-        bin_locks after "4.1, 4.2, 4.3" => "Runs of `bin-locks` on 1 to 17 threads: the bits of all pairs, and the \
-                                            statistics of each step.",
+            => "Any number of particles: x, y, vx, vy of each particle after a move, and the changes of bins that are \
+                reported.",
+        global_lock after "4.1, 4.2, 4.3" => "Runs of `global-lock` on 1 to 17 threads: the state, bit for bit as in \
+                                              `all-pairs`, and the statistics of each step.",
+        region_locks after "4.1, 4.2, 4.3" => "Runs of `region-locks` on 1 to 17 threads: the state, bit for bit as in \
+                                               `all-pairs`, and the statistics of each step.",
+        bin_locks after "4.1, 4.2, 4.3" => "Runs of `bin-locks` on 1 to 17 threads: the state, bit for bit as in \
+                                            `all-pairs`, and the statistics of each step.",
     }
     task_4_5 {
         rebuild_table after "4.1" = fills::table
-            => "Five particles and four bins in two regions: the particles in each bin before one thread rebuilds, and \
-                after.",
+            => "Five particles and four bins in two regions: the particles in each bin before and after one thread \
+                rebuilds the bins.",
         any_rebuilds after "4.1" = fills::by_one
-            => "Any number of particles in bins with other particles: the bins that hold each when one thread has \
-                rebuilt.",
-        serial_rebuild after "4.1, 4.4" => "Runs of `serial-rebuild` on 1 to 17 threads: the bits of all pairs, and the \
-                                            statistics of each step.",
+            => "Any number of particles, and bins with particles of the step before: the bins that hold each particle \
+                after one thread has rebuilt the bins.",
+        serial_rebuild after "4.1, 4.4" => "Runs of `serial-rebuild` on 1 to 17 threads: the state, bit for bit as in \
+                                            `all-pairs`, and the statistics of each step.",
     }
     task_4_6 {
         buffer_table after "4.1" = handover_examples::buffers
-            => "Three changes in three buffers: the particles in each bin before the changes, and when one thread or \
+            => "Three changes in three buffers: the particles in each bin before the changes, and after one thread or \
                 each owner has made them.",
         by_one after "4.1" = handovers::by_one
-            => "Any changes in any number of buffers: the bins of all particles when one thread has made them.",
+            => "Any changes in any number of buffers: the bins that hold each particle after one thread has made the \
+                changes.",
         by_owners after "4.1" = handovers::by_owners
-            => "Any changes in any number of buffers: the bins of all particles when the owners have made them.",
-        buffers_by_one after "4.1, 4.4" => "Runs of `buffers-by-one` on 1 to 17 threads: the bits of all pairs, and the \
-                                            statistics of each step.",
-        buffers_by_all after "4.1, 4.4" => "Runs of `buffers-by-all` on 1 to 17 threads: the bits of all pairs, and the \
-                                            statistics of each step.",
+            => "Any changes in any number of buffers: the bins that hold each particle after the owners have made the \
+                changes.",
+        buffers_by_one after "4.1, 4.4" => "Runs of `buffers-by-one` on 1 to 17 threads: the state, bit for bit as in \
+                                            `all-pairs`, and the statistics of each step.",
+        buffers_by_all after "4.1, 4.4" => "Runs of `buffers-by-all` on 1 to 17 threads: the state, bit for bit as in \
+                                            `all-pairs`, and the statistics of each step.",
     }
     task_4_7 {
         queue_table after "4.1, 4.6" = handover_examples::queues
-            => "Three changes: how often each is in the queue of each owner, and the particles in each bin when the \
-                owners have emptied their queues.",
+            => "Three changes: the number of times that each is in the queue of each owner, and the particles in each \
+                bin after the owners have emptied their queues.",
         any_queues after "4.1, 4.6" = handovers::queues
-            => "Any changes: which owners are told of each through their queues, and the bins of all particles.",
-        queues after "4.1, 4.4, 4.6" => "Runs of `queues` on 1 to 17 threads: the bits of all pairs, and the statistics \
-                                         of each step.",
+            => "Any changes: the owners that receive each change through their queues, and the bins that hold each \
+                particle.",
+        queues after "4.1, 4.4, 4.6" => "Runs of `queues` on 1 to 17 threads: the state, bit for bit as in \
+                                         `all-pairs`, and the statistics of each step.",
     }
     task_4_8 {
         channel_table after "4.1, 4.6" = handover_examples::channels
-            => "Three changes: how often each is in the channel of each owner, and the particles in each bin when the \
-                owners have received them.",
+            => "Three changes: the number of times that each is in the channel of each owner, and the particles in \
+                each bin after the owners have received them.",
         any_channels after "4.1, 4.6" = handovers::channels
-            => "Any changes: which owners are told of each through their channels, and the bins of all particles.",
-        channels after "4.1, 4.4, 4.6" => "Runs of `channels` on 1 to 17 threads: the bits of all pairs, and the \
-                                           statistics of each step.",
+            => "Any changes: the owners that receive each change through their channels, and the bins that hold each \
+                particle.",
+        channels after "4.1, 4.4, 4.6" => "Runs of `channels` on 1 to 17 threads: the state, bit for bit as in \
+                                           `all-pairs`, and the statistics of each step.",
     }
     task_4_9 {
         owner_table after "4.1" = fills::owners_table
-            => "Five particles and two owners: the particles in each bin before the owners claim them, and after; and \
-                what owners of rows take.",
+            => "Five particles and two owners: the particles in each bin before and after the owners claim them, and \
+                the particles that owners of rows take.",
         any_claims after "4.1" = fills::by_owners
-            => "Any number of particles in bins with other particles: the bins that hold each when the owners have \
-                claimed them.",
+            => "Any number of particles, and bins with particles of the step before: the bins that hold each particle \
+                after the owners have claimed them.",
         owned_rows = fills::owned_rows
-            => "Any number of particles: those that an owner of some rows takes.",
-        owners after "4.1, 4.4" => "Runs of `owners` on 1 to 17 threads: the bits of all pairs, and the statistics of \
-                                    each step.",
-        owner_computes => "Runs of `owner-computes` on 1 to 17 threads: the bits of all pairs, and the statistics of \
-                           each step.",
-        owner_memory => "A long run of `owner-computes`: the memory that it holds does not grow with the number of steps.",
+            => "Any number of particles: the particles that an owner of some rows takes.",
+        owners after "4.1, 4.4" => "Runs of `owners` on 1 to 17 threads: the state, bit for bit as in `all-pairs`, and \
+                                    the statistics of each step.",
+        owner_computes => "Runs of `owner-computes` on 1 to 17 threads: the state, bit for bit as in `all-pairs`, and \
+                           the statistics of each step.",
+        owner_memory => "A long run of `owner-computes`: the memory in use, which must not grow with the number of \
+                         steps.",
     }
     task_4_10 {
         pair_table = pair_examples::within
-            => "Four particles in two rows of bins: their accelerations, and how many pairs were looked at.",
+            => "Four particles in two rows of bins: their accelerations, and the number of pair tests.",
         strips = pairs::within
-            => "Any number of particles in some rows: their accelerations, and how many pairs were looked at.",
+            => "Any number of particles in some rows: their accelerations, and the number of pair tests.",
     }
     task_4_11 {
         across_table = pair_examples::across
-            => "A cut with two particles below it and two in the first row above: the accelerations below, those kept \
-                apart for above, and how many pairs were looked at.",
+            => "A cut with two particles below it, and two in the first row above it: the accelerations of the lower \
+                particles, the accelerations that are kept apart for the upper ones, and the number of pair tests.",
         cuts = pairs::across
-            => "A cut with any number of particles on each side: the accelerations below, those kept apart for above, and \
-                how many pairs were looked at.",
-        owner_two_way after "4.9, 4.10" => "Runs of `owner-two-way` on 1 to 15 threads: each step, the forces and the \
-                                            statistics.",
-        owner_lists => "Runs of `owner-lists` on 1 to 15 threads: each step, the forces and the statistics.",
+            => "A cut with any number of particles on each side: the accelerations of the lower particles, the \
+                accelerations that are kept apart for the upper ones, and the number of pair tests.",
+        owner_two_way after "4.9, 4.10" => "Runs of `owner-two-way` on 1 to 15 threads: the state after each step, the \
+                                            forces, and the statistics.",
+        owner_lists => "Runs of `owner-lists` on 1 to 15 threads: the state after each step, the forces, and the \
+                        statistics.",
     }
 }
 

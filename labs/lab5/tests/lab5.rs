@@ -22,75 +22,86 @@ use questions::*;
 oracle::questions! {
     task_5_1 {
         rows_and_owners => "Rows of bins on ranks: the rank that owns each row, and the block of rows of each rank.",
-        few_rows => "1 to 30 rows on 1 to 30 ranks: the start and end of each block, and the owner of each row.",
-        many_rows => "Up to 2^40 rows or ranks: the start and end of some blocks, and the owner of some rows.",
+        few_rows => "1 to 30 rows on 1 to 30 ranks: the start and the end of each block, and the owner of each row.",
+        many_rows => "Up to 2^40 rows or ranks: the start and the end of some blocks, and the owner of some rows.",
     }
     task_5_2 {
-        local_and_remote => "Particles that left their bins in a step, on three ranks with two rows each: those that are \
-                             still in the rank's rows (local), and those that are not (remote).",
-        leavers => "Particles that left their bins, and a block of rows: the local ones, and the remote ones behind those \
-                    of before.",
+        local_and_remote => "Three ranks with two rows each, and particles that left their bins in a step: the \
+                             particles that are still in the rank's rows (local), and the others (remote).",
+        leavers => "A block of rows, and particles that left their bins: the local particles, and the remote \
+                    particles, which follow those from before.",
     }
     task_5_3 {
-        copies_of_border_rows => "A dozen particles on three ranks with two rows each: the particles of border rows, which \
-                                  are copied for a neighbour.",
-        copies => "A rank and its bins: a copy of each particle in a row that another rank sees, once.",
+        copies_of_border_rows => "A dozen particles on three ranks with two rows each: the copies for neighbouring \
+                                  ranks, which are the particles of border rows.",
+        copies => "A rank and its bins: its copies, one of each particle in a row that another rank sees.",
     }
     task_5_4 {
-        gathered => "Three ranks, each with a list of particles (ids): what each sends, and what the root gets, with a bar \
-                     between lists.",
-        gathers => "Lists of any length on 1, 2, 3 and 5 ranks: what the root gets, in the order of ranks, by one Gather \
-                    and one Gatherv.",
+        gathered => "Three ranks, each with a list of particles (ids): what each rank sends, and what the root gets, \
+                     with a bar between lists.",
+        gathers => "Lists of any length on 1, 2, 3 and 5 ranks: what the root gets, in the order of ranks. One Gather \
+                    and one Gatherv are allowed.",
     }
     task_5_5 {
-        receivers => "Leavers and copies (ids) that three ranks sent to the root: the list that goes to each rank.",
-        parcels => "Leavers and copies of any number of ranks: the list that goes to each rank.",
+        receivers => "Three ranks that sent leavers and copies (ids) to the root: the list that the root sends to each \
+                      rank.",
+        parcels => "Any number of ranks, with leavers and copies: the list that the root sends to each rank.",
     }
     task_5_6 {
         scattered => "The root's lists of particles (ids) for three ranks, with a bar between lists: what each rank gets.",
-        scatters => "Lists of any length for 1, 2, 3 and 5 ranks: what each rank gets, by one Scatter and one Scatterv.",
+        scatters => "Lists of any length for 1, 2, 3 and 5 ranks: what each rank gets. One Scatter and one Scatterv \
+                     are allowed.",
     }
     task_5_7 {
-        new_ghosts => "Three ranks with two rows each: the particles (ids) in each row before, what arrives, and the \
-                       particles in each row afterwards, with a bar between rows.",
-        ghosts => "The rows that a rank sees, and new particles: old ghosts go, and what arrives is put into its bin.",
+        new_ghosts => "Three ranks with two rows each: the particles (ids) in each row before, the particles that \
+                       arrive, and the particles in each row afterwards, with a bar between rows.",
+        ghosts => "The rows that a rank sees, and particles that arrive: the particles in each bin afterwards. Old \
+                   ghosts must be gone, and arrivals must be in their bins.",
     }
     task_5_8 {
         one_exchange after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
             => "One exchange of a dozen particles on three ranks: every buffer (ids) before and after each call.",
-        broadcasts => "The root has a scene: each of 1 or 3 ranks has it afterwards, by exactly three calls to Bcast.",
+        broadcasts => "A scene on the root of 1 or 3 ranks: the scene that each rank has afterwards. Three calls of \
+                       Bcast are allowed.",
         quiet_steps after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
-            => "A step in which no particle comes near a border: the calls of MPI, and the bytes sent.",
+            => "A step in which no particle comes near a border: the number of MPI calls, and the bytes sent.",
         dense_box after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
             = |_, ask| through_root(&[1, 2, 3, 4, 5]).bits_of_all_pairs(ask, &[scenes::dense()], 20)
-            => "150 particles in a dense box on 1 to 5 ranks: the bits of all pairs after each of 20 steps.",
+            => "150 particles in a dense box on 1 to 5 ranks: the state after each of 20 steps, bit for bit as in \
+                `all-pairs`.",
         narrow_bins after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
             = |_, ask| through_root(&[2, 3, 5]).set("bin-size", 1.0).bits_of_all_pairs(ask, &[scenes::dense()], 20)
-            => "A dense box with bins of one cutoff on 2, 3 and 5 ranks: the bits of all pairs after each of 20 steps.",
+            => "A dense box with bins of one cutoff on 2, 3 and 5 ranks: the state after each of 20 steps, bit for bit \
+                as in `all-pairs`.",
         more_ranks_than_rows after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
             = |_, ask| through_root(&[4, 7]).set("bin-size", 3.0).bits_of_all_pairs(ask, &[scenes::dense()], 10)
-            => "A dense box with three rows of bins on 4 and 7 ranks, some without rows: the bits of all pairs.",
+            => "A dense box with three rows of bins on 4 and 7 ranks, some without rows: the state after each of 10 \
+                steps, bit for bit as in `all-pairs`.",
         crowds after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
             = |_, ask| through_root(&[3]).bits_of_all_pairs(ask, &[scenes::crowd(3), scenes::crowd(4)], 5)
-            => "Crowds of 200 on three ranks, some without rows: the bits of all pairs.",
+            => "Crowds of 200 particles on three ranks, some without rows: the state after each of 5 steps, bit for \
+                bit as in `all-pairs`.",
         one_corner after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
-            => "All particles on one rank, the first or the last: the bits of all pairs after each of 10 steps.",
+            => "All particles on one rank, the first or the last: the state after each of 10 steps, bit for bit as in \
+                `all-pairs`.",
         fast after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
             = |_, ask| through_root(&[5]).set("bin-size", 1.0).bits_of_all_pairs(ask, &scenes::fast(), 20)
-            => "Particles that cross several ranks in a step: the bits of all pairs after each of 20 steps.",
+            => "Particles that cross several ranks in a step: the state after each of 20 steps, bit for bit as in \
+                `all-pairs`.",
         many_leavers after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
-            => "600 particles, most of which change ranks in a step: the bits of all pairs after each of 3 steps.",
+            => "600 particles, most of which change ranks in a step: the state after each of 3 steps, bit for bit as \
+                in `all-pairs`.",
         official after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7" = |_, ask| through_root(&[1, 2, 3, 4]).official(ask)
-            => "The official scene on 1 to 4 ranks: the bits of all pairs after each of 200 steps.",
+            => "The official scene on 1 to 4 ranks: the state after each of 200 steps, bit for bit as in `all-pairs`.",
         program after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
-            => "The lab's own program on ranks: the official output, and a rank that is killed ends the job.",
+            => "The lab's own program on ranks: the official output, and the end of the job after one rank is killed.",
     }
     task_5_9 {
-        reduced => "Three ranks, each with the statistics of its own step: what the root gets of all.",
-        sums => "Statistics of any size on 1, 2, 3 and 5 ranks: their minimum and their sums on the root, none elsewhere, by \
-                 Reduce alone.",
+        reduced => "Three ranks, each with the statistics of a step of its own: the statistics that the root gets.",
+        sums => "Statistics of any size on 1, 2, 3 and 5 ranks: dmin, davg, navg and pair tests on the root, and \
+                 nothing on the other ranks. Only Reduce is allowed.",
         dense_averages after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7, 5.8"
-            => "A dense box on 1, 2 and 4 ranks: absmin, absavg and neighbours per particle of 20 steps.",
+            => "A dense box on 1, 2 and 4 ranks: absmin, absavg and neighbours per particle over 20 steps.",
     }
 }
 

@@ -56,131 +56,159 @@ use walls::*;
 
 oracle::questions! {
     task_7_1 {
-        wall_table => "A disc of radius 1 in a square of side 10, so centres are from 1 to 9: when it hits a wall in this \
-                       step, and which.",
-        walls => "A disc anywhere in any square: λ, what it hits, and which disc it is; no numbers if it hits nothing.",
+        wall_table => "A disc of radius 1 in a square of side 10, so that its centre moves from 1 to 9: the time λ at \
+                       which it hits a wall in this step, and the wall.",
+        walls => "A disc anywhere in any square: the time λ of its first wall collision, the kind of collision, and \
+                  the disc; no numbers if it hits nothing.",
     }
     task_7_2 {
-        touch_table => "Two discs of radius 1, the second at d and with velocity D as the first one sees it: when they \
-                        touch in this step.",
-        meetings => "Two discs anywhere, of any size and speed: λ when they touch, no number if they do not.",
-        contacts => "Two discs in contact, nearly so, overlapping, grazing, or at the end of the step: λ when they touch, \
-                     no number if they do not.",
+        touch_table => "Two discs of radius 1, the second at d and with velocity D as seen from the first: the time λ \
+                        at which they touch in this step.",
+        meetings => "Two discs anywhere, of any size and speed: the time λ at which they touch; no number if they do \
+                     not touch.",
+        contacts => "Two discs in contact or nearly so, overlapping, grazing, or touching at the end of the step: the \
+                     time λ at which they touch; no number if they do not touch.",
     }
     task_7_3 {
-        order_table => "Two candidates: whether the first one is taken before the other or after it.",
-        orders => "Any two candidates: the first comes before the second (-1), after it (1), or is the same (0).",
+        order_table => "Two candidates: whether the first is taken before the second or after it.",
+        orders => "Any two candidates: -1 if the first is taken before the second, 1 if after it, 0 if they are the \
+                   same.",
     }
     task_7_4 {
-        take_table after "7.3" => "Six candidates in the order in which they were found: which are taken, and as which.",
-        single_takes => "One candidate and which discs are free: what is taken, and which discs are free then.",
-        takes_of_walls after "7.3" => "Discs that each hit a wall: all of these candidates are taken.",
-        takes after "7.3" => "Candidates in any order: those that are taken, in order of time, and which discs are free then.",
-        many_takes after "7.3" => "A million candidates: how many are taken. Comparing every two of them does not come to an \
-                                   end.",
+        take_table after "7.3" => "Six candidates in the order in which they were found: the candidates that are \
+                                   taken, and the order in which they are taken.",
+        single_takes => "One candidate, and the discs that are free: the candidates taken afterwards, and the discs \
+                         that are still free.",
+        takes_of_walls after "7.3" => "Discs that each hit a wall: the candidates taken, which must be all.",
+        takes after "7.3" => "Candidates in any order: the candidates taken, in the order of time, and the discs that \
+                              are still free.",
+        many_takes after "7.3" => "A million candidates: the number of candidates taken. A program that compares every \
+                                   two of them would not finish.",
     }
     task_7_5 {
-        stop_table => "A disc of radius 1 that has collided in a square of side 10, so centres are from 1 to 9: where it \
-                       waits.",
-        stops => "A disc inside or beyond walls, in any square: where it waits, x y vx vy.",
+        stop_table => "A disc of radius 1 that has collided in a square of side 10, so that its centre moves from 1 to \
+                       9: the position at which it waits.",
+        stops => "A disc inside a square or beyond its walls: the position at which it waits and its velocity, x y vx \
+                  vy.",
     }
     task_7_6 {
-        collision_table after "7.5" => "Discs of radius 1 that collide at λ = 1/2 in a square of side 20: where they are \
-                                        before the step and after it, and their collisions.",
-        bounces after "7.5" => "A disc that hits walls: x y vx vy after the step, its collisions with discs and with walls.",
-        collisions after "7.5" => "Two discs that touch: x y vx vy of each after the step, and its collisions.",
-        pushes after "7.5" => "A disc that is pushed at a wall behind it: where it waits, and its collisions.",
+        collision_table after "7.5" => "Discs of radius 1 that collide at λ = 1/2 in a square of side 20: their states \
+                                        before and after the step, and their numbers of collisions.",
+        bounces after "7.5" => "A disc that hits walls: x y vx vy after the step, and its numbers of collisions with \
+                                discs and with walls.",
+        collisions after "7.5" => "Two discs that touch: x y vx vy of each disc after the step, and its numbers of \
+                                   collisions with discs and with walls.",
+        pushes after "7.5" => "A disc that is pushed at a wall behind it: x y vx vy after the step, and its numbers of \
+                               collisions with discs and with walls.",
     }
     task_7_7 {
         step_table after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6"
-            => "Four discs of radius 1 in a square of side 20: before a step and after it. Disc 3 would touch disc 1 at \
-                λ = 9/13, when disc 1 has met disc 0 already.",
-        windows after "7.3, 7.4" => "A window of a step: the first wall of a later window, and the first disc of each \
-                                     collision that is taken.",
-        several_steps after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6" => "Eight steps of one disc or two: a step begins with nothing \
-                                                              taken.",
+            => "Four discs of radius 1 in a square of side 20: their states before and after a step. Disc 3 would \
+                touch disc 1 at λ = 9/13, but disc 1 has met disc 0 before.",
+        windows after "7.3, 7.4" => "A window of a step: the index of the first wall collision of a later window, and \
+                                     the first disc of each collision taken.",
+        several_steps after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6" => "One disc or two, for eight steps: the state after each \
+                                                               step. Each step must begin with no collision taken.",
         steps_in_windows after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6"
-            => "A step that is cut into windows: what the finder is asked, what happens, and where all discs end.",
+            => "A step that is divided into windows: the windows for which the finder is called, the collisions, and \
+                the state of each disc at the end.",
         lattices after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6"
-            => "A hundred lattices, where many collisions are at exactly the same time: one step of each.",
+            => "A hundred lattices, in which many collisions happen at exactly the same time: the state after one step \
+                of each.",
         crowded after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6"
-            => "Twenty crowded scenes of 400 discs: each of 20 steps, from where the program itself was before the step.",
-        crafted after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6" => "Scenes of all kinds, by name: each of 10 steps.",
+            => "Twenty crowded scenes of 400 discs: the state after each of 20 steps. The model starts each step from \
+                the program's own state.",
+        crafted after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6" => "Scenes of all kinds, by name: the state after each of 10 \
+                                                         steps.",
         unseen after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6"
             = |_, ask| sequential().threads(2).follows_unseen_scenes(ask)
-            => "Forty scenes from thin to crowded: each of 3 steps.",
+            => "Forty scenes, from thin to crowded: the state after each of 3 steps.",
         memory after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6" = |_, ask| sequential().keeps_its_memory(ask)
-            => "A long run: the memory that it holds does not grow with the number of steps.",
-        bad_input => "The program and a bad input: one line of error, which names the line of the input.",
+            => "A long run: the memory in use, which must not grow with the number of steps.",
+        bad_input => "The lab's program and bad inputs: its error, one line, which names the line of the input.",
         many_discs = many_discs_of_sequential
-            => "The program and 12,000 discs, in a gigabyte: memory grows with the discs, not with their pairs.",
+            => "The lab's program and 12,000 discs: a step in one gigabyte of memory. Memory may grow with the number \
+                of discs, but not with the number of pairs.",
     }
     task_7_8 {
-        part_table => "The iterations of a loop, in fixed parts and from the queue: who does which.",
-        parts => "A loop of any length in fixed parts: begin and end of each part.",
-        queues => "A loop of any length from the queue: begin and end of each part, and nothing after the end.",
-        interrupted_queue => "Two workers at one queue, the second takes a part at a load or before a store of the first: \
-                              begin and end of each part.",
+        part_table => "The iterations of a loop: those that each worker does in fixed parts, and those that each call \
+                       takes from the queue.",
+        parts => "A loop of any length in fixed parts: the begin and the end of each worker's part.",
+        queues => "A loop of any length from the queue: the begin and the end of each part, and no part after the end \
+                   of the loop.",
+        interrupted_queue => "Two workers at one queue, of which the second takes a part at a load or before a store \
+                              of the first: the begin and the end of each part.",
     }
     task_7_9 {
-        loop_table after "7.8" => "Six discs, two workers, fixed parts: which list each pair of discs 1 and 3 comes into, if \
-                                   the outer loop is shared out, the inner one, or both.",
-        fixed_loops after "7.8" => "Any number of discs and workers, fixed parts: which list each pair comes into.",
-        queued_loops after "7.8" => "Any number of discs and workers, a queue: all parts of rows, each once.",
-        held_up after "7.8" => "Rows from a queue, in parts of one row and of several, while one worker is held up: the rows \
-                                that the other worker does.",
-        fresh_teams after "7.8" => "Both loops shared out: each row has a team of its own.",
-        shared_loops after "7.8" => "A team of threads: all look at pairs, and none at nearly all.",
-        pairs_of_loops after "7.2, 7.8" => "Scenes of all kinds, two threads: the pairs that are found.",
+        loop_table after "7.8" => "Six discs, two workers and fixed parts: the list that receives each pair of discs 1 \
+                                   and 3, if the outer loop, the inner loop or both loops are shared out.",
+        fixed_loops after "7.8" => "Any number of discs and workers, and fixed parts: the list that receives each \
+                                    pair.",
+        queued_loops after "7.8" => "Any number of discs and workers, and a queue: the parts of each row. Each pair \
+                                     must be in exactly one part.",
+        held_up after "7.8" => "Rows from a queue, in parts of one row and of several, while one worker is delayed: \
+                                the rows that the other worker does.",
+        fresh_teams after "7.8" => "Both loops shared out: the parts of a row that a thread of the outer team did, \
+                                    which must be none. Each row has a team of its own.",
+        shared_loops after "7.8" => "A team of threads: the number of threads that test pairs, which must be all. No \
+                                     thread may test nearly all pairs.",
+        pairs_of_loops after "7.2, 7.8" => "Scenes of all kinds, and two threads: the pairs found.",
     }
     task_7_10 {
-        slot_table => "Three candidates, one after another, into a list under a lock and one without: what is in the slots \
-                       that count.",
-        appends => "Any number of candidates, one after another: the slots that are used, and what is in them.",
-        interrupted_lock => "Two workers append under a lock, the second when the first has given the lock back: all \
-                             candidates are in the list.",
-        short_lock => "A candidate is appended under a lock: it is written when the lock has been given back.",
-        no_lock => "Two workers append without a lock: neither waits for the other.",
-        interrupted_count => "Two workers append without a lock, the second at a load or before a store of the first: all \
-                              candidates are in the list.",
-        pairs_in_one_list after "7.2, 7.8, 7.9" => "Scenes of all kinds, three threads and one list: the pairs that are \
-                                                    found.",
+        slot_table => "Three candidates that are appended one after another, with a lock and without: the candidates \
+                       in the slots that count.",
+        appends => "Any number of candidates, appended one after another: the number of slots in use, and the \
+                    candidates in them.",
+        interrupted_lock => "Two workers that append under a lock, the second whenever the first has released it: the \
+                             candidates in the list, which must be all.",
+        short_lock => "A candidate that is appended under a lock: the content of its slot when the lock is released. \
+                       The slot must be written afterwards.",
+        no_lock => "Two workers that append without a lock: whether one must wait for the other, which it must not.",
+        interrupted_count => "Two workers that append without a lock, the second at a load or before a store of the \
+                              first: the candidates in the list, which must be all.",
+        pairs_in_one_list after "7.2, 7.8, 7.9" => "Scenes of all kinds, three threads and one list: the pairs found.",
     }
     task_7_11 {
-        span_table => "A disc along one axis in a window of the step: the box that it can touch, from low to high.",
-        spans => "Any disc and any window: low and high of its box.",
+        span_table => "A disc along one axis in a window of the step: the box that it can touch, low and high.",
+        spans => "Any disc and any window: low and high of the disc's box.",
     }
     task_7_12 {
-        block_table => "A box in a square of side 8, whose small blocks are 2 wide: its block, and the blocks around that.",
-        look_table => "Five discs and their blocks: how often the search looks at each pair. Once if the two may meet, \
-                       shown with the lower disc.",
-        blocks => "Any box in any square: its block; and the blocks around each block.",
-        looks_around => "Discs in any blocks: each pair that may meet, once.",
-        pairs_of_grid after "7.2, 7.8, 7.11" => "Scenes of all kinds, the grid: the pairs that are found.",
+        block_table => "A box in a square of side 8, whose small blocks are 2 wide: the block of the box, and the \
+                        blocks around that block.",
+        look_table => "Five discs and their blocks: the number of times that the search tests each pair, in the row of the lower disc. A pair that may meet must be tested once.",
+        blocks => "Any box in any square: its block. Then each block: the blocks around it.",
+        looks_around => "Discs in any blocks: the pairs tested. Each pair that may meet must be tested once.",
+        pairs_of_grid after "7.2, 7.8, 7.11" => "Scenes of all kinds, and the grid: the pairs found.",
     }
     task_7_13 {
-        partner_table => "Seven boxes in rows of ten columns, sorted by row and column: the entries behind each one that share \
-                          a column with it.",
-        columns => "Boxes in any cells: the first entry that shares a column with an entry, and the first behind these.",
-        far_columns => "Cells whose numbers need more than 32 bits: the entries that share a column.",
-        many_columns => "A million boxes: how often two share a column. Looking at all the rest for each does not come to an \
-                         end.",
-        pairs_of_cells after "7.2, 7.11" => "Scenes of all kinds, sorted cells in windows: the pairs that are found.",
+        partner_table => "Seven boxes in rows of ten columns, sorted by row and column: the later entries that share a \
+                          column with each entry.",
+        columns => "Boxes in any cells: the first later entry that shares a column with an entry, and the entry after \
+                    the last that does.",
+        far_columns => "Cells whose numbers need more than 32 bits: the first later entry that shares a column with an \
+                        entry, and the entry after the last that does.",
+        many_columns => "A million boxes: the number of pairs that share a column. A program that compares each box \
+                         with all later boxes would not finish.",
+        pairs_of_cells after "7.2, 7.11" => "Scenes of all kinds, and sorted cells in windows: the pairs found.",
     }
     task_7_14 {
-        window_table => "A thousand discs: what a step costs in some numbers of windows, and which number is chosen. An entry \
-                         costs 60; a pair 1 and, if it is asked, 10 more, both times the crowding.",
-        plans => "Discs slow and fast, thin and dense: no other number of windows costs less.",
+        window_table => "A thousand discs: the cost of a step in some numbers of windows, and the number that is \
+                         chosen. An entry costs 60. A pair costs 1, and 10 more if it is tested, both times the \
+                         crowding.",
+        plans => "Discs slow and fast, thin and dense: the chosen number of windows. No other number may cost less.",
         unseen after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6, 7.7, 7.11, 7.13" = |_, ask| planned().follows_unseen_scenes(ask)
-            => "Forty scenes from thin to crowded, in windows: each of 3 steps.",
+            => "Forty scenes in windows, from thin to crowded: the state after each of 3 steps.",
         memory after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6, 7.7, 7.11, 7.13" = |_, ask| planned().keeps_its_memory(ask)
-            => "A long run: the memory that it holds does not grow with the number of steps.",
+            => "A long run: the memory in use, which must not grow with the number of steps.",
         many_discs = many_discs_of_planned
-            => "The program and 50,000 discs, in a gigabyte: memory grows with the discs, not with their pairs.",
+            => "The lab's program and 50,000 discs: a step in one gigabyte of memory. Memory may grow with the number \
+                of discs, but not with the number of pairs.",
         same_bits after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6, 7.7, 7.8, 7.9, 7.10, 7.11, 7.12, 7.13"
-            => "Every program of the lab, on any number of threads: the bits of the sequential one.",
+            => "Every program of the lab, on any number of threads: the state after 6 steps, bit for bit as in \
+                `sequential`.",
         strips after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6, 7.7, 7.11, 7.13"
-            => "9,000 discs in many strips, on any number of threads: the bits of the sequential program.",
+            => "9,000 discs in many strips, on any number of threads: the state after 2 steps, bit for bit as in \
+                `sequential`.",
     }
 }
 

@@ -8,7 +8,7 @@ use solution7::{Candidate, order};
 /// [`Decisions::concerns`] tests whether the partner has a disc of a candidate. The news is, in
 /// this order:
 ///
-/// 1. The candidates of `decisions.taken` that have not been told yet, from index `told` on, as
+/// 1. The candidates of `decisions.taken` that have not been reported yet, from index `reported` on, as
 ///    [`CandidateWire::taken`].
 /// 2. The candidates in `front`. The partner need not know the other open candidates: the earliest
 ///    candidate of a disc keeps all its later candidates waiting.

@@ -14,9 +14,9 @@ use crate::news::{hear, news_for};
 ///
 /// 1. Take the candidates that are certain ([`take_certain`]).
 /// 2. Add up the news of all ranks ([`SpatialCuts::add_up`]): the candidates in `front`, which is
-///    empty only if none is open, and the taken candidates that have not been told yet. If the sum
+///    empty only if none is open, and the taken candidates that have not been reported yet. If the sum
 ///    is zero, return. All ranks get the same sum, so all ranks return in the same round.
-/// 3. Make the news for each partner ([`news_for`]). From now on, all taken candidates count as told.
+/// 3. Make the news for each partner ([`news_for`]). From now on, all taken candidates count as reported.
 ///    Exchange the news ([`SpatialCuts::exchange`], with no work meanwhile). Take in the news of all
 ///    partners at once ([`hear`]).
 ///

@@ -4,6 +4,8 @@
 mod candidates;
 #[path = "lab8/certain.rs"]
 mod certain;
+#[path = "lab8/collided.rs"]
+mod collided;
 #[path = "lab8/crowds.rs"]
 mod crowds;
 #[path = "lab8/deal.rs"]
@@ -28,8 +30,6 @@ mod strip_examples;
 mod strips;
 #[path = "lab8/together.rs"]
 mod together;
-#[path = "lab8/told.rs"]
-mod told;
 #[path = "lab8/wires.rs"]
 mod wires;
 
@@ -40,113 +40,137 @@ use strip_examples::*;
 
 oracle::questions! {
     task_8_1 {
-        table_of_offsets => "1 to 9 workers: the blocks of worker 0, and of each distance two blocks that are so far apart.",
-        few_blocks = deal::few_blocks => "1 to 600 workers: the blocks of worker 0, each picked by the rule.",
+        table_of_offsets => "1 to 9 workers: the blocks of worker 0, and for each distance two blocks that are this \
+                             far apart.",
+        few_blocks = deal::few_blocks => "1 to 600 workers: the blocks of worker 0, each of which the rule must pick.",
     }
     task_8_2 {
-        table_of_jobs => "Five workers with the blocks of the report, and four workers: the jobs of each.",
+        table_of_jobs => "Five workers with the blocks of the report, and four workers: the jobs of each worker.",
         jobs_of_all = deal::dealt
-            => "1 to 300 workers, blocks that make every distance: a job of each distance for each worker.",
+            => "1 to 300 workers, with blocks that make every distance: the jobs of each worker, one for each \
+                distance.",
     }
     task_8_3 {
-        table_of_searches => "Six discs in three blocks, and four jobs: the pairs looked at, and the candidates with times.",
+        table_of_searches => "Six discs in three blocks, and four jobs: the number of pair tests, and the candidates \
+                              with their times.",
         searches = deal::searches
-            => "Up to 1025 discs in blocks, a job: the pairs looked at, and the candidates behind those from before.",
+            => "Up to 1025 discs in blocks, and a job: the number of pair tests, and the candidates, which follow the \
+                candidate from before.",
     }
     task_8_4 {
-        handed_out => "A master and its workers on three ranks: the master's lists of discs, with a bar between lists, and \
-                       what arrives.",
+        handed_out => "A master and its workers on three ranks: the master's lists of discs, with a bar between lists, \
+                       and the discs that arrive.",
         hands_out = messages::hands_out
-            => "Lists of any length on 1, 2 and more ranks: what arrives, and all sends begin before one is waited for.",
+            => "Lists of any length on 1, 2 and more ranks: the discs that arrive, and the number of sends begun \
+                before one is waited for, which must be all.",
     }
     task_8_5 {
-        collected => "A master and its workers on three ranks: the list of discs of each, and what is returned.",
+        collected => "A master and its workers on three ranks: the list of discs of each rank, and the discs that are \
+                      returned.",
         collects = messages::collects
-            => "Lists of any length on 1, 2 and more ranks: what the master has, in the order of workers.",
+            => "Lists of any length on 1, 2 and more ranks: the discs that the master gets, in the order of workers.",
     }
     task_8_6 {
-        after_a_step => "Five workers with three blocks of two discs each, two collisions: which discs each is told of, and \
-                         the discs of worker 0 before and after.",
-        told_discs = told::told_discs
-            => "Collisions of up to 70,000 discs, and the blocks of a worker: the discs that it is told of.",
-        updates = told::updates => "The discs of a worker, and discs that arrive: all discs afterwards.",
+        after_a_step => "Five workers with three blocks of two discs each, and two collisions: the discs that each \
+                         worker receives, and the discs of worker 0 before and after.",
+        collided_discs = collided::collided_discs
+            => "Up to 70,000 discs with collisions, and the blocks of a worker: the discs that the worker receives.",
+        updates = collided::updates => "The discs of a worker, and discs that arrive: the worker's discs afterwards.",
     }
     task_8_7 {
         three_steps after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
-            => "Four discs on a master and two workers: where they are after each of three steps.",
+            => "Four discs on a master and two workers: the state after each of three steps.",
         bits_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
-            => "Many scenes on 1 to 5 ranks: the bits of lab 7's sequential program after each of 6 steps.",
+            => "Many scenes on 1 to 5 ranks: the state after each of 6 steps, bit for bit as in lab 7's `sequential`.",
         master_works after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
-            => "A master that works too, on 2 and 4 ranks: the bits of lab 7's sequential program.",
+            => "A master that works too, on 2 and 4 ranks: the state after each step, bit for bit as in lab 7's \
+                `sequential`.",
         blocks_again after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
-            => "Workers that get their blocks again in every step: the bits of lab 7's sequential program.",
+            => "Workers that get their blocks again in every step: the state after each step, bit for bit as in lab \
+                7's `sequential`.",
         counts_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
-            => "400 discs on 1 and 3 ranks: pair tests, candidates and collisions as in lab 7's sequential program.",
+            => "400 discs on 1 and 3 ranks: the numbers of pair tests, candidates and collisions, which must be those \
+                of lab 7's `sequential`.",
         quiet_steps after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6" = messages::quiet_steps
-            => "Two discs that meet once: only what has collided travels after the first step.",
+            => "Two discs that meet once: the bytes sent after the first step. Only discs that have collided may be \
+                sent.",
         shares_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
-            => "Three workers: none looks at more than two thirds of the pairs.",
+            => "Three workers: the pair tests of the busiest rank, at most two thirds of all.",
         memory_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
-            => "1000 discs in a long run on 3 ranks: memory does not grow with the steps.",
+            => "1000 discs in a long run on 3 ranks: the memory in use, which must not grow with the number of steps.",
         as_reported after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
-            => "The report's program, which is given, on 1 to 5 ranks: the bits of lab 7's sequential program.",
+            => "The report's program, which is given, on 1 to 5 ranks: the state after each step, bit for bit as in \
+                lab 7's `sequential`.",
         program_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
-            => "The lab's own program: a rank that is killed ends the job, and so does input that is no scene.",
+            => "The lab's own program: the end of the job after one rank is killed, and its error if the input is not \
+                a scene.",
     }
     task_8_8 {
-        table_of_boxes => "Six discs and three strips: the strips that each box reaches, and the rank that looks at a pair.",
-        boxes = strips::boxes => "A disc and strips: the first and the last rank whose strip its box reaches.",
-        lookers = strips::lookers => "Two discs and the strips that each reaches: the rank that looks at the pair, if any.",
+        table_of_boxes => "Six discs and three strips: the strips that each disc's box reaches, and the rank that \
+                           tests each pair.",
+        boxes = strips::boxes => "A disc and strips: the first and the last rank whose strip the disc's box reaches.",
+        lookers = strips::lookers => "Two discs, and the strips that the box of each reaches: the rank that tests the \
+                                      pair, if there is one.",
     }
     task_8_9 {
-        table_of_ghosts after "8.8" => "The five discs of rank 1 of three: which of them are copied for rank 0 and rank 2.",
+        table_of_ghosts after "8.8" => "Rank 1 of three, and its five discs: the discs that are copied for rank 0 and \
+                                        for rank 2.",
         ghosts after "8.8" = strips::ghosts
             => "Up to 70,000 discs, strips and partners: the ghosts for each partner, in the order of the discs.",
     }
     task_8_10 {
-        table_of_ends => "Six discs on rank 1, with rivals of other ranks: what becomes of five candidates.",
+        table_of_ends => "Six discs on rank 1, with rivals of other ranks: the outcome of five candidates.",
         rounds = certain::rounds
-            => "Candidates of up to 300 discs, and rivals that change: after each of four rounds what is taken, what is open, \
-                and which discs are free.",
+            => "Candidates of up to 300 discs, and rivals that change: the candidates taken and open after each of \
+                four rounds, and the discs that are free.",
         crowd_behind_one = certain::crowd_behind_one
-            => "A million candidates behind one that stays open: 100,000 rounds come to an end.",
+            => "A million candidates that wait for one open candidate: the open candidates after 100,000 rounds, for \
+                which the program must be fast enough.",
     }
     task_8_11 {
-        table_of_news after "8.10" => "A tower of eight discs on three ranks: what each takes, leaves open and tells the \
-                                       others in three rounds.",
-        tells = news::tells => "Taken and open candidates of a rank: the news for each partner, taken ones first.",
-        hears = news::hears => "News of other ranks, three times: which discs are free, and the rival of each.",
+        table_of_news after "8.10" => "A tower of eight discs on three ranks: the candidates that each rank takes, \
+                                       leaves open, and reports to the others in three rounds.",
+        news_for_partners = news::news_for_partners => "Taken and open candidates of a rank: the news for each \
+                                                        partner, the taken candidates first.",
+        news_from_ranks = news::news_from_ranks => "News from other ranks, three times: the discs that are free, and \
+                                                    the rival of each disc.",
         together after "8.10" = together::together
-            => "Two to five ranks that tell each other their news: together they take what one rank would.",
+            => "Two to five ranks that exchange their news: the candidates that they take together, which must be \
+                those that one rank would take.",
     }
     task_8_12 {
-        table_of_moves => "Six discs after the decisions of a step, own ones and ghosts: which of them this rank moves, and \
-                           where they end.",
-        moves = moves::moves => "Up to 3000 discs of a rank: those that it moves, as they are after the step.",
+        table_of_moves => "Six discs after the decisions of a step, own discs and ghosts: the discs that this rank \
+                           moves, and their states afterwards.",
+        moves = moves::moves => "Up to 3000 discs of a rank: the discs that it moves, with their states after the \
+                                 step.",
     }
     task_8_13 {
         one_step after "8.8, 8.9, 8.10, 8.11, 8.12"
             => "A tower of six discs on three ranks: own discs, ghosts and collisions of each rank in a step.",
         bits_with_cuts after "8.5, 8.8, 8.9, 8.10, 8.11, 8.12"
-            => "Many scenes on 1 to 5 ranks: the bits of lab 7's sequential program after each of 6 steps.",
+            => "Many scenes on 1 to 5 ranks: the state after each of 6 steps, bit for bit as in lab 7's `sequential`.",
         cuts_that_move after "8.5, 8.8, 8.9, 8.10, 8.11, 8.12"
-            => "Cuts that move in every step: the bits of lab 7's sequential program.",
+            => "Cuts that move in every step: the state after each of 6 steps, bit for bit as in lab 7's \
+                `sequential`.",
         counts_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"
-            => "400 discs on 1 and 4 ranks: candidates and collisions as in lab 7's sequential program.",
+            => "400 discs on 1 and 4 ranks: the numbers of candidates and collisions, which must be those of lab 7's \
+                `sequential`.",
         only_what_crosses after "8.8, 8.9, 8.10, 8.11, 8.12"
-            => "4000 discs on 4 ranks: ghosts and bytes of a step, which only discs near a cut cause.",
+            => "4000 discs on 4 ranks: the ghosts and bytes of a step. Only discs near a cut may be sent.",
         neighbours after "8.8, 8.9, 8.10, 8.11, 8.12" = messages::neighbours
-            => "Slow discs on 5 ranks: each rank sends to the two beside it, and no list goes to all.",
+            => "Slow discs on 5 ranks: the partners of each rank, at most its two neighbours, and the number of calls \
+                that bring lists to all ranks, which must be 0.",
         walls_meanwhile after "8.8, 8.9, 8.10, 8.11, 8.12" = messages::walls_meanwhile
-            => "Slow discs on 3 ranks: the wall collisions are found while the ghosts travel.",
+            => "Slow discs on 3 ranks: whether the wall collisions are found while the ghosts travel, which they must \
+                be.",
         many_rounds after "8.8, 8.9, 8.10, 8.11, 8.12"
-            => "A chain of 240 discs to and fro across a cut, on 2 and 4 ranks: the bits of lab 7's sequential program after a \
-                step of more than a hundred rounds.",
+            => "A chain of 240 discs to and fro across a cut, on 2 and 4 ranks: the state after a step of more than a \
+                hundred rounds, bit for bit as in lab 7's `sequential`.",
         shares_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"
-            => "Four strips: no rank looks at more than two thirds of the pairs.",
+            => "Four strips: the pair tests of the busiest rank, at most two thirds of all.",
         memory_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"
-            => "1000 discs in a long run on 2 ranks: memory does not grow with the steps.",
+            => "1000 discs in a long run on 2 ranks: the memory in use, which must not grow with the number of steps.",
         program_with_cuts after "8.5, 8.8, 8.9, 8.10, 8.11, 8.12"
-            => "The lab's own program: a rank that is killed ends the job.",
+            => "The lab's own program: the end of the job after one rank is killed.",
     }
 }

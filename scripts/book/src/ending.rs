@@ -1,10 +1,10 @@
 //! The end of a page: the scripts of its figures, and a foot with the licence.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The kinds of figures, by their first tag, and the scripts that they need.
 const FIGURES: [(&str, &[&str]); 2] =
-    [("<figure class=\"live\"", &BOXES), ("<figure class=\"steps\"", &["steps"])];
+    [("<figure class=\"live\"", &BOXES), ("<figure class=\"steps\"", &["pictures", "steps"])];
 
 /// The scripts of the boxes, in the order of their dependencies. They are in book/src/live.
 const BOXES: [&str; 13] = [
@@ -28,16 +28,39 @@ const BOXES: [&str; 13] = [
 pub(crate) fn scripts(page: String, depth: usize) -> String {
     let root = "../".repeat(depth);
     let wanted = FIGURES.iter().filter(|(figure, _)| page.contains(figure));
-    let tags: String = wanted
-        .flat_map(|(_, scripts)| *scripts)
-        .map(|name| format!("<script src=\"{root}live/{name}.js\"></script>\n"))
-        .collect();
-    if tags.is_empty() { page } else { format!("{page}\n\n{tags}") }
+    let mut names: Vec<&str> = wanted.flat_map(|(_, scripts)| *scripts).copied().collect();
+    if names.is_empty() {
+        return page;
+    }
+    // It reads what the others have made.
+    names.push("address");
+    let tag = |name| format!("<script src=\"{root}live/{name}.js\"></script>\n");
+    format!("{page}\n\n{}", names.into_iter().map(tag).collect::<String>())
 }
 
 const LICENCE: &str = "Code, text and figures of this book are licensed under \
      <a href=\"https://opensource.org/license/mit\">MIT</a> or \
      <a href=\"https://www.apache.org/licenses/LICENSE-2.0\">Apache 2.0</a>, as you like.";
+
+/// A page of the book in its order: its name and its file.
+pub(crate) struct Page {
+    pub(crate) name: String,
+    pub(crate) file: PathBuf,
+}
+
+/// Returns links to the pages before and after this one, by their names.
+pub(crate) fn neighbours(pages: &[Page], file: &Path) -> String {
+    let Some(at) = pages.iter().position(|page| page.file == file) else { return String::new() };
+    let root = "../".repeat(file.components().count().saturating_sub(1));
+    let link = |page: &Page, way: &str| {
+        let to = page.file.with_extension("html");
+        format!("<a class=\"{way}\" href=\"{root}{}\">{}</a>", to.display(), page.name)
+    };
+    let before = at.checked_sub(1).map(|at| link(&pages[at], "before"));
+    let after = pages.get(at + 1).map(|page| link(page, "after"));
+    let links: String = before.into_iter().chain(after).collect();
+    format!("\n\n<nav class=\"turn\" aria-label=\"Pages before and after\">{links}</nav>\n")
+}
 
 /// Returns the foot of the page of this file.
 ///
@@ -63,8 +86,23 @@ mod tests {
         let page = scripts("<figure class=\"live\" data-box=\"idea\">".into(), 1);
         assert!(page.contains("<script src=\"../live/random.js\"></script>"), "{page}");
         let page = scripts("<figure class=\"steps\">".into(), 0);
-        assert_eq!(page.matches("<script").count(), 1, "{page}");
+        assert_eq!(page.matches("<script").count(), 3, "{page}");
         assert!(page.contains("<script src=\"live/steps.js\"></script>"), "{page}");
+    }
+
+    #[test]
+    fn pages_before_and_after_have_names() {
+        let files = ["one.md", "exam/two.md", "three.md"];
+        let page = |file: &str| Page { name: format!("Page {file}"), file: file.into() };
+        let pages = files.map(page);
+        let links = neighbours(&pages, Path::new("exam/two.md"));
+        assert!(links.contains("class=\"before\" href=\"../one.html\">Page one.md</a>"), "{links}");
+        assert!(
+            links.contains("class=\"after\" href=\"../three.html\">Page three.md</a>"),
+            "{links}"
+        );
+        assert_eq!(neighbours(&pages, Path::new("one.md")).matches("<a ").count(), 1);
+        assert_eq!(neighbours(&pages, Path::new("404.md")), "");
     }
 
     #[test]

@@ -12,6 +12,7 @@ mod markers;
 mod math;
 mod mdbook;
 mod pages;
+mod plot;
 mod predictions;
 mod preprocessor;
 mod printed;

@@ -14,6 +14,7 @@ use mdbook_preprocessor::parse_input;
 
 use lab_kit::Kit;
 
+use crate::ending::Page;
 use crate::entries::Data;
 use crate::{alignment, drawings, ending, markers, math, predictions, tasks};
 
@@ -26,11 +27,14 @@ pub(crate) fn run(kit: &Kit) -> Result<ExitCode> {
     let edit: Option<String> = context.config.get("output.html.edit-url-template")?;
     let edit = edit.unwrap_or_default();
     let with_hints = env::var_os(WITHOUT_HINTS).is_none();
+    let pages: Vec<Page> = book.iter().filter_map(listed).collect();
     let mut data = Data::new(kit);
     let mut result = Ok(());
     book.for_each_mut(|item| {
         if let (BookItem::Chapter(chapter), Ok(())) = (item, &result) {
-            match page(&mut data, chapter, &edit, with_hints) {
+            match page(&mut data, chapter, with_hints) {
+                Ok(text) if with_hints => chapter.content = text + &end(chapter, &pages, &edit),
+                // All pages have the same foot, so the search index must not contain it.
                 Ok(text) => chapter.content = text,
                 Err(e) => result = Err(e.context(format!("chapter '{}'", chapter.name))),
             }
@@ -41,14 +45,24 @@ pub(crate) fn run(kit: &Kit) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn page(data: &mut Data, chapter: &Chapter, edit: &str, with_hints: bool) -> Result<String> {
+/// Returns a page's name and file; `None` for a part of the book and for a draft.
+fn listed(item: &BookItem) -> Option<Page> {
+    let BookItem::Chapter(chapter) = item else { return None };
+    Some(Page { name: chapter.name.clone(), file: chapter.path.clone()? })
+}
+
+/// Returns the end of a page: links to its neighbours, and the foot.
+fn end(chapter: &Chapter, pages: &[Page], edit: &str) -> String {
+    let file = chapter.path.as_deref().unwrap_or(Path::new(""));
+    ending::neighbours(pages, file) + &ending::foot(file, edit)
+}
+
+fn page(data: &mut Data, chapter: &Chapter, with_hints: bool) -> Result<String> {
     let file = chapter.path.as_deref().unwrap_or(Path::new(""));
     let mut text = markers::fill(data, &chapter.content)?;
     text = tasks::placed(data.kit, file, &text, with_hints)?;
     text = alignment::aligned(&predictions::unfolded(&text)?);
     let folder = data.kit.path("book/src").join(file.parent().unwrap_or(Path::new("")));
     let text = drawings::link(&math::render(&text)?, &folder);
-    let text = ending::scripts(text, file.components().count().saturating_sub(1));
-    // Every page has the same foot, so the search index must not contain it.
-    Ok(if with_hints { text + &ending::foot(file, edit) } else { text })
+    Ok(ending::scripts(text, file.components().count().saturating_sub(1)))
 }

@@ -70,28 +70,44 @@ pub(crate) fn table(data: &mut Data) -> Result<String> {
     let figures = read(data.kit)?;
     let mut out = String::new();
     for (name, title) in REPORTS {
-        out += &format!("\n## {title}\n\n| there | what | here |\n|---|---|---|\n");
+        out += &format!(
+            "\n## {title}\n\n| there | what | theirs | ours | here |\n|---|---|---:|---:|---|\n"
+        );
         for figure in figures.iter().filter(|figure| figure.report == name) {
-            out += &format!("| {} | {} | {} |\n", figure.number, figure.what, figure.here(data)?);
+            let Here { theirs, ours, shown } = figure.here(data)?;
+            let Figure { number, what, .. } = figure;
+            out += &format!("| {number} | {what} | {theirs} | {ours} | {shown} |\n");
         }
     }
     Ok(out)
 }
 
+/// What the kit has for a table or figure of a report.
+#[derive(Default)]
+struct Here {
+    /// The report's number; empty if none is compared.
+    theirs: String,
+    /// The kit's number; empty if none is compared.
+    ours: String,
+    /// The page that shows it and the command that makes it, or the reason why it is left out.
+    shown: String,
+}
+
 impl Figure {
-    fn here(&self, data: &mut Data) -> Result<String> {
+    fn here(&self, data: &mut Data) -> Result<Here> {
         let page = self.page.as_deref().unwrap_or_default();
-        Ok(match (&self.left_out, &self.numbers, &self.command) {
+        let shown = match (&self.left_out, &self.numbers, &self.command) {
             (Some(why), ..) => format!("left out: {why}"),
             (_, Some(Numbers { is, there, here }), _) => {
                 let here = Query::default().with(here);
-                let ours = here.answer(data)?;
-                let command = repeated(&here.with("command").answer(data)?);
-                format!("[{there} – {ours}]({page}) {is}, `{command}`")
+                let command = repeated(&here.clone().with("command").answer(data)?);
+                let shown = format!("[{is}]({page}), `{command}`");
+                return Ok(Here { theirs: there.clone(), ours: here.answer(data)?, shown });
             }
             (_, _, Some(command)) => format!("[page]({page}), `{command}`"),
             _ => format!("[page]({page})"),
-        })
+        };
+        Ok(Here { shown, ..Here::default() })
     }
 }
 
@@ -108,15 +124,16 @@ pub(crate) fn check(data: &mut Data, pages: &BTreeMap<String, String>) -> Result
         let link = figure.page.as_deref().unwrap_or_default();
         let (page, anchor) = link.split_once('#').unwrap_or((link, ""));
         let text = pages.get(&format!("book/src/{page}")).and_then(|text| section(text, anchor));
-        let named = here.split("`cargo lab ").nth(1).and_then(|line| line.split([' ', '`']).next());
+        let named =
+            here.shown.split("`cargo lab ").nth(1).and_then(|line| line.split([' ', '`']).next());
         let fault = if !REPORTS.iter().any(|(name, _)| *name == figure.report) {
             "there is no such report".into()
         } else if text.is_none() && (figure.left_out.is_none() || figure.page.is_some()) {
             format!("'{link}' is not a page of the book")
-        } else if figure.numbers.is_some() && !shows(&text.unwrap_or_default(), &here) {
-            format!("{link} does not show both numbers of {here}")
+        } else if !here.is_in(&text.unwrap_or_default()) {
+            format!("{link} does not show both numbers, {} and {}", here.theirs, here.ours)
         } else if named.is_some_and(|name| !commands.iter().any(|(known, _)| known == name)) {
-            format!("there is no command in {here}")
+            format!("there is no command in {}", here.shown)
         } else {
             continue;
         };
@@ -125,12 +142,13 @@ pub(crate) fn check(data: &mut Data, pages: &BTreeMap<String, String>) -> Result
     Ok(wrong)
 }
 
-/// Whether a text contains both numbers of `[0.918 – 0.077](page)` as they are printed.
-fn shows(text: &str, numbers: &str) -> bool {
-    let numbers = numbers.trim_start_matches('[').split(']').next().unwrap_or_default();
-    let words = text.split(|c: char| !c.is_ascii_digit() && !".,".contains(c));
-    let words: Vec<_> = words.map(|word| word.trim_matches(['.', ','])).collect();
-    numbers.split(" – ").all(|number| words.contains(&number))
+impl Here {
+    /// Whether a text contains both numbers as they are printed, if there are any.
+    fn is_in(&self, text: &str) -> bool {
+        let words = text.split(|c: char| !c.is_ascii_digit() && !".,".contains(c));
+        let words: Vec<_> = words.map(|word| word.trim_matches(['.', ','])).collect();
+        [&self.theirs, &self.ours].iter().all(|n| n.is_empty() || words.contains(&n.as_str()))
+    }
 }
 
 /// Returns the command without the options for files, so that a reader can repeat it.
@@ -177,9 +195,12 @@ mod tests {
     #[test]
     fn the_table_shows_both_numbers_or_why_there_are_none() {
         for (entry, shown) in [
-            (PAIR, "| [1.25 – 2,500](lab1.md) ms a step, `cargo lab run 1 -n 9` |"),
-            ("page = 'lab1.md'\ncommand = 'cargo lab run'", "| [page](lab1.md), `cargo lab run` |"),
-            ("left_out = 'a logo'", "| Table 1 | times | left out: a logo |"),
+            (PAIR, "| times | 1.25 | 2,500 | [ms a step](lab1.md), `cargo lab run 1 -n 9` |"),
+            (
+                "page = 'lab1.md'\ncommand = 'cargo lab run'",
+                "| times |  |  | [page](lab1.md), `cargo lab run` |",
+            ),
+            ("left_out = 'a logo'", "| Table 1 | times |  |  | left out: a logo |"),
         ] {
             let table = with(entry, |kit| table(&mut Data::new(kit)).unwrap());
             assert!(table.contains(shown), "{table}");
@@ -192,7 +213,7 @@ mod tests {
             ("", "", ""),
             ("lab1.md", "lab1.md#they-us", ""),
             ("1.25", "2.5", "does not show both"),
-            ("=a", "=b", "does not show both numbers of [1.25 – 1,000]"),
+            ("=a", "=b", "does not show both numbers, 1.25 and 1,000"),
             ("lab1.md", "lab1.md#others", "lab1.md#others does not show both"),
             ("lab1.md", "lab1.md#gone", "'lab1.md#gone' is not a page"),
             ("page = 'lab1.md'", "", "'' is not a page"),

@@ -13,6 +13,7 @@ use lab_kit::program::Program;
 use lab_kit::{Kit, Lab};
 
 use crate::entries::Data;
+use crate::plot::{Row, Time, plot};
 use crate::query::Query;
 
 /// The numbers of particles for soft and for hard discs.
@@ -32,7 +33,8 @@ fn words(kit: &Kit) -> Result<Vec<(Lab, VariantFacts)>> {
     Ok(words)
 }
 
-/// Returns two tables of the variants of `soft` or `hard` discs, lab by lab: times and texts.
+/// Returns a plot and two tables of the variants of `soft` or `hard` discs, lab by lab: times and
+/// texts.
 ///
 /// # Errors
 /// The facts or a race cannot be read.
@@ -40,28 +42,32 @@ pub(crate) fn table(data: &mut Data, discs: &str) -> Result<String> {
     let sizes = SIZES.iter().find(|(name, _)| *name == discs).context("discs are soft or hard")?.1;
     let [small, middle, large] = sizes;
     let mut times = format!(
-        "\n| lab | variant | n = {small} | n = {middle} | n = {large} | two workers |\n\
+        "\n| variant | lab | n = {small} | n = {middle} | n = {large} | two workers |\n\
          |---|---|---:|---:|---:|---:|\n"
     );
     let mut text = String::from(
         "\n| variant | error | more workers | memory | when to use it |\n|---|---|---|---|---|\n",
     );
+    let mut rows = Vec::new();
     for (lab, VariantFacts { name, error, scaling, memory, when, .. }) in words(data.kit)? {
         if !is_timed(data, lab, &name, discs)? {
             continue;
         }
         let words = format!("compare-{discs}-*.json; lab={lab}; variant={name}; workers=1; ns.min");
         let query = Query::default().with(&words);
-        let gain = query.clone().with("over workers=2; .2");
-        times += &format!("| [{lab}](lab{lab}.md) | `{name}` |");
-        for (query, n) in [(&query, small), (&query, middle), (&query, large), (&gain, large)] {
-            let number = query.clone().with(&format!("n={n}")).any_answer(data)?;
-            times += &format!(" {} |", number.unwrap_or("–".into()));
+        times += &format!("| `{name}` | [{lab}](lab{lab}.md) |");
+        let mut on_one = sizes.map(|n| Time { n, printed: None });
+        for time in &mut on_one {
+            let query = query.clone().with(&format!("n={}", time.n));
+            time.printed = query.any_answer(data)?;
+            times += &format!(" {} |", time.printed.as_deref().unwrap_or("–"));
         }
-        times += "\n";
+        let gain = query.with(&format!("n={large}; over workers=2; .2")).any_answer(data)?;
+        times += &format!(" {} |\n", gain.unwrap_or("–".into()));
         text += &format!("| `{name}` | {error} | {scaling} | {memory} | {when} |\n");
+        rows.push(Row { lab, name, workers: data.kit.facts(lab)?.workers, times: on_one });
     }
-    Ok(times + &text)
+    Ok(plot(&rows) + &times + &text)
 }
 
 /// Whether a race of such discs has a variant.
@@ -170,7 +176,7 @@ mod tests {
         with("sorted", |kit| {
             let table = table(&mut Data::new(kit), "soft").unwrap();
             assert!(
-                table.contains("| [2](lab2.md) | `sorted` | – | – | 29.0 | 1.45 |\n"),
+                table.contains("| `sorted` | [2](lab2.md) | – | – | 29.0 | 1.45 |\n"),
                 "{table}"
             );
             assert!(table.contains("| `sorted` | none | no | n | now |\n"), "{table}");

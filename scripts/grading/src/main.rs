@@ -52,8 +52,8 @@ fn main() -> ExitCode {
 fn say_when_output_cannot_be_written() {
     let usual = panic::take_hook();
     panic::set_hook(Box::new(move |panic| {
-        let said = panic.payload_as_str().unwrap_or_default();
-        let Some(why) = said.strip_prefix("failed printing to stdout: ") else {
+        let message = panic.payload_as_str().unwrap_or_default();
+        let Some(why) = message.strip_prefix("failed printing to stdout: ") else {
             return usual(panic);
         };
         eprintln!("error: cannot write to standard output: {why}");

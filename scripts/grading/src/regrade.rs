@@ -14,20 +14,21 @@ use crate::score::score;
 use lab_kit::Kit;
 use lab_kit::rubric;
 
-/// Mark records anew with the present rubric (for instructors)
+/// Mark records again with the present rubric (for instructors)
 ///
-/// Whether a task was right and what was timed is in the records; what it is worth is in
-/// solutions/labN/lab.toml, and what you decided in class.toml beside the records. Writes the records and the
-/// reports, and says whose marks changed and why. Builds and runs nothing.
+/// The records contain whether a task was right, and its times. The points of a task are in
+/// solutions/labN/lab.toml, and your own decisions in class.toml in the folder of records. The
+/// command writes the records and the reports, and lists the marks that changed, with reasons. It
+/// builds and runs nothing.
 #[derive(Args)]
 pub(crate) struct Options {
-    /// The folder of records that 'cargo lab grade' named
+    /// The folder of records that 'cargo lab grade' wrote
     #[arg(value_name = "FOLDER")]
     folder: PathBuf,
-    /// Only say what would change
+    /// Only show what would change
     #[arg(long)]
     dry_run: bool,
-    /// Say what changed since the records in this folder, of another grading
+    /// Show what changed since the records in this folder, which are of an earlier grading
     #[arg(long, value_name = "FOLDER")]
     since: Option<PathBuf>,
 }

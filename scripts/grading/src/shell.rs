@@ -16,8 +16,8 @@ use lab_kit::{Given, Kit, Lab, Workers};
 
 /// Open a shell in the sandbox on a submission (for instructors)
 ///
-/// Builds it as 'cargo lab grade' does. In the shell it can be asked again, with the seed of its record, and do no
-/// harm.
+/// Builds the submission as 'cargo lab grade' does. In the shell you can ask it again, with the
+/// seed of its record. It can do no harm there.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The submission

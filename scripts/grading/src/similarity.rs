@@ -17,20 +17,20 @@ use lab_kit::{Kit, Lab};
 
 /// Write a class in the form that Dolos compares (for instructors)
 ///
-/// Dolos (https://dolos.ugent.be) finds who wrote the same, whatever names, layout and order are.
-/// It gets one file for each submission, the kit's own solution, and the starter, whose code does not count. The book says how to
-/// install it and how to read what it finds.
+/// Dolos (https://dolos.ugent.be) finds similar code, even if names, layout and order differ. It
+/// gets one file for each submission, the kit's own solution, and the starter, whose code does not
+/// count. The book explains how to install Dolos and how to read its results.
 #[derive(Args)]
 pub(crate) struct Options {
     /// A folder with a submission in each folder or archive
     folder: PathBuf,
-    /// The lab; all that were handed in if not given
+    /// The lab [default: all labs that were handed in]
     #[arg(long, value_name = "N")]
     lab: Option<Lab>,
-    /// Compare with this class too, of last year for example
+    /// Also compare with this class, such as the class of last year
     #[arg(long, value_name = "FOLDER")]
     before: Vec<PathBuf>,
-    /// Where to write; target/lab/similarity if not given
+    /// The folder to write [default: target/lab/similarity]
     #[arg(long, value_name = "DIR")]
     into: Option<PathBuf>,
 }

@@ -107,7 +107,7 @@ fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
         drift.push(".starter is out of date".into());
     }
     if !drift.is_empty() {
-        drift.push("'cargo lab starter' writes the starters anew".into());
+        drift.push("'cargo lab starter' writes the starters again".into());
     }
     drift.extend(task_drift(kit, lab)?);
     Ok(drift)
@@ -122,7 +122,8 @@ fn task_drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     }
     let hinted: BTreeSet<_> = hints::read(kit, lab)?.into_iter().map(|hints| hints.task).collect();
     let without = asked.difference(&hinted).map(|task| format!("lab.toml has no task {task}"));
-    let unasked =
-        hinted.difference(&asked).map(|task| format!("lab.toml has task {task}, which is nowhere"));
+    let unasked = hinted
+        .difference(&asked)
+        .map(|task| format!("lab.toml has task {task}, which has no region"));
     Ok(without.chain(unasked).collect())
 }

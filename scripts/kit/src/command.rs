@@ -95,12 +95,12 @@ pub fn finish(result: Result<ExitCode>) -> ExitCode {
 pub fn end_in_one_line() {
     let usual = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
-        let said = panic.payload_as_str().unwrap_or_default();
-        let unprinted = said.strip_prefix("failed printing to stdout: ");
+        let message = panic.payload_as_str().unwrap_or_default();
+        let unprinted = message.strip_prefix("failed printing to stdout: ");
         if unprinted.is_some_and(|why| why.contains("Broken pipe")) {
             std::process::exit(0);
         }
-        let refused = said.strip_prefix("failed to spawn thread: ");
+        let refused = message.strip_prefix("failed to spawn thread: ");
         let lines = [
             unprinted.map(|why| format!("cannot write to standard output: {why}")),
             refused.map(|_| {

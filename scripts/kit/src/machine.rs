@@ -26,8 +26,11 @@ pub fn machine() -> String {
 
 /// Returns today's date in UTC, as 2026-11-21; empty if the system does not report it.
 pub fn date() -> String {
-    let said = Command::new("date").args(["-u", "+%F"]).output();
-    said.map_or_else(|_| String::new(), |said| String::from_utf8_lossy(&said.stdout).trim().into())
+    let result = Command::new("date").args(["-u", "+%F"]).output();
+    result.map_or_else(
+        |_| String::new(),
+        |output| String::from_utf8_lossy(&output.stdout).trim().into(),
+    )
 }
 
 /// Applies `work` to every item, on as many threads as there are cores. Results are in the order of

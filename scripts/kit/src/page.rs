@@ -7,8 +7,8 @@ pub(crate) const PAGE: usize = 80;
 
 /// Returns the number of columns of the terminal.
 pub fn columns() -> usize {
-    let said = rustix::termios::tcgetwinsize(stdout()).map_or(0, |size| size.ws_col);
-    if said == 0 { PAGE } else { said.into() }
+    let column_count = rustix::termios::tcgetwinsize(stdout()).map_or(0, |size| size.ws_col);
+    if column_count == 0 { PAGE } else { column_count.into() }
 }
 
 /// Formats `text` behind `head`, folded to the width of the terminal.

@@ -113,10 +113,10 @@ impl Varied {
 
     fn value(&self, text: &str) -> Result<f64, String> {
         let value: f64 = text.parse().map_err(|_| format!("'{text}' is not a number"))?;
-        let whole = value.fract() == 0.0 && value >= 1.0;
+        let is_integer = value.fract() == 0.0 && value >= 1.0;
         let fits = match self {
-            Self::N => whole && value <= f64::from(i32::MAX),
-            Self::Threads | Self::Ranks => whole && value <= 4096.0,
+            Self::N => is_integer && value <= f64::from(i32::MAX),
+            Self::Threads | Self::Ranks => is_integer && value <= 4096.0,
             Self::Length | Self::Radius | Self::Neighbours => value.is_finite() && value > 0.0,
             Self::Parameter(_) => value.is_finite(),
         };

@@ -137,7 +137,7 @@ fn complaint(stderr: &str) -> &str {
     let lines: Vec<&str> = stderr.lines().filter(|line| !line.trim().is_empty()).collect();
     let error = lines.iter().rfind(|line| line.starts_with("error"));
     let line = error.or(lines.last()).copied();
-    let line = process::panic_in(stderr).or(line).unwrap_or("it said nothing");
+    let line = process::panic_in(stderr).or(line).unwrap_or("it printed nothing");
     line.strip_prefix("error: ").unwrap_or(line).trim()
 }
 
@@ -167,14 +167,14 @@ mod tests {
     #[test]
     fn a_failure_is_told_in_its_own_words() {
         let todo = "\nthread 'main' (1) panicked at labs/lab2/src/grid.rs:5:9:\nnot yet implemented: task 2.1: bins\nnote: run with `RUST_BACKTRACE=1`\n";
-        for (said, why) in [
+        for (message, why) in [
             (todo, "not yet implemented: task 2.1: bins"),
             ("error: there is no variant 'x'\n", "there is no variant 'x'"),
             ("error: a driver's\nerror: the program's\nx\n", "the program's"),
             ("a\nb\n", "b"),
-            ("", "it said nothing"),
+            ("", "it printed nothing"),
         ] {
-            assert_eq!(complaint(said), why);
+            assert_eq!(complaint(message), why);
         }
     }
 }

@@ -57,7 +57,7 @@ impl Programs {
         programs.iter_mut().for_each(|program| program.solution |= self.solution);
         ensure!(
             programs.iter().all(|program| program.is_hard() == programs[0].is_hard()),
-            "soft and hard discs stand in no table together: they are different problems"
+            "soft and hard discs are different problems, so they cannot be in one table"
         );
         Ok(programs)
     }

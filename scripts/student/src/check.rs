@@ -23,14 +23,15 @@ use lab_kit::{Kit, Lab};
 
 /// Check a lab before you hand it in: format, lints, tests, and the labs before it
 ///
-/// Goes through all four and says of each whether it is well. Exit code 0 means that all are. The lab's tests run on
-/// what 'cargo lab submit' would pack, built as the grader builds it: with the kit's own given files. Where the lab is about fast
-/// loops, it also says whether yours are ('cargo lab speed').
+/// Checks all four and prints a result for each. Exit code 0 means that all are right. The lab's
+/// tests run on the files that 'cargo lab submit' would pack, built as the grader builds them: with
+/// the kit's own given files. If the lab is about fast loops, the command also tests whether your
+/// loops are fast ('cargo lab speed').
 #[derive(Args)]
 pub(crate) struct Options {
     /// The lab, such as 2
     lab: Lab,
-    /// Leave out the tests of earlier labs
+    /// Skip the tests of earlier labs
     #[arg(long)]
     only: bool,
 }
@@ -120,7 +121,7 @@ fn format(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     Ok(if output.status.success() {
         Ok("as rustfmt writes it".into())
     } else {
-        Err(format!("'cargo fmt -p lab{lab}' puts it right, or says what it cannot read"))
+        Err(format!("'cargo fmt -p lab{lab}' formats it, or names what it cannot read"))
     })
 }
 
@@ -138,7 +139,7 @@ fn lints(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     Ok(if output.status.success() {
         Ok("clippy has nothing to say, and nothing is unused".into())
     } else {
-        Err("clippy says above what to change".into())
+        Err("clippy's messages above name the changes".into())
     })
 }
 
@@ -161,11 +162,11 @@ fn graded(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     let collected = submission::collect(&kit.starter(lab))?;
     let graded = Graded::lay(kit, lab, &collected)?;
     let run = run_build(kit, lab, None, graded.tests())?;
-    Ok(run.map_or_else(|| Err(graded.unbuilt()), |run| whole(lab, &run)))
+    Ok(run.map_or_else(|| Err(graded.unbuilt()), |run| complete(lab, &run)))
 }
 
 /// Judges the lab that is handed in: every task must be done.
-fn whole(lab: Lab, run: &Run) -> Result<String, String> {
+fn complete(lab: Lab, run: &Run) -> Result<String, String> {
     let well = unbroken(lab, run)?;
     match run.tasks.iter().find(|progress| progress.state != State::Done) {
         Some(open) => Err(format!("{well}, the next is {}, {}", open.task, open.title)),
@@ -189,7 +190,7 @@ fn unbroken(lab: Lab, run: &Run) -> Result<String, String> {
 mod tests {
     use std::fs;
 
-    use super::{is_begun, unbroken, whole};
+    use super::{complete, is_begun, unbroken};
     use crate::results::Run;
     use crate::tasks::{Progress, State};
     use lab_kit::Kit;
@@ -213,24 +214,24 @@ mod tests {
         let lab = "2".parse().unwrap();
         let open = run(&[State::Done, State::Todo]);
         assert_eq!(unbroken(lab, &open).unwrap(), "1 of 2 tasks done");
-        let why = whole(lab, &open).unwrap_err();
+        let why = complete(lab, &open).unwrap_err();
         assert_eq!(why, "1 of 2 tasks done, the next is 2.2, bins");
         let done = run(&[State::Done, State::Done]);
-        assert_eq!(whole(lab, &done).unwrap(), "2 of 2 tasks done");
+        assert_eq!(complete(lab, &done).unwrap(), "2 of 2 tasks done");
     }
 
     #[test]
     fn a_failure_counts_everywhere() {
         let lab = "2".parse().unwrap();
         let broken = run(&[State::Failing, State::Done]);
-        for judge in [unbroken, whole] {
+        for judge in [unbroken, complete] {
             let why = judge(lab, &broken).unwrap_err();
             assert_eq!(why, "task 2.1 fails, bins: 'cargo lab test 2' shows why");
         }
         let other =
             Outcome { test: "the_list".into(), verdict: Verdict::Failed, message: "".into() };
         let done = Run { others: vec![other], ..run(&[State::Done]) };
-        for judge in [unbroken, whole] {
+        for judge in [unbroken, complete] {
             let why = judge(lab, &done).unwrap_err();
             assert_eq!(why, "the_list fails: 'cargo lab test 2' shows why");
         }

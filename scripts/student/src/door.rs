@@ -90,5 +90,5 @@ fn listed(families: &[Family]) -> String {
             out += &format!("  {name:width$}  {about}\n");
         }
     }
-    out + "\n'cargo lab COMMAND --help' says more of each; 'cargo lab --version' names all that is installed.\n"
+    out + "\n'cargo lab COMMAND --help' explains a command, and 'cargo lab --version' lists what is installed.\n"
 }

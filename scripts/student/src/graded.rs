@@ -67,11 +67,11 @@ impl Graded {
 
     /// Returns the message about a lab that does not compile in the workspace.
     pub(crate) fn unbuilt(&self) -> String {
-        let said = "it does not compile as the grader builds it";
+        let message = "it does not compile as the grader builds it";
         match &self.changed[..] {
-            [] => said.to_owned(),
+            [] => message.to_owned(),
             changed => format!(
-                "{said}, with the kit's own {}. Of yours it takes only the declarations of new files",
+                "{message}, with the kit's own {}. Of yours it takes only the declarations of new files",
                 changed.join(" and ")
             ),
         }
@@ -186,21 +186,21 @@ mod tests {
 
     #[test]
     fn what_the_grader_does_not_compile_is_not_well() {
-        let said = "it does not compile as the grader builds it";
+        let message = "it does not compile as the grader builds it";
         let lib = "pub mod task;\npub fn g() -> u8 {\n    1\n}\n";
         let uses = "pub fn f() -> u8 {\n    crate::g()\n}\n";
         let why = trouble(&[("src/lib.rs", lib), ("src/task.rs", uses)]).unwrap();
-        assert!(why.starts_with(&format!("{said}, with the kit's own src/lib.rs. Of")), "{why}");
+        assert!(why.starts_with(&format!("{message}, with the kit's own src/lib.rs. Of")), "{why}");
         let hidden = [
             ("src/task.rs", "include!(\".own.rs\");\n"),
             ("src/.own.rs", "pub fn f() -> u8 { 1 }\n"),
         ];
-        assert_eq!(trouble(&hidden).as_deref(), Some(said));
+        assert_eq!(trouble(&hidden).as_deref(), Some(message));
         let outside =
             [("src/task.rs", "include!(\"../own.rs\");\n"), ("own.rs", "pub fn f() -> u8 { 1 }\n")];
-        assert_eq!(trouble(&outside).as_deref(), Some(said), "it is not handed in");
+        assert_eq!(trouble(&outside).as_deref(), Some(message), "it is not handed in");
         let debug = "#[cfg(debug_assertions)]\npub fn f() -> u8 {\n    1\n}\n";
-        assert_eq!(trouble(&[("src/task.rs", debug)]).as_deref(), Some(said));
+        assert_eq!(trouble(&[("src/task.rs", debug)]).as_deref(), Some(message));
     }
 
     #[test]

@@ -15,12 +15,12 @@ use lab_kit::page::folded;
 
 /// Get a hint for a task: first a nudge, then the idea, then nearly the answer
 ///
-/// Each call shows the next of three hints. The last one stays.
+/// Each call shows the next of three hints. After the third, the third is shown again.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The task, such as 1.3
     task: Task,
-    /// Show this hint, and do not move on
+    /// Show this hint, 1 to 3, without moving on to the next
     #[arg(long, value_name = "1-3", value_parser = clap::value_parser!(u8).range(1..=TIERS as i64))]
     tier: Option<u8>,
 }
@@ -45,7 +45,7 @@ fn print(hints: &Hints, tier: usize) {
     println!();
     let next = match tier {
         TIERS => {
-            "That was the last one. The chapter tells the whole story; '--tier 1' starts over."
+            "That was the last hint. The chapter explains the task in full; '--tier 1' starts over."
         }
         _ => "Not enough? The same command shows the next hint.",
     };

@@ -14,12 +14,12 @@ use lab_kit::{Kit, Lab};
 
 /// Show how far you have come: a mark for each task of a lab, or of all labs
 ///
-/// What is done is what the last 'cargo lab test' said.
+/// The marks are the results of the last 'cargo lab test'.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The lab [default: the one whose folder you are in, or that you tested last]
     lab: Option<Lab>,
-    /// All labs, a line each
+    /// Show all labs, each on a line
     #[arg(long, conflicts_with = "lab")]
     all: bool,
 }

@@ -142,7 +142,7 @@ fn print_failure(outcome: &Outcome) {
     let how = match &outcome.verdict {
         Verdict::Crashed(how) => format!("did not finish: {how}"),
         Verdict::TimedOut => {
-            "did not end: a loop goes on for ever, two threads wait for each other, far more work is done than the task \
+            "did not end: a loop does not end, two threads wait for each other, far more work is done than the task \
              needs, or this machine is busy"
                 .into()
         }

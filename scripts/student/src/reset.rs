@@ -15,10 +15,10 @@ use lab_kit::{Kit, Lab};
 /// Folder for kept work. It is not under `target/`, because `cargo clean` empties that.
 const KEPT: &str = "kept";
 
-/// Start a lab anew; your work so far is kept aside
+/// Start a lab again; your work so far is kept
 ///
-/// Copies src/, tests/ and Cargo.toml of the lab to a new folder in kept/, then writes the
-/// starter there. Hints that were shown stay shown.
+/// Copies src/, tests/ and Cargo.toml of the lab to a new folder in kept/, then replaces them by
+/// the starter's. Hints that you have seen still count as seen.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The lab, such as 1

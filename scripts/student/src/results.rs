@@ -80,14 +80,14 @@ pub(crate) fn run(
     tests.retain(|test| only.is_none() || Task::of_test(test) == only);
     advance(Step::Tests(tests.len()));
     // After an endless loop, most other tests would exceed their time limits too.
-    let hangs = AtomicBool::new(false);
+    let timed_out = AtomicBool::new(false);
     let run = |test: &String| {
-        if hangs.load(Ordering::Relaxed) {
+        if timed_out.load(Ordering::Relaxed) {
             return Ok(None);
         }
         advance(Step::Begun(test));
         let outcome = program.run(test, &[], limit)?;
-        hangs.fetch_or(outcome.hung(), Ordering::Relaxed);
+        timed_out.fetch_or(outcome.hung(), Ordering::Relaxed);
         advance(Step::Ended(test));
         Ok(Some(outcome))
     };

@@ -14,8 +14,8 @@ use lab_kit::{Kit, Lab};
 /// Run a lab's program, built for speed
 ///
 /// Everything after the number goes to the program: 'cargo lab run 1 --list-variants' shows what
-/// it can do, 'cargo lab run 1 -n 2000 -o out.txt' writes the positions. What is meant for this
-/// command comes before the number.
+/// it can do, and 'cargo lab run 1 -n 2000 -o out.txt' writes the positions. Options of this
+/// command come before the number.
 #[derive(Args)]
 pub(crate) struct Options {
     /// Run the solution instead of your own work
@@ -24,12 +24,12 @@ pub(crate) struct Options {
     /// Run a lab with messages on this number of ranks
     #[arg(long, value_name = "RANKS", value_parser = clap::value_parser!(u16).range(1..))]
     ranks: Option<u16>,
-    /// Say afterwards which rank called what of MPI, and which calls belong together
+    /// Show afterwards the MPI calls of each rank, and which calls belong together
     #[arg(long, requires = "ranks")]
     watch: bool,
     /// The lab, such as 1
     lab: Lab,
-    /// What the program is told
+    /// Arguments of the program
     #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "ARGUMENTS")]
     arguments: Vec<String>,
 }

@@ -18,9 +18,9 @@ use lab_kit::{Kit, Lab};
 
 /// Pack a lab for handing in
 ///
-/// Takes labs/labN/src and nothing else, says what that is, and builds it as the grader does. The same files give the same
-/// archive, so that handing in twice changes nothing. To see whether the lab is ready, ask
-/// 'cargo lab check N' first: what that found not well is said here again.
+/// Packs labs/labN/src and nothing else, lists the files, and builds them as the grader does. The
+/// same files give the same archive, so handing in twice changes nothing. To see whether the lab is
+/// ready, run 'cargo lab check N' first. Its findings are repeated here.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The lab, such as 2

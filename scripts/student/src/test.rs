@@ -24,14 +24,14 @@ use lab_kit::{Kit, Lab};
 
 /// Test your work on a lab, and show what to do next
 ///
-/// Shows the first task that is not done, and why; or of one task alone whether it is done. Exit code
-/// 0 means that every test passes.
+/// Shows the first task that is not done, and why. If you name a task, shows whether that task is
+/// done. Exit code 0 means that every test passes.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The lab, such as 1, or one of its tasks, such as 1.3
     #[arg(value_name = "LAB|TASK")]
     what: What,
-    /// Show every test that fails, not only the first
+    /// Show every failing test, not only the first
     #[arg(long)]
     all: bool,
     /// Print the state of all tests as JSON, for editors and other programs

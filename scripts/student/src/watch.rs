@@ -23,8 +23,8 @@ const TOGETHER: Duration = Duration::from_millis(300);
 
 /// Test a lab again whenever you save a file
 ///
-/// Runs the tests of the first task that is not done, then all tests: what was done may be broken now.
-/// Ends when every test passes, or with Ctrl-C.
+/// Runs the tests of the first task that is not done, then all tests, because a change may break a
+/// finished task. Ends when every test passes, or with Ctrl-C.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The lab, such as 2

@@ -4,7 +4,7 @@ use common::Vec2;
 use common::soft::{DT, Particle};
 
 /// The greatest number of reflections that are computed one by one.
-const FEW: usize = 8;
+const MOST_REFLECTIONS: usize = 8;
 
 /// Moves a particle for one time step under acceleration `a`, in a box of side `size`.
 ///
@@ -27,19 +27,19 @@ pub fn advance(particle: &mut Particle, a: Vec2, size: f64) {
 /// - While x < 0 or x > `size`, reflect x at that wall: x becomes −x or 2 `size` − x, and v
 ///   changes its sign. A particle on a wall is inside.
 /// - Most particles need no reflection, and a few need one. A very fast particle in a small box may
-///   need millions. So after exactly `FEW` reflections, compute the rest without a loop: the path
+///   need millions. So after exactly `MOST_REFLECTIONS` reflections, compute the rest without a loop: the path
 ///   repeats every 2 `size`, and [`f64::rem_euclid`] folds it. A folded coordinate beyond `size`
 ///   belongs to a particle on its way back.
 ///
 /// Loop and fold round differently, and every lab must have the same last digits. Therefore the number
-/// `FEW` is fixed.
+/// `MOST_REFLECTIONS` is fixed.
 ///
 /// Book: chapter 1, *Walls*.
 #[inline]
 pub fn bounce(x: f64, v: f64, size: f64) -> (f64, f64) {
     // task 1.2: the move with its bounce
     let (mut x, mut v) = (x, v);
-    for _ in 0..FEW {
+    for _ in 0..MOST_REFLECTIONS {
         if x < 0.0 {
             (x, v) = (-x, -v);
         } else if x > size {

@@ -1,4 +1,4 @@
-//! Lab 10, fast: the solution. The lab is described in `labs/lab10/README.md`.
+//! Lab 10, neighbour lists and vector registers: the solution. The lab is described in `labs/lab10/README.md`.
 
 mod alone;
 mod collect;

@@ -90,7 +90,7 @@ pub fn too_far_off(deviation: f64, margin: f64) -> bool {
 #[inline(always)]
 pub fn meets_wall(span: &Span, x: f64, y: f64, vx: f64, vy: f64) -> bool {
     // task 11.5: walls within the window
-    let (end_x, end_y) = (x + vx * span.whole(), y + vy * span.whole());
+    let (end_x, end_y) = (x + vx * span.duration(), y + vy * span.duration());
     let (least, most) = (span.rounding(), span.size - span.rounding());
     // Every comparison with a NaN is false, so after `!` a NaN meets the wall.
     !((end_x >= least) & (end_x <= most) & (end_y >= least) & (end_y <= most))

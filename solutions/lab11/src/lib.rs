@@ -1,4 +1,4 @@
-//! Lab 11, what to skip: the solution. The lab is described in `labs/lab11/README.md`.
+//! Lab 11, adaptive windows: the solution. The lab is described in `labs/lab11/README.md`.
 
 mod flight;
 mod tasks;

@@ -1,4 +1,4 @@
-//! Lab 12, accurate: the solution. The lab is described in `labs/lab12/README.md`.
+//! Lab 12, integrators and their error: the solution. The lab is described in `labs/lab12/README.md`.
 
 mod composition;
 mod crossing;

@@ -1,4 +1,4 @@
-//! Lab 13, all of it: the solution. The lab is described in `labs/lab13/README.md`.
+//! Lab 13, the fast engine on ranks: the solution. The lab is described in `labs/lab13/README.md`.
 
 mod agree;
 mod balance;
@@ -113,7 +113,7 @@ impl DeepHalo for Lab13 {
         best_depth(outlook)
     }
 
-    fn confirm(world: &SimpleCommunicator, said: &mut [f64], steps: usize, width: f64) -> usize {
-        confirm(world, said, steps, width)
+    fn confirm(world: &SimpleCommunicator, numbers: &mut [f64], steps: usize, width: f64) -> usize {
+        confirm(world, numbers, steps, width)
     }
 }

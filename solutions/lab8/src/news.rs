@@ -8,7 +8,7 @@ use solution7::{Candidate, order};
 /// [`Decisions::concerns`] tests whether the partner has a disc of a candidate. The news is, in
 /// this order:
 ///
-/// 1. The candidates of `decisions.taken` that have not been told yet, from index `told` on, as
+/// 1. The candidates of `decisions.taken` that have not been reported yet, from index `reported` on, as
 ///    [`CandidateWire::taken`].
 /// 2. The candidates in `front`. The partner need not know the other open candidates: the earliest
 ///    candidate of a disc keeps all its later candidates waiting.
@@ -18,7 +18,7 @@ pub fn news_for(decisions: &Decisions, partner: usize) -> Vec<CandidateWire> {
     // task 8.11: what a partner must hear
     let concerning = |candidate: &&Candidate| decisions.concerns(candidate, partner);
     let taken =
-        decisions.taken[decisions.told..].iter().filter(concerning).map(CandidateWire::taken);
+        decisions.taken[decisions.reported..].iter().filter(concerning).map(CandidateWire::taken);
     let open = decisions.front.iter().filter(concerning).map(CandidateWire::from);
     taken.chain(open).collect()
     // end 8.11

@@ -1,6 +1,6 @@
 //! Labs 7 and 9.
 
-use super::{Numbers, three_digits, whole};
+use super::{Numbers, integers, three_digits};
 use oracle::hard::first_touch;
 
 pub(super) fn numbers() -> Vec<Numbers> {
@@ -53,7 +53,7 @@ fn collisions() -> Vec<Numbers> {
     vec![
         ("7.1", vec![touch([5.0, 0.0], [-6.0, 0.0]), touch([3.0, 4.0], [-4.0, -4.0])]),
         ("7.2", vec![textbook, other]),
-        ("7.3", whole([taken, left])),
+        ("7.3", integers([taken, left])),
         ("7.5", vec![first, second, (first + second) / (2.0 * first), 4.0 / 3.0]),
         ("7.8", vec![done(1), done(2), done(4)]),
         ("7.9", [&a[..], &bx, &by, &swept(3.0, 4.0, 0.0, 0.5)[1..], &[delta]].concat()),
@@ -81,17 +81,17 @@ fn device() -> Vec<Numbers> {
     vec![
         (
             "9.1",
-            whole([
+            integers([
                 groups(100_000),
                 groups(100_000) * 64 - 100_000,
                 groups(10_000_000),
                 groups(10_000_000).div_ceil(65_535),
             ]),
         ),
-        ("9.2", whole(memory)),
-        ("9.4", whole(levels)),
+        ("9.2", integers(memory)),
+        ("9.4", integers(levels)),
         ("9.5", vec![gap(7000.0), gap(0.3)]),
-        ("9.7", whole([arrival([7, 2, 5]), arrival([5, 7, 2]), rank])),
-        ("9.9", whole(working.into_iter().chain(working.map(|groups| groups.min(72))))),
+        ("9.7", integers([arrival([7, 2, 5]), arrival([5, 7, 2]), rank])),
+        ("9.9", integers(working.into_iter().chain(working.map(|groups| groups.min(72))))),
     ]
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use super::{Numbers, starts, three_digits, whole};
+use super::{Numbers, integers, starts, three_digits};
 
 pub(super) fn numbers() -> Vec<Numbers> {
     [lists(), windows(), methods()].concat()
@@ -18,7 +18,7 @@ fn lists() -> Vec<Numbers> {
     vec![
         ("10.1", vec![steps(0.6, 0.05), steps(1.2, 0.05), (2.2_f64 / 1.6).powi(2)]),
         ("10.2", vec![cost(1.0), cost(2.0), cost(3.0)]),
-        ("10.4", whole([starts(&near), vec![kept]].concat())),
+        ("10.4", integers([starts(&near), vec![kept]].concat())),
         ("10.6", vec![64.0 / 40.0, 6.2 / (64.0 / 40.0)]),
         ("10.7", vec![outer, inner, outer / inner, narrow + wide / inner, wide]),
     ]
@@ -38,7 +38,7 @@ fn windows() -> Vec<Numbers> {
     let updates = 0.3 * 10.0 + 0.7;
     vec![
         ("11.1", vec![3.0, apart(3.0), apart(2.0)]),
-        ("11.2", whole([roots[7], roots[9], roots[5], groups])),
+        ("11.2", integers([roots[7], roots[9], roots[5], groups])),
         ("11.4", vec![one_by_one, three_digits(1.0 + 8.0 * 0.004)]),
         ("11.5", vec![swept, (0.14_f64 / swept).floor(), (1.0 / swept).floor()]),
         ("11.8", vec![updates, 10.0 / updates]),

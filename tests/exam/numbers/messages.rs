@@ -1,6 +1,6 @@
 //! Labs 5, 6, 8 and 13.
 
-use super::{Numbers, starts, whole};
+use super::{Numbers, integers, starts};
 
 pub(super) fn numbers() -> Vec<Numbers> {
     [root(), neighbours(), workers(), strips()].concat()
@@ -36,10 +36,10 @@ fn root() -> Vec<Numbers> {
         .chain(ghosts(0));
     let copies = |ranks: usize| 2 * (ranks - 1) * 100 * 40;
     vec![
-        ("5.1", whole([&ten[..4], &[owner(5), empty]].concat())),
-        ("5.2", whole([starts(&counts), vec![counts.iter().sum()]].concat())),
-        ("5.5", whole(routes)),
-        ("5.7", whole([copies(16), copies(32), 2 * 100 * 40])),
+        ("5.1", integers([&ten[..4], &[owner(5), empty]].concat())),
+        ("5.2", integers([starts(&counts), vec![counts.iter().sum()]].concat())),
+        ("5.5", integers(routes)),
+        ("5.7", integers([copies(16), copies(32), 2 * 100 * 40])),
     ]
 }
 
@@ -56,16 +56,16 @@ fn neighbours() -> Vec<Numbers> {
     let overlap = |interior: f64| [interior.max(2.0) + 0.5, 2.0 + interior + 0.5];
     let table = [[0, 2, 1], [3, 0, 0], [1, 1, 0]];
     let counts = table.map(|row| row[0]);
-    let mut balance = whole([start(1), start(2), start(3), fullest, equal]);
-    balance.extend(whole([owner(balanced[2] - 1), owner(balanced[3])]));
+    let mut balance = integers([start(1), start(2), start(3), fullest, equal]);
+    balance.extend(integers([owner(balanced[2] - 1), owner(balanced[3])]));
     balance.push(fullest as f64 / (16.0 / 4.0));
     vec![
         ("6.1", balance),
-        ("6.2", whole([4096 / 24])),
+        ("6.2", integers([4096 / 24])),
         ("6.4", vec![2.0 + 0.1e-3 * 24_000.0, 2.0 / 0.1e-3]),
         ("6.5", vec![100.0, 100.0_f64.sqrt(), 2.0 / (4.0 / 8.0)]),
         ("6.6", [overlap(3.0), overlap(1.0)].concat()),
-        ("6.7", whole([&counts[..], &starts(&counts)].concat())),
+        ("6.7", integers([&counts[..], &starts(&counts)].concat())),
     ]
 }
 
@@ -86,11 +86,11 @@ fn workers() -> Vec<Numbers> {
     let (seven, thirteen) = (distances(&[0, 1, 3], 7), distances(&[0, 1, 3, 9], 13));
     let most = [seven.len(), thirteen.len()];
     vec![
-        ("8.1", whole(third.chain([dealt.len()]))),
-        ("8.2", whole([seven, thirteen, most.to_vec()].concat())),
-        ("8.3", whole([3, 4].map(|blocks| blocks * 10_000 * 48))),
+        ("8.1", integers(third.chain([dealt.len()]))),
+        ("8.2", integers([seven, thirteen, most.to_vec()].concat())),
+        ("8.3", integers([3, 4].map(|blocks| blocks * 10_000 * 48))),
         ("8.4", [2.0, 3.0, 16.0].map(|p| (p - 1.0) / p).to_vec()),
-        ("8.5", whole([rounds(4), rounds(8)])),
+        ("8.5", integers([rounds(4), rounds(8)])),
     ]
 }
 
@@ -120,8 +120,8 @@ fn strips() -> Vec<Numbers> {
     vec![
         ("13.1", vec![width(1.0), width(10.0)]),
         ("13.2", vec![depth(10.0), 2.0 * depth(10.0) / 100.0, 2.0 * width(10.0) / 100.0]),
-        ("13.3", whole(right)),
-        ("13.4", whole([10 * 2 * 4, 10 * 2, 2])),
+        ("13.3", integers(right)),
+        ("13.4", integers([10 * 2 * 4, 10 * 2, 2])),
         ("13.5", vec![shallow(20.0), deep(20.0), (deep(0.0) - shallow(0.0)) / 9.0]),
         ("13.7", vec![loads[0], loads[1], loads[1] / ((loads[0] + loads[1]) / 2.0)]),
     ]

@@ -8,7 +8,7 @@ mod threads;
 
 use std::collections::BTreeMap;
 
-use oracle::whole;
+use oracle::integers;
 
 /// A question and its numbers.
 type Numbers = (&'static str, Vec<f64>);

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Numbers, starts, three_digits, whole};
+use super::{Numbers, integers, starts, three_digits};
 use oracle::fold;
 
 pub(super) fn numbers() -> Vec<Numbers> {
@@ -66,10 +66,10 @@ fn bins() -> Vec<Numbers> {
     };
     vec![
         ("2.1", vec![10.3_f64.floor(), 10.3 / 10.3_f64.floor(), 10.3_f64.floor() - 1.0]),
-        ("2.2", whole([counts.clone(), starts(&counts), order].concat())),
+        ("2.2", integers([counts.clone(), starts(&counts), order].concat())),
         ("2.3", vec![9.0 * 0.2, 9.0 * 1.5 * 1.5 * 0.2, 9.0 * 4.0 * 0.2, PI * 0.2]),
         ("2.4", [&head[..], &next, &walk].concat()),
-        ("2.6", whole([visits(true), visits(false)])),
+        ("2.6", integers([visits(true), visits(false)])),
         ("2.8", vec![6.25 * 0.2, 9.0 * 0.2, 6.25 * 20.0, 9.0 * 20.0]),
     ]
 }
@@ -97,7 +97,7 @@ fn buffers() -> Vec<Numbers> {
     vec![
         ("3.1", vec![amdahl(2.0), amdahl(8.0), amdahl(f64::INFINITY)]),
         ("3.2", vec![80.0 / 25.0, 80.0 / 25.0 / 4.0, 60.0 / 25.0, 60.0 / 25.0 / 4.0, 80.0 / 100.0]),
-        ("3.3", whole([orders.len(), lost])),
+        ("3.3", integers([orders.len(), lost])),
         ("3.5", vec![uneven, 11.0 / uneven, even, 11.0 / even]),
         ("3.7", vec![64.0 / 8.0]),
         ("3.9", vec![1.0 / 8.0]),
@@ -108,8 +108,8 @@ fn buffers() -> Vec<Numbers> {
 fn locks() -> Vec<Numbers> {
     let speed_up = |p: f64| (10.0 + 400.0) / (10.0 + 400.0 / p);
     vec![
-        ("4.1", whole([3 / 5, 7 / 5, 11 / 5])),
-        ("4.2", whole([12_usize.div_ceil(5), 11 / 5, 11 % 5])),
+        ("4.1", integers([3 / 5, 7 / 5, 11 / 5])),
+        ("4.2", integers([12_usize.div_ceil(5), 11 / 5, 11 % 5])),
         ("4.3", vec![400.0 / 50.0, 400.0 / 50.0]),
         ("4.7", vec![speed_up(16.0), speed_up(f64::INFINITY)]),
         ("4.8", vec![58.0 / 18.0 / 4.0, 20.0 / 18.0 / 4.0]),

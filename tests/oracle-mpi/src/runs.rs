@@ -67,17 +67,25 @@ impl RunsOnRanks {
     /// Asks whether the bits after every one of `steps` steps of each scene are those of all pairs
     /// in ascending order.
     pub fn bits_of_all_pairs(&self, ask: &mut impl Ask, all: &[Scene], steps: usize) {
-        self.judged(ask, all, steps, "the bits of all pairs", |scene, states| {
-            states.bits_of_all_pairs(scene)
-        });
+        self.judged(
+            ask,
+            all,
+            steps,
+            "x y vx vy of each particle after each step, bit for bit as in all-pairs",
+            |scene, states| states.bits_of_all_pairs(scene),
+        );
     }
 
     /// Asks whether every one of `steps` steps of each scene agrees with the model up to rounding.
     /// The model starts from the program's own state before the step.
     pub fn resynchronised(&self, ask: &mut impl Ask, all: &[Scene], steps: usize) {
-        self.judged(ask, all, steps, "each step is the model's", |scene, states| {
-            states.follow_the_model(scene)
-        });
+        self.judged(
+            ask,
+            all,
+            steps,
+            "x y vx vy of each particle after each step, compared with the model",
+            |scene, states| states.follow_the_model(scene),
+        );
     }
 
     /// Asks whether the official run, n = 1000 and seed 1, has the bits of all pairs in its first
@@ -97,7 +105,10 @@ impl RunsOnRanks {
         let count = scene.len();
         self.answered(
             ask,
-            &format!("counter scene, {count} particles, {steps} steps: the bits of all pairs"),
+            &format!(
+                "counter scene, {count} particles, {steps} steps: x y vx vy of each particle after \
+                 each step, bit for bit as in all-pairs"
+            ),
             |engine| {
                 engine.load_counter(n, 1).expect("the scene is sound");
                 States::of_loaded(engine, count, steps).numbers()

@@ -24,11 +24,11 @@ pub fn apart(part: impl FnOnce()) {
         .env(APART, "")
         .output();
     let ended = ended.expect("it starts");
-    let said = String::from_utf8_lossy(&ended.stderr);
-    let deep = said.contains("has overflowed its stack");
+    let message = String::from_utf8_lossy(&ended.stderr);
+    let deep = message.contains("has overflowed its stack");
     assert!(
         !deep,
-        "no stack is left: a function calls itself, and again, for each step of a long way"
+        "the stack overflowed: a function calls itself once for each step of a long path. Use a loop"
     );
-    assert!(ended.status.success(), "{said}");
+    assert!(ended.status.success(), "{message}");
 }

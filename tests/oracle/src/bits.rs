@@ -27,6 +27,6 @@ pub fn difference(found: &[Particle], expected: &[Particle]) -> Option<String> {
         only_last_digits &= f.id == e.id;
         count += usize::from(differs);
     }
-    let how = if only_last_digits { ", in their last digits" } else { "" };
+    let how = if only_last_digits { ", in the last digits only" } else { "" };
     (count > 0).then(|| format!("{words} ({count} of {} particles differ{how})", expected.len()))
 }

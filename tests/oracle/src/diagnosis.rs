@@ -135,10 +135,10 @@ impl Display for Mistake {
         write!(f, "particle {id}, bin ({}, {}): ", bin.0, bin.1)?;
         match &self.cause {
             Cause::Lost => write!(f, "it is lost; no particle with its id was read back"),
-            Cause::WrongId(other) => write!(f, "particle {other} stands at its index"),
+            Cause::WrongId(other) => write!(f, "particle {other} is at its index"),
             Cause::Outside => write!(
                 f,
-                "it left the box or became no number: x = {}, y = {}, vx = {}, vy = {}",
+                "it left the box, or one of its numbers is NaN or infinite: x = {}, y = {}, vx = {}, vy = {}",
                 found.x, found.y, found.vx, found.vy
             ),
             Cause::Pair { other, distance, direction, what } => write!(
@@ -162,14 +162,13 @@ impl Display for Mistake {
             ),
             Cause::Attracted { expected } => write!(
                 f,
-                "it was accelerated towards its neighbours, which repel it: by ({:.9e}, {:.9e}), \
-                 and not by as much the other way",
+                "it was accelerated towards its neighbours; it must be accelerated away from them, by ({:.9e}, \
+                 {:.9e})",
                 expected.x, expected.y
             ),
             Cause::Force { expected, found, neighbours } => write!(
                 f,
-                "it was accelerated by ({:.9e}, {:.9e}), and should have been by ({:.9e}, {:.9e}): \
-                 it has {}",
+                "it was accelerated by ({:.9e}, {:.9e}), not by ({:.9e}, {:.9e}): it has {}",
                 found.x,
                 found.y,
                 expected.x,

@@ -33,12 +33,12 @@ pub fn read_frames(path: &Path, n: usize) -> io::Result<Vec<Vec<Particle>>> {
         Some(Particle { x, y, vx, vy, id: (at % n) as u32 })
     };
     let all: Option<Vec<Particle>> = lines.enumerate().map(particle).collect();
-    let whole = all.filter(|all| all.len().is_multiple_of(n));
-    let whole = whole.ok_or_else(|| {
-        let what = format!("these are no lines 'x y vx vy' for {n} particles a frame");
+    let frames = all.filter(|all| all.len().is_multiple_of(n));
+    let frames = frames.ok_or_else(|| {
+        let what = format!("these are not frames of {n} lines 'x y vx vy' each");
         io::Error::new(io::ErrorKind::InvalidData, what)
     })?;
-    Ok(whole.chunks(n).map(<[_]>::to_vec).collect())
+    Ok(frames.chunks(n).map(<[_]>::to_vec).collect())
 }
 
 #[cfg(test)]

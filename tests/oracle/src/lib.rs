@@ -45,8 +45,8 @@ mod watchdog;
 
 pub use apart::apart;
 pub use asking::{
-    Ask, InTest, Judge, Near, Recorder, begins_send, beside, digest, flags, in_test, memory,
-    no_other_calls, others_within, resident, rounded, truth, whole,
+    Ask, InTest, Judge, Near, Recorder, begins_send, beside, digest, flags, in_test, integers,
+    memory, no_other_calls, others_within, resident, rounded, truth,
 };
 pub use bits::difference;
 pub use columns::{Columns, spaced};

@@ -76,7 +76,7 @@ type Difference<'a> = &'a dyn Fn(f64, f64) -> bool;
 /// Names the kind of mistake that may have caused the difference. `None` if no kind fits.
 fn likeness(found: &[f64], expected: &[f64]) -> Option<&'static str> {
     if found.len() > 1 && found.len() + 1 == expected.len() && expected.starts_with(found) {
-        return Some("It looks as if the last one had been forgotten");
+        return Some("It looks as if the last number was forgotten");
     }
     let pairs = found.iter().copied().zip(expected.iter().copied());
     let pairs: Vec<(f64, f64)> = pairs.filter(|(found, expected)| found != expected).collect();
@@ -91,16 +91,16 @@ fn likeness(found: &[f64], expected: &[f64]) -> Option<&'static str> {
         (&|f, e| cut(f, e, 8), "It looks like a count in 8 bits"),
         (&|f, e| cut(f, e, 16), "It looks like a count in 16 bits"),
         (&|f, e| cut(f, e, 32), "It looks like a count in 32 bits"),
-        (&|f, e| f == -e, "It has the other sign"),
-        (&|f, e| f == 2.0 * e && is_much(e), "It is twice as much"),
-        (&|f, e| 2.0 * f == e && is_much(e), "It is half as much"),
+        (&|f, e| f == -e, "It has the wrong sign"),
+        (&|f, e| f == 2.0 * e && is_much(e), "It is twice the expected number"),
+        (&|f, e| 2.0 * f == e && is_much(e), "It is half the expected number"),
         (
             &|f, e| f == f64::from(e as f32) && (f - e).abs() > 1e-12 * e.abs(),
             "It looks as if it had been rounded to single precision",
         ),
         (
             &|f, e| (f - e).abs() <= 1e-9 * e.abs(),
-            "They differ in the last digits only, as after the same operations in another order",
+            "They differ in the last digits only, as after the same operations in a different order",
         ),
     ];
     kinds.iter().find(|(is, _)| all(is)).map(|(_, words)| *words)
@@ -113,7 +113,7 @@ mod tests {
     #[test]
     fn mistakes_look_like_their_kind() {
         for (found, expected, words) in [
-            (vec![1.0, 2.0], vec![1.0, 2.0, 3.0], "last one"),
+            (vec![1.0, 2.0], vec![1.0, 2.0, 3.0], "last number"),
             (vec![1.0, 1.0], vec![1.0, 257.0], "8 bits"),
             (vec![1.0, 300.0], vec![65_537.0, 65_836.0], "16 bits"),
             (vec![70_000.0], vec![70_000.0 + 2_f64.powi(32)], "32 bits"),
@@ -126,7 +126,7 @@ mod tests {
         }
         assert_eq!(likeness(&[7.0], &[9.0]), None);
         assert_eq!(likeness(&[1.0], &[2.0]), None, "an index");
-        assert_eq!(likeness(&[100.0], &[200.0]), Some("It is half as much"));
+        assert_eq!(likeness(&[100.0], &[200.0]), Some("It is half the expected number"));
         let shown = format!("{:?}", [3.0, -0.5, 1e300].map(Plain));
         assert_eq!(shown, "[3, -0.5, 1e300]");
     }

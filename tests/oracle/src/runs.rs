@@ -141,8 +141,15 @@ impl Runs {
     fn steps_of_each(&self, ask: &mut impl Ask, all: Vec<Scene>, steps: usize) {
         let count = all.len();
         let question = match &all[..] {
-            [scene] => self.question(scene, steps),
-            _ => format!("{}: {count} scenes through one engine, {steps} steps each", self.name()),
+            [scene] => format!(
+                "{}: x y vx vy of each particle after each step",
+                self.question(scene, steps)
+            ),
+            _ => format!(
+                "{}, {count} scenes, one after another in one engine: x y vx vy of each particle \
+                 after each of {steps} steps",
+                self.name()
+            ),
         };
         let (loaded, recorded) = (usize::from(self.bins.is_some()), all.clone());
         let found = move |engine: &mut dyn Simulation| {
@@ -195,7 +202,10 @@ impl Runs {
         let of_run = scene.clone();
         let found =
             move |engine: &mut dyn Simulation| States::of_run(engine, &of_run, steps, 0).numbers();
-        let question = format!("{}: the bits of all pairs", self.question(scene, steps));
+        let question = format!(
+            "{}: x y vx vy of each particle after each step, bit for bit as in all-pairs",
+            self.question(scene, steps)
+        );
         ask.judge(
             &question,
             || self.run(found),
@@ -217,7 +227,10 @@ impl Runs {
             engine.run(steps);
             States::of(&read(engine, of_run.len())).numbers()
         };
-        let question = format!("{}, {steps} steps in a row: the bits of all pairs", self.name());
+        let question = format!(
+            "{}, {steps} steps in a row: x y vx vy of each particle, bit for bit as in all-pairs",
+            self.name()
+        );
         ask.judge(
             &question,
             || self.run(found),
@@ -249,7 +262,7 @@ impl Runs {
         };
         let found = || threads.iter().flat_map(|&count| runs_on(count)).collect();
         let question = format!(
-            "{}, {steps} steps on {threads:?} threads, twice on each number: x y vx vy of each particle",
+            "{}, {steps} steps on {threads:?} threads, two runs on each number of threads: x y vx vy of each particle",
             self.clone().threads(1).name()
         );
         ask.judge(&question, found, |found| {
@@ -259,11 +272,11 @@ impl Runs {
                 let states = States::split(&mut rest, scene.len(), 2)?;
                 let (once, again) = (states.state(0), states.state(1));
                 if let Some(words) = difference(&again, &once) {
-                    return Err(format!("{count} threads: a second run gave other bits: {words}"));
+                    return Err(format!("{count} threads: the second run ended with different bits: {words}"));
                 }
                 if let Some(words) = difference(&again, first.get_or_insert(once)) {
                     let than = threads[0];
-                    return Err(format!("{count} threads gave other bits than {than}: {words}"));
+                    return Err(format!("the runs on {count} and on {than} threads ended with different bits: {words}"));
                 }
             }
             Ok(())
@@ -276,7 +289,10 @@ impl Runs {
         let of_run = scene.clone();
         let found =
             move |engine: &mut dyn Simulation| States::of_run(engine, &of_run, steps, 0).numbers();
-        let question = format!("{}: every particle, inside the box", self.question(scene, steps));
+        let question = format!(
+            "{}: x y vx vy of each particle after each step, inside the box",
+            self.question(scene, steps)
+        );
         ask.judge(
             &question,
             || self.run(found),

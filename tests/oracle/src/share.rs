@@ -67,10 +67,10 @@ impl Share {
     pub fn judge(threads: usize, recorded: &[f64]) -> Result<(), String> {
         let (done, _) = recorded.as_chunks::<2>();
         if done.len() != threads {
-            return Err(format!("{} threads did some of it, not {threads}", done.len()));
+            return Err(format!("{} threads did some of the work, not {threads}", done.len()));
         }
         if let Some([pool, _]) = done.iter().find(|[pool, _]| *pool != threads as f64) {
-            return Err(format!("a thread of a pool of {pool} threads did some of it"));
+            return Err(format!("a thread of a pool of {pool} threads did some of the work"));
         }
         let busiest = done.iter().map(|[_, units]| *units).fold(0.0, f64::max);
         let all: f64 = done.iter().map(|[_, units]| units).sum();
@@ -173,7 +173,10 @@ mod tests {
         });
         let words = Share::judge(4, &recorded).unwrap_err();
         assert_eq!(words, "one thread did 997 of 1000 units, more than two thirds");
-        assert_eq!(Share::judge(3, &recorded).unwrap_err(), "4 threads did some of it, not 3");
+        assert_eq!(
+            Share::judge(3, &recorded).unwrap_err(),
+            "4 threads did some of the work, not 3"
+        );
     }
 
     #[test]
@@ -181,6 +184,6 @@ mod tests {
         let share = Share::new();
         let recorded = share.record(1, 10, || share.does(2, 10));
         let words = Share::judge(1, &recorded).unwrap_err();
-        assert_eq!(words, "a thread of a pool of 2 threads did some of it");
+        assert_eq!(words, "a thread of a pool of 2 threads did some of the work");
     }
 }

@@ -1,5 +1,6 @@
-//! MPI's types, constants and functions where no library is, as far as the package `mpi` names them: for the compiler
-//! only. The signatures are the standard's; no value here means anything, because no call returns.
+//! MPI's types, constants and functions for machines without an MPI library, as far as the package
+//! `mpi` uses them. They are for the compiler only. The signatures are the standard's; the values have
+//! no meaning, because no call returns.
 
 use std::ffi::{c_char, c_int, c_void};
 use std::io::{self, Write};
@@ -11,7 +12,7 @@ type OutInts = *mut c_int;
 type In = *const c_void;
 type Out = *mut c_void;
 
-/// Ends the program. In a test, too, the line reaches the terminal.
+/// Ends the program. The line reaches the terminal in a test, too.
 fn missing() -> ! {
     let line =
         "error: no MPI library was found when this was compiled: scripts/setup.sh installs one";

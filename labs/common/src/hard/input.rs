@@ -78,7 +78,7 @@ pub fn read_problem(input: impl BufRead) -> Result<Problem, InputError> {
             let why = if found < i {
                 ", which is there already"
             } else {
-                "; discs stand in order, 0 to N − 1"
+                "; discs must be in order, 0 to N − 1"
             };
             return Err(lines.error(format!("i: expected disc {i}, found disc {found}{why}")));
         }
@@ -163,7 +163,7 @@ mod tests {
             ("2 10 1 5 perf\n0 5 5 0\n", "line 2: vy of disc 0 is missing"),
             (
                 "2 10 1 5 perf\n1 5 5 0 0\n",
-                "line 2: i: expected disc 0, found disc 1; discs stand in order, 0 to N − 1",
+                "line 2: i: expected disc 0, found disc 1; discs must be in order, 0 to N − 1",
             ),
             (
                 "2 10 1 5 perf\n0 5 5 0 0\n0 5 5 0 0\n",

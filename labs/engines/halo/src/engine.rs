@@ -93,7 +93,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         self.n = n;
         self.settle(grid, cuts, share);
         if self.remainder_last {
-            self.cut_anew(Cuts::remainder_last(grid.rows(), self.ranks()));
+            self.cut_again(Cuts::remainder_last(grid.rows(), self.ranks()));
         }
         self.observer = O::default();
         self.traffic = Traffic::default();
@@ -161,7 +161,7 @@ impl<O: Observer, T: Blocks + Messages> Simulation for Halo<O, T> {
     fn counters(&self) -> Vec<(&'static str, f64)> {
         let mut counters = self.traffic.report(&self.world);
         counters.extend(report_memory(&self.world));
-        counters.push(("times the rows were cut anew", self.recuts as f64));
+        counters.push(("times the rows were cut again", self.recuts as f64));
         counters.push(("particles, fullest rank", self.fullest() as f64));
         counters.extend(self.clock.report(&self.world));
         counters

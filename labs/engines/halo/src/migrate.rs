@@ -101,12 +101,12 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         if cuts == self.cuts {
             return;
         }
-        self.cut_anew(cuts);
+        self.cut_again(cuts);
         self.recuts += 1;
     }
 
     /// Sends each particle to the rank that has its row by `cuts`, which are valid from now on.
-    pub(crate) fn cut_anew(&mut self, cuts: Cuts) {
+    pub(crate) fn cut_again(&mut self, cuts: Cuts) {
         let grid = *self.own.grid();
         let own = self.own.particles().iter();
         let addressed = own.map(|p| (cuts.owner(grid.row(p.y)), Wire::from(p))).collect();

@@ -35,7 +35,7 @@ pub struct Decisions {
     /// The candidates that this rank has found and that happen.
     pub taken: Vec<Candidate>,
     /// Number of `taken` candidates that have been sent to the partners.
-    pub told: usize,
+    pub reported: usize,
     /// Whether each disc waits for the decision of an open candidate.
     ///
     /// Only [`Deciding::take_certain`](crate::Deciding::take_certain) uses it.
@@ -65,7 +65,7 @@ impl Decisions {
         self.waits.resize(numbers.len(), false);
         self.front.clear();
         self.taken.clear();
-        self.told = 0;
+        self.reported = 0;
         self.queues.start(numbers.len());
         self.queues.enter::<C>(found.iter().map(|candidate| self.local(candidate)).collect());
     }

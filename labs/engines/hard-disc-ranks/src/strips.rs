@@ -63,8 +63,8 @@ impl Strips {
         let top = -ends[1];
         let ranks = world.size() as usize;
         let rows = if top > bottom { ROWS_PER_RANK * ranks } else { 1 };
-        let whole = Cuts { starts: vec![0, rows] };
-        let mut strips = Self { bottom, height: (top - bottom) / rows as f64, cuts: whole };
+        let one_strip = Cuts { starts: vec![0, rows] };
+        let mut strips = Self { bottom, height: (top - bottom) / rows as f64, cuts: one_strip };
         let mut counts = vec![0_u64; rows];
         let mut all = vec![0_u64; rows];
         own.iter().for_each(|disc| counts[strips.row(disc.y)] += 1);

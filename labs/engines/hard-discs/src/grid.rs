@@ -68,11 +68,11 @@ impl<C: Collisions + BroadPhase + ParallelLoops> Find for Grid<C> {
         self.fill(discs, square, window);
         let blocks = &self.blocks;
         // The iterations of the loop: each is a block and a range of indices of discs in it.
-        let whole = blocks.iter().enumerate().map(|(block, discs)| (block, 0..discs.len()));
+        let all_discs = blocks.iter().enumerate().map(|(block, discs)| (block, 0..discs.len()));
         let (iterations, chunk): (Vec<(usize, Range<usize>)>, _) = match self.deal {
-            Deal::Blocks => (whole.collect(), 1),
+            Deal::Blocks => (all_discs.collect(), 1),
             Deal::Discs(chunk) => {
-                let discs = whole.flat_map(|(block, all)| all.map(move |k| (block, k..k + 1)));
+                let discs = all_discs.flat_map(|(block, all)| all.map(move |k| (block, k..k + 1)));
                 (discs.collect(), chunk)
             }
         };

@@ -17,10 +17,10 @@ pub trait DeepHalo: Partition {
     /// Returns how many of the `steps` steps that all ranks have taken are right, with ghosts
     /// `width` deep.
     ///
-    /// The number is at least 1, and the same on all ranks. `said` begins with the greatest
+    /// The number is at least 1, and the same on all ranks. `numbers` begins with the greatest
     /// distance that a particle of this rank went in each step. Afterwards each of its numbers is
     /// the greatest of all ranks.
-    fn confirm(world: &SimpleCommunicator, said: &mut [f64], steps: usize, width: f64) -> usize;
+    fn confirm(world: &SimpleCommunicator, numbers: &mut [f64], steps: usize, width: f64) -> usize;
 }
 
 /// The facts that decide the cheapest length of an epoch.

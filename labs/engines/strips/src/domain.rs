@@ -205,7 +205,7 @@ impl<O: Observer> Domain<O> {
             (choice, *steps as f64 / choices),
             ("mean width of ghosts [cutoffs]", widths / choices / CUTOFF),
             ("mean number of ghosts, rank 0", *ghosts as f64 / choices),
-            ("times the strips were cut anew", *cuts as f64),
+            ("times the strips were cut again", *cuts as f64),
         ]);
         counters
     }

@@ -65,11 +65,11 @@ impl<T: DeepHalo> Deep<T> {
     pub(crate) fn confirm(&mut self) -> u64 {
         let Epoch { planned, width, moves, own } = &self.epoch;
         let steps = moves.len();
-        let mut said = [&moves[..], own].concat();
-        self.domain.count_reduction(&said);
-        let right = T::confirm(&self.domain.world, &mut said, steps, *width);
+        let mut numbers = [&moves[..], own].concat();
+        self.domain.count_reduction(&numbers);
+        let right = T::confirm(&self.domain.world, &mut numbers, steps, *width);
         assert!((1..=steps).contains(&right), "of {steps} steps {right} are said to be right");
-        let (moves, others) = said.split_at(steps);
+        let (moves, others) = numbers.split_at(steps);
         self.gone = moves[..right].iter().sum();
         if right == *planned || right < steps {
             self.outlook = self.domain.outlook(moves[right - 1], others);

@@ -27,7 +27,7 @@ impl Span {
         if R::meets_wall(self, p.x, p.y, p.vx, p.vy) {
             // A reflection never increases the distance between two points. So no particle ends
             // further from its start than it flies.
-            let spread = p.vx.hypot(p.vy) * self.whole() * (1.0 + 1e-9) + self.rounding();
+            let spread = p.vx.hypot(p.vy) * self.duration() * (1.0 + 1e-9) + self.rounding();
             Path { x: p.x, y: p.y, wx: 0.0, wy: 0.0, spread }
         } else {
             Path { x: p.x, y: p.y, wx: p.vx, wy: p.vy, spread: 0.0 }

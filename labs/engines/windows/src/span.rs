@@ -15,7 +15,7 @@ pub struct Span {
 
 impl Span {
     /// Returns the time from the start of the window to its end.
-    pub fn whole(&self) -> f64 {
+    pub fn duration(&self) -> f64 {
         f64::from(self.steps) * self.dt
     }
 

@@ -29,9 +29,9 @@ pub(crate) fn ages(_: &mut Random, ask: &mut impl Ask) {
         let moved = engine.bodies.fastest() * DT;
         found.extend([moved, engine.outer.displacement, engine.inner.displacement]);
     }
-    let question = "two particles at rest that touch, and a third particle, skin 1 cutoff, three steps, after each: the \
-                    distance that the fastest particle went in it, the displacement of the outer list, and that of \
-                    the inner list, in units of length";
+    let question = "two touching particles at rest and a third particle, skin 1 cutoff. After each of three steps, in \
+                    units of length: distance that the fastest particle went in the step, displacement of the outer \
+                    list, displacement of the inner list";
     ask.judge(question, || found, are_older);
 }
 
@@ -44,23 +44,28 @@ fn are_older(found: &[f64]) -> Result<(), String> {
         gone += moved;
         if !inner.is_finite() {
             return Err(format!(
-                "step {step}: there is no inner list after it. A new outer list comes first, and ends the inner one"
+                "step {step}: there is no inner list after it. Build the outer list before the inner one, because a \
+                 new outer list ends the inner one"
             ));
         }
         if (outer / gone - 1.0).abs() > 1e-6 {
             return Err(format!(
-                "step {step}: since the lists were built the fastest particle has gone {:.3e} cutoffs, after each move \
-                 its speed times dt; the outer list has {:.3e} cutoffs",
+                "step {step}: since the lists were built, the fastest particle has gone {:.3e} cutoffs, in each step \
+                 its speed after the move times dt; but the displacement of the outer list is {:.3e} cutoffs",
                 gone / CUTOFF,
                 outer / CUTOFF
             ));
         }
         if outer <= gone {
-            return Err(format!("step {step}: a displacement grows by what rounding may add, too"));
+            return Err(format!(
+                "step {step}: the displacement is too small. It must also grow by what rounding \
+                 may add"
+            ));
         }
         if inner < moved * (1.0 - 1e-6) {
             return Err(format!(
-                "step {step}: a particle went {:.3e} cutoffs, and the inner list has {:.3e} cutoffs since it was built",
+                "step {step}: a particle went {:.3e} cutoffs, but the displacement of the inner list is only {:.3e} \
+                 cutoffs",
                 moved / CUTOFF,
                 inner / CUTOFF
             ));
@@ -129,8 +134,8 @@ pub(crate) fn library_bits(_: &mut Random, ask: &mut impl Ask) {
     {
         let own = serial().set("skin", 1e-4);
         let question = format!(
-            "{}, {}, 50 steps: x y vx vy of each at the end, with the bits of `neighbour-list`. It lists the same \
-             pairs, in the order of i, and adds them in this order",
+            "{}, {}, 50 steps: x y vx vy of each particle at the end, bit for bit as in `neighbour-list`, which lists \
+             the same pairs, in the order of i, and adds forces in this order",
             own.name(),
             particles(scene.len())
         );
@@ -153,8 +158,8 @@ pub(crate) fn a_list_lasts(_: &mut Random, ask: &mut impl Ask) {
     let mut engine = Engine::<NoStatistics>::new(0.0, true);
     engine.load(&Scene::official(2000, 3).expect("a scene"));
     engine.run(200);
-    let question = "the official scene with 2,000 particles, 200 steps: the steps for which a list lasts, and the listed \
-                    pairs that are looked at for each particle in a step";
+    let question = "the official scene with 2,000 particles, 200 steps: number of steps that a list lasts, and number \
+                    of pair tests for each particle in a step";
     let found = || {
         ["steps per rebuild", "pair tests per particle and step"]
             .map(|name| counted(&engine, name))
@@ -163,7 +168,7 @@ pub(crate) fn a_list_lasts(_: &mut Random, ask: &mut impl Ask) {
     ask.judge(question, found, |found| match found {
         [lasts, tests] if *lasts > 7.0 && *tests < 2.0 => Ok(()),
         _ => Err(format!(
-            "     found: {found:.2?}\n  expected: more than 7 (9 are possible), less than 2"
+            "     found: {found:.2?}\n  expected: more than 7 steps (9 are possible), and less than 2 pair tests"
         )),
     });
 }
@@ -183,8 +188,8 @@ pub(crate) fn rebuilds(random: &mut Random, ask: &mut impl Ask) {
         }
         found.push(100.0 / counted(&engine, "steps per rebuild"));
         let question = format!(
-            "{n} particles in a box like the official one, skin {skin:.4} cutoffs: the distance that the fastest \
-             particle goes in each of 100 steps, and how many outer lists were built"
+            "{n} particles in a box like the official one, skin {skin:.4} cutoffs: distance that the fastest particle \
+             goes in each of 100 steps, then number of outer lists built"
         );
         ask.judge(&question, || found, |found| are_rebuilt(skin * CUTOFF, found));
     }
@@ -204,7 +209,10 @@ fn are_rebuilt(skin: f64, found: &[f64]) -> Result<(), String> {
     if (lists - right).abs() < 1e-6 {
         return Ok(());
     }
-    Err(format!("{lists:.1} lists were built, and {right} have expired or are the first"))
+    Err(format!(
+        "{lists:.1} lists were built, but {right} were needed: the first, and one after each list \
+         that expired"
+    ))
 }
 
 fn counted(engine: &Engine<NoStatistics>, name: &str) -> f64 {

@@ -24,7 +24,7 @@ pub(crate) fn accelerations(random: &mut Random, ask: &mut impl Ask) {
         for round in ["once", "once more"] {
             engine.accelerate();
             let question = format!(
-                "{}, computed {round}: the accelerations along x by number of the particle, then along y",
+                "{}, computed {round}: the accelerations along x in the order of ids, then the accelerations along y",
                 case.name()
             );
             ask.near(&question, || by_number(&engine), || sums(&case.scene));

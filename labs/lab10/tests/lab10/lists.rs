@@ -5,7 +5,7 @@ use lab10::{Engine, best_skin};
 use neighbour_list_core::kernels::Pair;
 use neighbour_list_core::list::lasting;
 use neighbour_list_core::{AnyProcessor, Bodies, Extent};
-use oracle::{Ask, Near, Random, whole};
+use oracle::{Ask, Near, Random, integers};
 
 use super::scenes::{Case, flat, squared};
 
@@ -22,18 +22,20 @@ pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {
             engine.rebuild(AnyProcessor);
             let name = format!("{}, skin {:.2} cutoffs, built {round}", case.name(), case.skin);
             let question = format!(
-                "{name}: the particles in sorted order, and the pairs of the outer list, of places in this order"
+                "{name}: ids of the particles in sorted order, then the pairs of the outer list, as places in this \
+                 order"
             );
             let mut pairs = engine.outer.pairs.clone();
             pairs.sort_unstable();
-            let found =
-                || [whole(engine.bodies.id.iter().map(|&id| id as usize)), flat(&pairs)].concat();
+            let found = || {
+                [integers(engine.bodies.id.iter().map(|&id| id as usize)), flat(&pairs)].concat()
+            };
             ask.judge(&question, found, |found| {
                 let listed = Listed::read(&case.scene, found)?;
                 listed.are_all_within(CUTOFF * (1.0 + case.skin))
             });
             let question = format!(
-                "{name}: the skin of the outer list in cutoffs, its displacement, and the displacement of the inner list"
+                "{name}: skin of the outer list in cutoffs, its displacement, displacement of the inner list"
             );
             let list = &engine.outer;
             let found = || vec![list.skin / CUTOFF, list.displacement, engine.inner.displacement];
@@ -58,12 +60,17 @@ impl Listed {
         let (ids, pairs) = found.split_at_checked(scene.len()).ok_or("particles are missing")?;
         let mut bodies = Bodies::default();
         for &id in ids {
-            bodies.push(*scene.particles().get(id as usize).ok_or("there is a strange particle")?);
+            bodies.push(
+                *scene
+                    .particles()
+                    .get(id as usize)
+                    .ok_or("there is a particle that is not in the scene")?,
+            );
         }
         let mut sorted = bodies.id.clone();
         sorted.sort_unstable();
         if sorted.iter().enumerate().any(|(id, &found)| id != found as usize) {
-            return Err("a particle is lost".into());
+            return Err("a particle is missing".into());
         }
         let (pairs, _) = pairs.as_chunks::<2>();
         Ok(Self {
@@ -85,10 +92,14 @@ impl Listed {
         }
         for &[i, j] in &self.pairs {
             if !(i < j && j < n) {
-                return Err(format!("[{i}, {j}] is listed: a pair is [i, j] with i < j < n"));
+                return Err(format!(
+                    "[{i}, {j}] is listed, but a pair must be [i, j] with i < j < n"
+                ));
             }
             if self.distance([i, j]) > reach * ROUNDING {
-                return Err(format!("places {i} and {j} are listed: they are too far apart"));
+                return Err(format!(
+                    "places {i} and {j} are listed, but the particles are too far apart"
+                ));
             }
         }
         if self.pairs.windows(2).any(|pair| pair[0] == pair[1]) {
@@ -120,7 +131,8 @@ pub(crate) fn inner_lists(random: &mut Random, ask: &mut impl Ask) {
             engine.rebuild_inner();
             let name = format!("{}, skin {:.2} cutoffs, built {round}", case.name(), case.skin);
             let question = format!(
-                "{name}: the particles in sorted order, the number of outer pairs, the outer pairs, and the inner pairs"
+                "{name}: ids of the particles in sorted order, number of outer pairs, the outer pairs, the inner \
+                 pairs"
             );
             ask.judge(
                 &question,
@@ -128,7 +140,7 @@ pub(crate) fn inner_lists(random: &mut Random, ask: &mut impl Ask) {
                 |found| are_the_near_ones(&case.scene, case.inner_skin(1e-9 * CUTOFF), found),
             );
             let question =
-                format!("{name}: the skin of the inner list in cutoffs, and its displacement");
+                format!("{name}: skin of the inner list in cutoffs, and its displacement");
             let found = || vec![engine.inner.skin / CUTOFF, engine.inner.displacement];
             ask.near(&question, found, || {
                 let right = case.inner_skin(1e-9 * CUTOFF) / CUTOFF;
@@ -140,14 +152,14 @@ pub(crate) fn inner_lists(random: &mut Random, ask: &mut impl Ask) {
 
 fn both_lists(engine: &Engine<NoStatistics>) -> Vec<f64> {
     let outer = &engine.outer.pairs;
-    let ids = whole(engine.bodies.id.iter().map(|&id| id as usize));
+    let ids = integers(engine.bodies.id.iter().map(|&id| id as usize));
     [ids, vec![outer.len() as f64], flat(outer), flat(&engine.inner.pairs)].concat()
 }
 
 /// Checks that the inner pairs are the near pairs of the outer list, in the same order.
 fn are_the_near_ones(scene: &Scene, skin: f64, found: &[f64]) -> Result<(), String> {
     let (ids, rest) = found.split_at_checked(scene.len()).ok_or("particles are missing")?;
-    let (count, pairs) = rest.split_first().ok_or("there are no lists")?;
+    let (count, pairs) = rest.split_first().ok_or("the lists are missing")?;
     let listed = Listed::read(scene, &[ids, pairs].concat())?;
     let (outer, inner) =
         listed.pairs.split_at_checked(*count as usize).ok_or("outer pairs are missing")?;
@@ -161,18 +173,20 @@ fn are_the_near_ones(scene: &Scene, skin: f64, found: &[f64]) -> Result<(), Stri
         let distance = listed.distance(pair);
         if inner.next_if_eq(&&pair).is_some() {
             if distance > reach * ROUNDING {
-                return Err(format!("inner pair {pair:?} is too far apart"));
+                return Err(format!(
+                    "inner pair {pair:?} is listed, but its particles are too far apart"
+                ));
             }
         } else if distance <= reach {
             return Err(format!(
-                "{} is missing, or the inner pairs are in another order",
+                "{} is missing, or the inner pairs are in a different order",
                 listed.words(pair)
             ));
         }
     }
     match inner.next() {
         Some(pair) => Err(format!(
-            "inner pair {pair:?} is not an outer pair, is listed twice, or is in another order"
+            "inner pair {pair:?} is not an outer pair, is listed twice, or is in a wrong place"
         )),
         None => Ok(()),
     }
@@ -213,7 +227,7 @@ pub(crate) fn margins(random: &mut Random, ask: &mut impl Ask) {
         );
         for (list, which) in [(&engine.outer, "outer"), (&engine.inner, "inner")] {
             let question =
-                format!("{name}: the pairs of the {which} list; `reach` has room for rounding");
+                format!("{name}: pairs of the {which} list. `reach` must leave room for rounding");
             ask.exact(&question, || flat(&list.pairs), || vec![0.0, 1.0]);
         }
     }
@@ -229,18 +243,21 @@ pub(crate) fn chosen_skins(random: &mut Random, ask: &mut impl Ask) {
         let density =
             case.scene.len() as f64 / ((extent.width + CUTOFF) * (extent.height + CUTOFF));
         engine.rebuild(AnyProcessor);
-        let name =
-            format!("{}, the fastest goes {:.4} cutoffs in a step", case.name(), goes / CUTOFF);
+        let name = format!(
+            "{}, the fastest particle goes {:.4} cutoffs in a step",
+            case.name(),
+            goes / CUTOFF
+        );
         // The question asks for a ratio, because another task checks the result of `best_skin`.
         let question = format!(
-            "{name}: the skin of the outer list, over what `best_skin` gives for this density and displacement"
+            "{name}: skin of the outer list, divided by what `best_skin` returns for this density and displacement"
         );
         let found = || vec![engine.outer.skin / best_skin(density, goes)];
         ask.near(&question, found, || vec![Near { right: 1.0, scale: 1.0 }]);
         engine.outer.skin = 1.5 * CUTOFF;
         engine.outer.displacement = 0.0;
         engine.rebuild_inner();
-        let question = format!("{name}, the outer skin is 1.5 cutoffs: the inner skin, in cutoffs");
+        let question = format!("{name}, the outer skin is 1.5 cutoffs: inner skin, in cutoffs");
         ask.near(
             &question,
             || vec![engine.inner.skin / CUTOFF],

@@ -21,7 +21,8 @@ pub(crate) fn flights(random: &mut Random, ask: &mut impl Ask) {
 fn flight(random: &mut Random, ask: &mut impl Ask, n: usize, steps: u32) {
     let dt = random.magnitude(1e-9, 1e3);
     let [x, v] = [0; 2].map(|_| (0..n).map(|_| random.signed(1e-12, 1e12)).collect::<Vec<f64>>());
-    let question = format!("{n} particles after {steps} steps of {dt:?}: x of each, to the bit");
+    let question =
+        format!("{n} particles after {steps} steps of {dt:?}: x of each particle, bit for bit");
     let found = || {
         let mut found = x.clone();
         fly(&mut found, &v, steps, dt);
@@ -86,8 +87,8 @@ pub(crate) fn approaches(random: &mut Random, ask: &mut impl Ask) {
         let approach = Approach::drawn(random, case);
         let Approach { dx, dy, wx, wy, span } = approach;
         let question = format!(
-            "two particles ({dx:?}, {dy:?}) apart, the second with velocity ({wx:?}, {wy:?}) as seen by the first, for a \
-             time of {span:?}: the square of their least distance"
+            "two particles ({dx:?}, {dy:?}) apart, the second with velocity ({wx:?}, {wy:?}) as seen from the first, \
+             for a time of {span:?}: square of their least distance"
         );
         let found = || vec![closest_squared(dx, dy, wx, wy, span)];
         ask.near(&question, found, || vec![approach.right()]);
@@ -103,7 +104,7 @@ pub(crate) fn margins(random: &mut Random, ask: &mut impl Ask) {
         for off in beside(margin / 2.0).into_iter().chain([0.0, some]) {
             let question = format!(
                 "a particle that is {off:?} off its free flight, and a margin of {margin:?}: 1 if it may have met a \
-                 particle that is not on its list, else 0"
+                 particle that is not on its list, 0 if not"
             );
             let found = || flags(&[too_far_off(off, margin)]);
             ask.exact(&question, found, || flags(&[off > margin / 2.0]));
@@ -190,7 +191,7 @@ pub(crate) fn walls(random: &mut Random, ask: &mut impl Ask) {
         let Flight { span, x, y, vx, vy } = flight;
         let question = format!(
             "a particle at ({x:?}, {y:?}) with velocity ({vx:?}, {vy:?}), in a box of {:?} and a window of {} steps of \
-             {:?}: 1 if it may end within {:?} of a wall or beyond it, else 0",
+             {:?}: 1 if it may end within {:?} of a wall or beyond it, 0 if not",
             span.size,
             span.steps,
             span.dt,

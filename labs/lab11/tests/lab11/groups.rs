@@ -60,25 +60,26 @@ pub(crate) fn roots(random: &mut Random, ask: &mut impl Ask) {
                 let found = f64::from(root(&mut own, k as u32));
                 let found = vec![found, links(&own, k) as f64];
                 let question = format!(
-                    "{name}: the root of {k}, and how many parents {k} has above it then, of {before} before"
+                    "{name}: root of {k}, and number of parents above {k} after the call, of {before} before"
                 );
                 ask.judge(
                     &question,
                     || found,
                     |found| match found {
                         [root, _] if *root != f64::from(roots_of(&parent)[k]) => {
-                            Err(format!("the root is {root}, and not {}", roots_of(&parent)[k]))
+                            Err(format!("the root is {root}, but must be {}", roots_of(&parent)[k]))
                         }
-                        [_, after] if *after as usize > before / 2 + 1 => {
-                            Err(format!("{after} parents: the path is not half as long"))
-                        }
+                        [_, after] if *after as usize > before / 2 + 1 => Err(format!(
+                            "{after} parents are left: the path must be half as long as before"
+                        )),
                         _ => Ok(()),
                     },
                 );
             }
-            let question = format!("{name}: the first whose parent is greater afterwards, or -1");
+            let question =
+                format!("{name}: first number whose parent is greater after the calls, or -1");
             ask.exact(&question, || vec![first_greater(&own)], || vec![-1.0]);
-            let question = format!("{name}: the root of each afterwards");
+            let question = format!("{name}: root of each number after the calls");
             ask.exact(&question, || numbers(roots_of(&own)), || numbers(roots_of(&parent)));
         }
     }
@@ -90,7 +91,7 @@ pub(crate) fn long_chain(_: &mut Random, ask: &mut impl Ask) {
             let mut parent: Vec<u32> = (0..1_000_000).map(|k: u32| k.saturating_sub(1)).collect();
             vec![f64::from(root(&mut parent, 999_999))]
         };
-        ask.exact("a chain of a million: the root, from its end", found, || vec![0.0]);
+        ask.exact("a chain of a million numbers: root of its last number", found, || vec![0.0]);
     });
 }
 
@@ -101,7 +102,7 @@ pub(crate) fn many_joins(_: &mut Random, ask: &mut impl Ask) {
         (1..1_000_000).for_each(|k| join(&mut parent, k - 1, k));
         vec![f64::from(root(&mut parent, 999_999))]
     };
-    let question = "a million numbers, each joined to the next: the root of the last";
+    let question = "a million numbers, each joined to the next: root of the last number";
     ask.exact(question, || within("11.3", 30, root_of_the_last), || vec![0.0]);
 }
 
@@ -126,9 +127,9 @@ pub(crate) fn joins(random: &mut Random, ask: &mut impl Ask) {
             pairs.push([a, b]);
             join(&mut parent, a as u32, b as u32);
             let name = format!("{n} numbers, {} pairs joined, the last {a} and {b}", round + 1);
-            let question = format!("{name}: the first whose parent is greater, or -1");
+            let question = format!("{name}: first number whose parent is greater, or -1");
             ask.exact(&question, || vec![first_greater(&parent)], || vec![-1.0]);
-            let question = format!("{name}: the root of each");
+            let question = format!("{name}: root of each number");
             let roots = || numbers(roots_of(&parent));
             ask.exact(&question, roots, || least_of_groups(n, &pairs));
         }

@@ -16,8 +16,8 @@ pub(crate) fn lengths(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..3000 {
         let mut density = random.magnitude(1e-6, 1e12);
         // A speed for which a window has this number of steps.
-        let whole = 1.0 + random.below(49) as f64;
-        let steps = [random.magnitude(1e-3, 1e3), random.between(1.0, 50.0), whole][case % 3];
+        let integer = 1.0 + random.below(49) as f64;
+        let steps = [random.magnitude(1e-3, 1e3), random.between(1.0, 50.0), integer][case % 3];
         let mut speed = 0.14 / (steps * 2.0 * CUTOFF * SQRT_2 * DT * density);
         match case % 40 {
             0 => speed = 0.0,
@@ -25,7 +25,7 @@ pub(crate) fn lengths(random: &mut Random, ask: &mut impl Ask) {
             _ => {}
         }
         let question = format!(
-            "{density:?} particles per area and a mean speed of {speed:?}: the steps of a window"
+            "{density:?} particles per area and a mean speed of {speed:?}: number of steps in a window"
         );
         let found = || vec![f64::from(window_length(density, speed))];
         ask.judge(&question, found, |found| right_length(found, density, speed));
@@ -51,7 +51,8 @@ pub(crate) fn a_crystal(_: &mut Random, ask: &mut impl Ask) {
         let [x, y] = [id % 50, id / 50].map(|place| 3.0 * CUTOFF * f64::from(1 + place));
         crystal.push(Particle { x, y, vx: 1.0, vy: 0.0, id });
     }
-    let question = "one particle to nine square cutoffs: how many neighbours the planner expects in a cutoff disc";
+    let question = "one particle to nine square cutoffs: number of neighbours that the planner expects within the \
+                    cutoff";
     let found = || vec![plan::<Tasks>(&crystal, 0, 1).neighbours];
     ask.judge(question, found, |found| match found {
         [neighbours] if (neighbours - PI / 9.0).abs() < 0.05 * PI / 9.0 => Ok(()),
@@ -63,8 +64,8 @@ pub(crate) fn a_fast_particle(_: &mut Random, ask: &mut impl Ask) {
     let official = Scene::official(2000, 1).expect("the scene is sound");
     let mut bodies = Bodies::of(&official);
     bodies.x.iter_mut().chain(&mut bodies.y).for_each(|x| *x *= 4.0);
-    let question = "a nearly empty box, then the same with one particle that crosses it within a window: 1 for windows, 0 \
-                    for a list";
+    let question = "a nearly empty box, then the same box with one particle that crosses it within a window: 1 for \
+                    windows, 0 for a list";
     let found = || {
         let empty = opens_windows(&bodies);
         bodies.vx[7] = 1000.0;
@@ -80,7 +81,7 @@ fn opens_windows(bodies: &Bodies) -> bool {
 /// Asks about 3,999 particles: two threads would have fewer than 2,000 particles each.
 pub(crate) fn threads_that_pay(_: &mut Random, ask: &mut impl Ask) {
     for (n, threads) in [(3999, 8), (4000, 8), (10_000, 3)] {
-        let question = format!("{n} particles, {threads} threads: how many threads work");
+        let question = format!("{n} particles, {threads} threads: number of threads that work");
         let found = || {
             variant("11.6", "planned").threads(threads).run(move |engine| {
                 engine.load(&Scene::official(n, 1).expect("the scene is sound"));

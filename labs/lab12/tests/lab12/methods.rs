@@ -3,7 +3,7 @@
 use common::Vec2;
 use integrators::State;
 use lab12::{CHI, Composition, LAMBDA, Motion, XI, slopes};
-use oracle::{Ask, Near, Random, whole};
+use oracle::{Ask, Near, Random, integers};
 
 /// A record of the requested drifts (0) and kicks (1). Drifts and kicks of zero duration are not
 /// recorded.
@@ -28,8 +28,8 @@ pub(crate) fn steps(random: &mut Random, ask: &mut impl Ask) {
         let composition = Composition { drifts, kicks: fractions(random, kicks) };
         let dt = random.magnitude(1e-12, 1e12);
         let question = format!(
-            "a step of {dt:?}, {composition:?}: what is done one after the other, each as 0 for a drift or 1 for a kick \
-             and then its time; nothing for no time"
+            "a step of {dt:?}, {composition:?}: its drifts (0) and kicks (1) in their order, each with its time; \
+             nothing for a time of 0"
         );
         let found = || {
             let mut record = Record::default();
@@ -59,38 +59,38 @@ fn by_turns(composition: &Composition, dt: f64) -> Vec<Near> {
 
 /// Returns the numbers of drifts and kicks, followed by their fractions.
 fn numbers(Composition { drifts, kicks }: Composition) -> Vec<f64> {
-    [whole([drifts.len(), kicks.len()]), drifts, kicks].concat()
+    [integers([drifts.len(), kicks.len()]), drifts, kicks].concat()
 }
 
 pub(crate) fn velocity_verlet(_: &mut Random, ask: &mut impl Ask) {
-    let question = "velocity Verlet, half a kick, a drift, half a kick, as drifts and kicks by turns: the number of drifts \
-                    and of kicks, then the drifts, then the kicks";
+    let question = "velocity Verlet, half a kick, a drift, half a kick, as drifts and kicks by turns: number of \
+                    drifts, number of kicks, then the drifts, then the kicks";
     let found = || numbers(Composition::velocity_verlet());
     ask.exact(question, found, || vec![3.0, 2.0, 0.0, 1.0, 0.0, 0.5, 0.5]);
 }
 
 pub(crate) fn pefrl(_: &mut Random, ask: &mut impl Ask) {
-    let question = "PEFRL, from its first drift XI, its second drift CHI and its second kick LAMBDA: the number of drifts \
-                    and of kicks, then the drifts, then the kicks";
+    let question = "PEFRL, from its first drift XI, its second drift CHI and its second kick LAMBDA: number of drifts, \
+                    number of kicks, then the drifts, then the kicks";
     ask.judge(question, || numbers(Composition::pefrl()), is_pefrl);
 }
 
 /// Checks that a composition has PEFRL's numbers, is symmetric, and adds up to a step.
 fn is_pefrl(found: &[f64]) -> Result<(), String> {
     let Some(([5.0, 4.0], fractions)) = found.split_first_chunk() else {
-        return Err(format!("it has not 5 drifts and 4 kicks: {found:?}"));
+        return Err(format!("there must be 5 drifts and 4 kicks: {found:?}"));
     };
     let (drifts, kicks) = fractions.split_at(5);
     if [drifts[0], drifts[1], kicks[1]] != [XI, CHI, LAMBDA] {
-        return Err(format!("the numbers that are given are elsewhere: {drifts:?}, {kicks:?}"));
+        return Err(format!("the given numbers are in wrong places: {drifts:?}, {kicks:?}"));
     }
     for (what, fractions) in [("drifts", drifts), ("kicks", kicks)] {
         if !fractions.iter().eq(fractions.iter().rev()) {
-            return Err(format!("the {what} are not the same backwards: {fractions:?}"));
+            return Err(format!("the {what} must be the same in reverse order: {fractions:?}"));
         }
         let sum: f64 = fractions.iter().sum();
         if (sum - 1.0).abs() > 1e-14 {
-            return Err(format!("the {what} {fractions:?} add up to {sum}, not to 1"));
+            return Err(format!("the {what} {fractions:?} add up to {sum}, but must add up to 1"));
         }
     }
     Ok(())
@@ -164,17 +164,18 @@ pub(crate) fn runge_kutta(random: &mut Random, ask: &mut impl Ask) {
         });
         let looks = Looks { at, sum };
         let name = format!("{n} particles in a ring, a step of {:?}", ring.h);
-        let question = format!("{name}: how often it looks");
-        ask.exact(&question, || whole([looks.at.len()]), || vec![4.0]);
+        let question = format!("{name}: number of evaluations");
+        ask.exact(&question, || integers([looks.at.len()]), || vec![4.0]);
         for k in 0..4 {
-            let question = format!("{name}: where look {} is, x and y of each", k + 1);
+            let question = format!("{name}: x and y of each particle in evaluation {}", k + 1);
             let found = || looks.at.get(k).map_or(vec![], |at| flat(at));
             ask.near(&question, found, || nearly(&ring.right().at[k], ring.unit));
         }
-        let question = format!("{name}: the weighted sum of the velocities, x and y of each");
+        let question = format!("{name}: weighted sum of the velocities, x and y of each particle");
         let scale = ring.unit / ring.h;
         ask.near(&question, || flat(&looks.sum.at), || nearly(&ring.right().sum.at, scale));
-        let question = format!("{name}: the weighted sum of the accelerations, x and y of each");
+        let question =
+            format!("{name}: weighted sum of the accelerations, x and y of each particle");
         let scale = scale / ring.h;
         ask.near(&question, || flat(&looks.sum.v), || nearly(&ring.right().sum.v, scale));
     }

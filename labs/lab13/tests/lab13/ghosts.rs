@@ -38,7 +38,7 @@ pub(crate) fn partners_of_ranks(random: &mut Random, ask: &mut impl Ask) {
             let edges =
                 if ranks < 9 { format!(" cut at {:?}", strips.edges) } else { String::new() };
             let question = format!(
-                "{ranks} strips{edges}, ghosts {width:?} wide: the partners of rank {rank}, ascending"
+                "{ranks} strips{edges}, ghosts {width:?} wide: partners of rank {rank}, in ascending order"
             );
             let found = || partners(&strips, rank, width).into_iter().map(f64::from).collect();
             ask.exact(&question, found, || right_partners(&strips, rank, width));
@@ -110,8 +110,8 @@ pub(crate) fn chosen(random: &mut Random, ask: &mut impl Ask) {
         let Beside { y, strip, width, .. } = &all;
         let shown = if n < 9 { format!(" at y = {y:?}") } else { String::new() };
         let question = format!(
-            "{n} particles{shown}: the indices of those that are no further than {width:?} from the strip {strip:?}, \
-             ascending"
+            "{n} particles{shown}: indices of the particles at most {width:?} away from the strip {strip:?}, in \
+             ascending order"
         );
         let right = || (0..n).filter(|&index| all.is_near(y[index])).map(|index| index as f64);
         ask.exact(

@@ -18,7 +18,7 @@ pub(crate) fn loads(random: &mut Random, ask: &mut impl Ask) {
         let particles = count(random) as usize;
         let pairs = count(random) as usize;
         ask.exact(
-            &format!("{particles} particles, {pairs} listed pairs: the load in ns"),
+            &format!("{particles} particles, {pairs} listed pairs: load in ns"),
             || vec![load(particles, pairs) as f64],
             || vec![(MOVED * particles as f64 + LISTED * pairs as f64).ceil()],
         );

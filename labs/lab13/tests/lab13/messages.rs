@@ -52,17 +52,19 @@ fn exchange(rank: &Rank<'_>, letters: &Letters, most: usize, ask: &mut impl Ask)
     });
     let name = format!("{}, lists of up to {most} for ranks {partners:?}", rank.name());
     let times = || vec![calls.len() as f64];
-    ask.exact(&format!("{name}: how often the inner particles move"), times, || vec![1.0]);
+    ask.exact(&format!("{name}: number of times that the inner particles move"), times, || {
+        vec![1.0]
+    });
     let before = calls.first().map_or(&[][..], |calls| calls);
     ask.exact(
         &format!(
-            "{name}: receives begun, sends begun, and other calls, before the inner particles move"
+            "{name}: number of receives begun, sends begun, and other calls before the inner particles move"
         ),
         || made(before),
         || vec![partners.len() as f64, partners.len() as f64, 0.0],
     );
     ask.exact(
-        &format!("{name}: how many positions come from each partner, and two sums of them"),
+        &format!("{name}: number of positions from each partner, and two sums of them"),
         || received.iter().flat_map(|letter| sums_of(letter)).collect(),
         || partners.iter().flat_map(|&from| sums_of(&letters.letter(from, own))).collect(),
     );
@@ -135,9 +137,10 @@ fn some_words(random: &mut Random, ranks: usize, width: f64) -> Vec<Word> {
 fn renewal(rank: &Rank<'_>, words: &[Word], width: f64, ask: &mut impl Ask) {
     let Word { list_has_expired, moved } = words[rank.number];
     let found = rank.call("must_renew", |world| must_renew(world, list_has_expired, moved, width));
-    let name = format!("{}, ghosts {width:?} wide, the ranks say {words:?}", rank.name());
+    let name =
+        format!("{}, ghosts {width:?} wide, and the words {words:?} of the ranks", rank.name());
     ask.exact(
-        &format!("{name}: 1 if all ranks rebuild their lists, 0 if none"),
+        &format!("{name}: 1 if all ranks rebuild their lists, 0 if none does"),
         || vec![truth(found)],
         || {
             let half = 0.5 * (width - CUTOFF);

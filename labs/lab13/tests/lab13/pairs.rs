@@ -57,7 +57,7 @@ pub(crate) fn pairs(random: &mut Random, ask: &mut impl Ask) {
         );
         let found = pairs_across(own.positions(), ghosts.positions(), reach);
         ask.exact(
-            &format!("{name}: 1 if the pairs ascend in the first, 0 if not"),
+            &format!("{name}: 1 if the pairs are in ascending order of the own particle, 0 if not"),
             || vec![truth(found.is_sorted_by_key(|pair| pair[0]))],
             || vec![1.0],
         );
@@ -91,8 +91,8 @@ fn right_pairs(own: &Side, ghosts: &Side, reach: f64) -> Vec<f64> {
 /// Asks about half a million particles. A program that tests every pair does not finish.
 pub(crate) fn half_a_million(_: &mut Random, ask: &mut impl Ask) {
     ask.exact(
-        "500,000 particles in a row, and a ghost at the position of each: the number of pairs, and how many of them are \
-         at one position",
+        "500,000 particles in a row, and a ghost at the position of each: number of pairs, and number of pairs at one \
+         position",
         || within("13.3", 60, pairs_in_a_row),
         || vec![5e5; 2],
     );

@@ -12,7 +12,8 @@ pub(crate) fn widths(random: &mut Random, ask: &mut impl Ask, deep: bool) {
     for steps in random.sizes(70_000).into_iter().filter(|&steps| steps > 0) {
         for fastest in [0.0, random.magnitude(1e-15, 1e9), CUTOFF * random.magnitude(1e-3, 1e3)] {
             let question = format!(
-                "ghosts for {steps} steps, in each of which the fastest particle goes {fastest:?}: how {} they are",
+                "ghosts for {steps} steps, in each of which the fastest particle goes {fastest:?}: how {} they must \
+                 be",
                 if deep { "deep" } else { "wide" }
             );
             let width = if deep { deep_width } else { ghost_width };
@@ -37,7 +38,7 @@ pub(crate) fn cheapest_steps(random: &mut Random, ask: &mut impl Ask) {
     let even = Scenery { fastest: HUGE, density: 0.0, height: HUGE, most: 3 };
     ask.exact(
         &format!(
-            "{even:?}, where one step and two cost the same: for how many steps ghosts are chosen"
+            "{even:?}, where one step and two steps cost the same: number of steps for which ghosts are chosen"
         ),
         || vec![f64::from(best_steps(even))],
         || vec![1.0],
@@ -49,7 +50,7 @@ pub(crate) fn cheapest_steps(random: &mut Random, ask: &mut impl Ask) {
             height: CUTOFF * random.magnitude(1e-1, 1e6),
             most: 1 + random.size(300) as u32,
         };
-        let question = format!("{scenery:?}: for how many steps ghosts are chosen");
+        let question = format!("{scenery:?}: number of steps for which ghosts are chosen");
         let found = || vec![f64::from(best_steps(scenery))];
         ask.judge(&question, found, |found| {
             cheapest(found, scenery.most, |steps| cost_of_list(scenery, steps))
@@ -68,7 +69,7 @@ fn cost_of_list(Scenery { fastest, density, height, .. }: Scenery, steps: u32) -
 pub(crate) fn cheapest_epochs(random: &mut Random, ask: &mut impl Ask) {
     let even = Outlook { fastest: HUGE / 4.0, height: HUGE, particles: 1000.0, most: 3 };
     ask.exact(
-        &format!("{even:?}, where epochs of one step and of two cost the same: how many steps an epoch has"),
+        &format!("{even:?}, where epochs of one step and of two steps cost the same: number of steps in an epoch"),
         || vec![f64::from(best_depth(even))],
         || vec![1.0],
     );
@@ -79,7 +80,7 @@ pub(crate) fn cheapest_epochs(random: &mut Random, ask: &mut impl Ask) {
             particles: random.magnitude(1.0, 1e8),
             most: 1 + random.size(300) as u32,
         };
-        let question = format!("{outlook:?}: how many steps an epoch has");
+        let question = format!("{outlook:?}: number of steps in an epoch");
         let found = || vec![f64::from(best_depth(outlook))];
         ask.judge(&question, found, |found| {
             cheapest(found, outlook.most, |steps| cost_of_epoch(outlook, steps))
@@ -97,9 +98,9 @@ fn cost_of_epoch(Outlook { fastest, height, particles, .. }: Outlook, steps: u32
 
 /// Checks that no number from 1 to `most` is cheaper than the answer.
 fn cheapest(found: &[f64], most: u32, cost: impl Fn(u32) -> f64) -> Result<(), String> {
-    let &[found] = found else { return Err("it is not a number".into()) };
+    let &[found] = found else { return Err("the answer is not one number".into()) };
     if !(1..=most).any(|steps| f64::from(steps) == found) {
-        return Err(format!("{found} is not one of 1 to {most}"));
+        return Err(format!("{found} is not a number of steps from 1 to {most}"));
     }
     let mut best = 1;
     for steps in 2..=most {
@@ -113,6 +114,7 @@ fn cheapest(found: &[f64], most: u32, cost: impl Fn(u32) -> f64) -> Result<(), S
         return Ok(());
     }
     Err(format!(
-        "{found}, with which a step costs {price:.6} ns for each particle; with {best} it costs {least:.6}"
+        "{found} steps, with which a step costs {price:.6} ns for each particle; with {best} steps it costs only \
+         {least:.6} ns"
     ))
 }

@@ -3,7 +3,7 @@
 use common::Vec2;
 use common::soft::{CUTOFF, Particle};
 use lab2::{Grid, VecBins, take_leavers};
-use oracle::{Ask, Count, Near, Random, acceleration_of_pair, whole};
+use oracle::{Ask, Count, Near, Random, acceleration_of_pair, integers};
 
 use super::particles::{Binned, binned, ids, in_any_order, inside, particles_of};
 
@@ -26,14 +26,14 @@ fn refill(bins: &mut VecBins, n: usize, random: &mut Random, ask: &mut impl Ask)
     let before: Vec<usize> = bins.bins().iter().map(Vec::capacity).collect();
     bins.refill(&particles[..n]);
     let question = format!(
-        "{along} bins along a wall, filled again with {n} particles: how many bins have given memory back"
+        "{along} bins along a wall, filled again with {n} particles: number of bins that released their memory"
     );
     let poorer = bins.bins().iter().zip(&before).filter(|(bin, before)| bin.capacity() < **before);
-    ask.exact(&question, || whole([poorer.count()]), || vec![0.0]);
+    ask.exact(&question, || integers([poorer.count()]), || vec![0.0]);
     bins.put(particles[n]);
     let question = format!(
-        "{along} bins along a wall, filled again with {n} particles, and then particle {n} is put in: the bin and \
-         the number of each particle, bin by bin"
+        "{along} bins along a wall, filled again with {n} particles, and particle {n} added afterwards: bin and id of \
+         each particle, bin by bin"
     );
     let found = || {
         let filled = bins.bins().iter().enumerate();
@@ -123,15 +123,16 @@ impl Crowd {
             p.y
         );
         ask.near(
-            &format!("{name}: its acceleration along x and y"),
+            &format!("{name}: acceleration of this particle, ax ay"),
             || vec![a.x, a.y],
             || self.acceleration(own),
         );
         let question = format!(
-            "{name}: how many in the bins around it were looked at (`tested`), itself among them"
+            "{name}: number of particles in the bins around it that it was tested against (`tested`), including \
+             itself"
         );
-        let looked_at = || whole([count.tested as usize]);
-        ask.exact(&question, looked_at, || whole([self.around(own).count()]));
+        let looked_at = || integers([count.tested as usize]);
+        ask.exact(&question, looked_at, || integers([self.around(own).count()]));
     }
 
     /// Returns the particles in the nine bins around `own`, including `own`.
@@ -183,16 +184,19 @@ fn leave(along: usize, bin: usize, now: Vec<Binned>, ask: &mut impl Ask) {
     let mut particles = particles_of(&now);
     let mut changed = vec![Particle { id: 99_999, ..Particle::default() }];
     take_leavers(&grid, bin, &mut particles, &mut changed);
-    let mut name = format!("bin {bin} of {along} rows, with {} particles from 0 on", now.len());
+    let mut name = format!(
+        "bin {bin} of {along} rows, and the particles in its list, {} of them, numbered from 0",
+        now.len()
+    );
     if now.len() < 12 {
         let bins: Vec<usize> = now.iter().map(|one| one.bin).collect();
-        name += &format!(", which lie in bins {bins:?} after a move");
+        name += &format!(", which are in bins {bins:?} after a move");
     }
     let stay = || in_any_order(ids(&particles));
-    ask.exact(&format!("{name}: the particles that stay in its list"), stay, || {
+    ask.exact(&format!("{name}: particles that stay in the list"), stay, || {
         ids(now.iter().filter(|one| one.bin == bin).map(|one| &one.particle))
     });
-    let question = format!("{name}: the particles in `changed`, which held 99999 before");
+    let question = format!("{name}: particles in `changed`, which held particle 99999 before");
     ask.exact(
         &question,
         || in_any_order(ids(&changed)),

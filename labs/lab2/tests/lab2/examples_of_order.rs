@@ -67,7 +67,7 @@ pub(crate) fn pairs_table(_: &mut Random, ask: &mut impl Ask) {
         }
         let seen = engine.statistics().expect("it counts");
         format!(
-            "{table}\npairs looked at: {}\npairs within the cutoff, each counted twice: {}\n",
+            "{table}\npair tests: {}\npairs within the cutoff, each counted twice: {}\n",
             seen.pair_tests, seen.navg
         )
     });

@@ -1,7 +1,7 @@
 //! Questions about the geometry of the bins, tasks 2.1 and 2.2.
 
 use lab2::Grid;
-use oracle::{Ask, Random, beside, whole};
+use oracle::{Ask, Random, beside, integers};
 
 /// Asks for grids of few and many particles, boxes of any size, few bins and too many bins.
 pub(crate) fn grids(random: &mut Random, ask: &mut impl Ask) {
@@ -20,10 +20,10 @@ pub(crate) fn grids(random: &mut Random, ask: &mut impl Ask) {
         };
         let size = fit * least;
         let question = format!(
-            "a box of side {size:?}, bins of side {least:?} or more with a margin of 1e-9 of that, at most 8 bins \
-             for each of {n} particles: the number of bins along a wall"
+            "a box of side {size:?}, bins of side {least:?} or more with a margin of 1e-9 of that side, at most 8 bins \
+             for each of {n} particles: number of bins along a wall"
         );
-        let found = || whole([Grid::new(size, least, n).rows()]);
+        let found = || integers([Grid::new(size, least, n).rows()]);
         ask.judge(&question, found, |found| fits(size, least, n, found));
     }
 }
@@ -52,9 +52,9 @@ pub(crate) fn columns(random: &mut Random, ask: &mut impl Ask) {
         let walls = [0.0, -0.0, size, below, below.next_down(), anywhere];
         for x in walls.into_iter().chain(beside(edge)).map(|x| x.clamp(-0.0, size)) {
             let question = format!(
-                "a box of side {size:?} with {along} bins along a wall, x = {x:?}: the column of x"
+                "a box of side {size:?} with {along} bins along a wall, x = {x:?}: column of x"
             );
-            let found = || whole([grid.column(x)]);
+            let found = || integers([grid.column(x)]);
             ask.judge(&question, found, |found| is_column(size, along, x, found));
         }
     }
@@ -86,13 +86,14 @@ pub(crate) fn near(random: &mut Random, ask: &mut impl Ask) {
         for index in all.filter(|index| *index < along) {
             let found = || {
                 let near = grid.near(index);
-                whole([near.start, near.end])
+                integers([near.start, near.end])
             };
             let question = format!(
-                "row {index} of {along}: the first row next to it, and the last one plus 1, itself among them"
+                "row {index} of {along}: first of the rows next to it, including the row itself, and the last of them \
+                 plus 1"
             );
             ask.exact(&question, found, || {
-                whole([if index == 0 { 0 } else { index - 1 }, along.min(index + 2)])
+                integers([if index == 0 { 0 } else { index - 1 }, along.min(index + 2)])
             });
         }
     }

@@ -2,7 +2,7 @@
 
 use common::soft::{CUTOFF, Particle, Scene, Simulation};
 use lab2::{BinLists, Grid, LinkedList, forward};
-use oracle::{Ask, Count, Random, whole};
+use oracle::{Ask, Count, Random, integers};
 
 use super::particles::{binned, in_any_order};
 
@@ -17,7 +17,7 @@ pub(crate) fn lists(random: &mut Random, ask: &mut impl Ask) {
             // The first round inserts all particles.
             let some = if round == 0 { n } else { random.below(n + 1) };
             let filled = Filled::drawn(random, bins, n, some);
-            filled.ask(&mut lists, &format!("round {round} of {n} particles in {bins} bins"), ask);
+            filled.ask(&mut lists, &format!("round {round}, {n} particles in {bins} bins"), ask);
         }
     }
 }
@@ -50,14 +50,19 @@ impl Filled {
         // This ends a list that has no end.
         let most = self.inserts.len() + 1;
         for bin in 0..self.bins {
-            let question = format!("{name}: the list of bin {bin}");
-            ask.exact(&question, || whole(lists.bin(bin).take(most)), || whole(self.list(bin)));
+            let question = format!("{name}: particles in the list of bin {bin}");
+            ask.exact(
+                &question,
+                || integers(lists.bin(bin).take(most)),
+                || integers(self.list(bin)),
+            );
         }
         for one in self.inserts.iter().step_by(1 + self.inserts.len() / 300) {
-            let question = format!("{name}: the particles after particle {}", one.particle);
-            let found = || whole(lists.after(one.particle).take(most));
+            let question =
+                format!("{name}: particles that follow particle {} in its list", one.particle);
+            let found = || integers(lists.after(one.particle).take(most));
             ask.exact(&question, found, || {
-                whole(self.list(one.bin).skip_while(|&p| p != one.particle).skip(1))
+                integers(self.list(one.bin).skip_while(|&p| p != one.particle).skip(1))
             });
         }
     }
@@ -77,12 +82,13 @@ pub(crate) fn forwards(random: &mut Random, ask: &mut impl Ask) {
             let row = any_index(random, along);
             let column = any_index(random, along);
             let question = format!(
-                "row {row}, column {column} of {along} rows: the bins after this one, in ascending order"
+                "the bin in row {row}, column {column} of {along} rows: neighbouring bins that come after it, in \
+                 ascending order"
             );
             let found = || {
                 let mut bins = [0; 4];
                 let count = forward(&grid, row, column, &mut bins).min(4);
-                in_any_order(whole(bins[..count].to_vec()))
+                in_any_order(integers(bins[..count].to_vec()))
             };
             ask.exact(&question, found, || bins_after(along, row, column));
         }
@@ -97,7 +103,7 @@ fn any_index(random: &mut Random, along: usize) -> usize {
 fn bins_after(along: usize, row: usize, column: usize) -> Vec<f64> {
     let ahead = [(0, column + 1), (1, column.wrapping_sub(1)), (1, column), (1, column + 1)];
     let there = ahead.into_iter().filter(|&(up, to)| row + up < along && to < along);
-    whole(there.map(|(up, to)| (row + up) * along + to))
+    integers(there.map(|(up, to)| (row + up) * along + to))
 }
 
 /// Asks about boxes of one bin, or of four bins that all touch, where each pair is tested once.
@@ -111,10 +117,9 @@ pub(crate) fn looks(random: &mut Random, ask: &mut impl Ask) {
         let mut engine = LinkedList::<Count>::new(1.0);
         engine.load(&Scene::new(size, particles).expect("all are in the box"));
         engine.step();
-        let told = engine.statistics().map_or(0, |seen| seen.pair_tests);
-        let question = format!(
-            "{n} particles in {along} rows of bins that touch: how many pairs were looked at"
-        );
-        ask.exact(&question, || whole([told as usize]), || whole([n * (n - 1) / 2]));
+        let reported = engine.statistics().map_or(0, |seen| seen.pair_tests);
+        let question =
+            format!("{n} particles in {along} rows of bins, which all touch: number of pair tests");
+        ask.exact(&question, || integers([reported as usize]), || integers([n * (n - 1) / 2]));
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use common::soft::Particle;
-use oracle::{Random, whole};
+use oracle::{Random, integers};
 
 /// A particle, and the number of its bin.
 #[derive(Clone, Copy)]
@@ -59,7 +59,7 @@ pub(crate) fn particles_of(all: &[Binned]) -> Vec<Particle> {
 
 /// Returns the ids of particles.
 pub(crate) fn ids<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
-    whole(particles.into_iter().map(|p| p.id as usize))
+    integers(particles.into_iter().map(|p| p.id as usize))
 }
 
 /// Sorts numbers whose order does not matter.

@@ -3,7 +3,7 @@
 use common::soft::{CUTOFF, Observer, Particle, Simulation, Statistics};
 use lab3::Vanilla;
 use oracle::scenes::anywhere;
-use oracle::{Ask, Model, Random, whole};
+use oracle::{Ask, Model, Random, integers};
 use solution1::Tally;
 
 use super::bins::states;
@@ -30,14 +30,14 @@ pub(crate) fn steps(random: &mut Random, ask: &mut impl Ask) {
                 engine.read(0, &mut found);
                 states(&found)
             };
-            ask.exact(&format!("{name}: id x y vx vy of each"), found, || {
+            ask.exact(&format!("{name}: id x y vx vy of each particle"), found, || {
                 let mut model = Model::new(&scene);
                 model.step();
                 states(&model.particles)
             });
-            let told = Simulation::statistics(&engine).map_or(0, |s| s.pair_tests) as usize;
-            let question = format!("{name}: how many pairs the observers were told of");
-            ask.exact(&question, || whole([told]), || whole([n * n]));
+            let reported = Simulation::statistics(&engine).map_or(0, |s| s.pair_tests) as usize;
+            let question = format!("{name}: number of pair tests reported to the observers");
+            ask.exact(&question, || integers([reported]), || integers([n * n]));
         }
     }
 }
@@ -69,7 +69,8 @@ pub(crate) fn observers(random: &mut Random, ask: &mut impl Ask) {
     engine.load(&scene);
     engine.sum_forces();
     let of_one = Simulation::statistics(&engine).map_or(0, |seen| seen.navg) as usize;
-    let question = "150 particles on two threads: how many observers were told of 150 pairs, those of one particle. \
-                    What an observer of several particles saw depends on the order of the threads";
-    ask.exact(question, || whole([of_one]), || whole([150]));
+    let question = "150 particles on two threads: number of observers that were told about the 150 pair tests of \
+                    exactly one particle. If an observer serves several particles, its sums depend on the order of the \
+                    threads";
+    ask.exact(question, || integers([of_one]), || integers([150]));
 }

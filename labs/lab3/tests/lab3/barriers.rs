@@ -4,7 +4,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use lab3::{Barrier, Part, take_steps};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 use parking_lot::Mutex;
 
 const MEMBERS: usize = 3;
@@ -95,18 +95,18 @@ pub(crate) fn rehearsals(random: &mut Random, ask: &mut impl Ask) {
         let part = ["forces", "moves", "arrivals"][turn % 3];
         let name = format!("step {} of {steps}, {part}", turn / 3);
         let question = format!(
-            "{name}: how many of 3 members have ended the part before when members 0, 1 and 2 begin. If fewer than 3, \
-             a barrier is missing"
+            "{name}: number of members, of 3, that have ended the part before, when members 0, 1 and 2 begin this \
+             part. A number below 3 means that a barrier is missing"
         );
-        ask.exact(&question, || whole(*before), || whole([MEMBERS; MEMBERS]));
-        let question = format!("{name}: how many members begin it, and how many end it");
-        let counts = || whole([found.begun[turn], found.ended[turn]]);
-        ask.exact(&question, counts, || whole([MEMBERS; 2]));
+        ask.exact(&question, || integers(*before), || integers([MEMBERS; MEMBERS]));
+        let question = format!("{name}: number of members that begin it, and number that end it");
+        let counts = || integers([found.begun[turn], found.ended[turn]]);
+        ask.exact(&question, counts, || integers([MEMBERS; 2]));
     }
     let question = format!(
-        "{steps} steps: how often the others do not wait at a barrier for a member that is held back"
+        "{steps} steps: number of parts after which the other members do not wait at a barrier for a delayed member"
     );
-    ask.exact(&question, || whole([found.alone]), || whole([0]));
+    ask.exact(&question, || integers([found.alone]), || integers([0]));
 }
 
 /// Asks for the parts and barriers of one member in few and many steps.
@@ -116,17 +116,19 @@ pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
         let mut parts = 0;
         take_steps(steps as u64, |_| parts += 1, &barrier);
         let question = format!(
-            "{steps} steps of one member: the number of parts, and of barriers (three of each for a step)"
+            "{steps} steps of one member: number of parts, and number of barriers (three of each in a step)"
         );
-        let found = || whole([parts, barrier.meetings() as usize]);
+        let found = || integers([parts, barrier.meetings() as usize]);
         ask.judge(&question, found, |found| {
             let right = 3 * steps;
             // No member needs to wait after the last part.
-            if [right, right.saturating_sub(1)].iter().any(|least| found == whole([right, *least]))
+            if [right, right.saturating_sub(1)]
+                .iter()
+                .any(|least| found == integers([right, *least]))
             {
                 return Ok(());
             }
-            Err(format!("     found: {found:?}\n  expected: {:?}", whole([right; 2])))
+            Err(format!("     found: {found:?}\n  expected: {:?}", integers([right; 2])))
         });
     }
 }

@@ -26,7 +26,7 @@ pub(crate) fn forces_of_all_pairs(_: &mut Random, ask: &mut impl Ask) {
         let particles = particles.map(|(x, y)| at(0, x, y)).to_vec();
         let scene = Scene::new(10.0 * CUTOFF, particles).expect("all are in the box");
         let mut after = scene.particles().to_vec();
-        let mut counts = Table::new(["threads", "pairs within the cutoff", "pairs looked at"]);
+        let mut counts = Table::new(["threads", "pairs within the cutoff", "pair tests"]);
         for threads in [1, 2, 3] {
             let mut engine = Vanilla::<Tally>::new(threads);
             engine.load(&scene);
@@ -104,7 +104,7 @@ pub(crate) fn rows(_: &mut Random, ask: &mut impl Ask) {
             even.row([&rows, &workers, &own.join(", ")]);
         }
         let mut uneven =
-            Table::new(["rows", "workers", "how many rows, ascending", "rows without one owner"]);
+            Table::new(["rows", "workers", "numbers of rows, ascending", "rows without one owner"]);
         for (rows, workers) in [(7, 2), (10, 4), (2, 5)] {
             let owners = |row| rows_of_all(rows, workers).filter(|own| own.contains(&row)).count();
             let lost = (0..rows).filter(|row| owners(*row) != 1).count();
@@ -123,8 +123,7 @@ pub(crate) fn forces_of_workers(_: &mut Random, ask: &mut impl Ask) {
         bins.refill(&particles);
         let mut table =
             Table::new(["worker", "own rows", "particle", "x / cutoff", "y / cutoff", "ax", "ay"]);
-        let mut counts =
-            Table::new(["worker", "row", "pairs within the cutoff", "pairs looked at"]);
+        let mut counts = Table::new(["worker", "row", "pairs within the cutoff", "pair tests"]);
         for (worker_number, rows) in [0..2, 2..3].into_iter().enumerate() {
             let mut worker = Worker::<Tally>::new(rows.clone());
             worker.sum_forces(&bins);

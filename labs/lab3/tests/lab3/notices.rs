@@ -13,14 +13,14 @@ pub(crate) struct Reading {
     /// The notice that was read. `None` if no notice was found.
     pub(crate) found: Option<Statistics>,
     /// The operations of both threads, in words.
-    pub(crate) told: String,
+    pub(crate) log: String,
 }
 
 impl Reading {
     /// Returns the notice that was read, the length of the words in bytes, and these bytes.
     fn into_numbers(self) -> Vec<f64> {
-        let read = [answer(self.found), vec![self.told.len() as f64]].concat();
-        read.into_iter().chain(self.told.bytes().map(f64::from)).collect()
+        let read = [answer(self.found), vec![self.log.len() as f64]].concat();
+        read.into_iter().chain(self.log.bytes().map(f64::from)).collect()
     }
 }
 
@@ -37,7 +37,7 @@ pub(crate) fn readings(posted: &Statistics) -> Vec<Reading> {
         posted: number("the flag", 0),
     };
     let readings = memory.readings(|| notice.post(posted), || notice.read());
-    readings.into_iter().map(|(found, told)| Reading { found, told }).collect()
+    readings.into_iter().map(|(found, log)| Reading { found, log }).collect()
 }
 
 /// Returns 1 and the numbers of a notice, or 0 if there is no notice.
@@ -46,15 +46,16 @@ fn answer(notice: Option<Statistics>) -> Vec<f64> {
 }
 
 /// Asks for notices with numbers of any size.
-pub(crate) fn whole(random: &mut Random, ask: &mut impl Ask) {
+pub(crate) fn posts(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..20 {
         let posted = drawn(random);
         let notice = Notice::default();
-        let name = format!("notice {case}, 1 and dmin, davg, navg, pair tests, or 0 for no notice");
+        let name =
+            format!("notice {case} (1 and dmin, davg, navg, pair tests; or 0 for no notice)");
         let question = format!("{name}: what is read before it is posted");
         ask.exact(&question, || answer(notice.read()), || vec![0.0]);
         notice.post(&posted);
-        let question = format!("{name}: what is read when it is posted");
+        let question = format!("{name}: what is read after it is posted");
         ask.exact(&question, || answer(notice.read()), || answer(Some(posted)));
         let found = || {
             let all = readings(&posted).into_iter();
@@ -63,7 +64,7 @@ pub(crate) fn whole(random: &mut Random, ask: &mut impl Ask) {
             all.dedup();
             all.concat()
         };
-        let question = format!("{name}: all that may be read while another thread posts it");
+        let question = format!("{name}: everything that may be read while another thread posts it");
         ask.exact(&question, found, || [vec![0.0], answer(Some(posted))].concat());
     }
 }
@@ -72,28 +73,28 @@ pub(crate) fn whole(random: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn orderings(_: &mut Random, ask: &mut impl Ask) {
     let posted = Statistics { dmin: 0.25, davg: 1.5, navg: 4, pair_tests: 9 };
     let found = || readings(&posted).into_iter().flat_map(Reading::into_numbers).collect();
-    let question = "a notice with dmin 0.25, davg 1.5, navg 4 and 9 pair tests: each way in which it may be read while \
-                    another thread posts it";
+    let question = "a notice with dmin 0.25, davg 1.5, navg 4 and 9 pair tests: every way in which it may be read \
+                    while another thread posts it";
     ask.judge(question, found, |found| {
         let mut rest = found;
         while !rest.is_empty() {
             let reading = next_reading(&mut rest).ok_or("the answer is not complete")?;
-            let Reading { found, told } = reading;
+            let Reading { found, log } = reading;
             if let Some(read) = found.filter(|read| *read != posted) {
-                let both = format!("{read:?} was read, and {posted:?} was posted");
-                return Err(format!("the flag was seen, but not all numbers: {both}\n{told}"));
+                let both = format!("{read:?} was read, but {posted:?} was posted");
+                return Err(format!("the flag was seen, but not all numbers: {both}\n{log}"));
             }
-            if let Some(words) = too_much(&told) {
-                return Err(format!("{words}\n{told}"));
+            if let Some(words) = too_much(&log) {
+                return Err(format!("{words}\n{log}"));
             }
         }
         Ok(())
     });
 }
 
-/// Names an operation in `told` that is stronger than necessary or repeated. Returns `None` if all
+/// Names an operation in `log` that is stronger than necessary or repeated. Returns `None` if all
 /// operations are needed.
-fn too_much(told: &str) -> Option<String> {
+fn too_much(log: &str) -> Option<String> {
     let needed = [
         "writes the flag, Release",
         "reads  the flag, Acquire",
@@ -103,11 +104,11 @@ fn too_much(told: &str) -> Option<String> {
     let is_needed = |line: &&str| {
         line.contains(", Relaxed") || needed.iter().any(|needed| line.contains(needed))
     };
-    if let Some(line) = told.lines().find(|line| !is_needed(line)) {
-        return Some(format!("'{}': a weaker ordering would do", line.trim()));
+    if let Some(line) = log.lines().find(|line| !is_needed(line)) {
+        return Some(format!("'{}': a weaker ordering is sufficient", line.trim()));
     }
-    let looks = told.lines().filter(|line| line.contains("reads  the flag")).count();
-    (looks > 1).then(|| format!("the flag is read {looks} times, and not once"))
+    let looks = log.lines().filter(|line| line.contains("reads  the flag")).count();
+    (looks > 1).then(|| format!("the flag is read {looks} times instead of once"))
 }
 
 /// Takes a reading off the front of an answer.
@@ -127,5 +128,5 @@ fn next_reading(rest: &mut &[f64]) -> Option<Reading> {
     };
     let length = take(1)?[0] as usize;
     let bytes = take(length)?.iter().map(|byte| *byte as u8).collect();
-    Some(Reading { found, told: String::from_utf8(bytes).ok()? })
+    Some(Reading { found, log: String::from_utf8(bytes).ok()? })
 }

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use common::soft::{CUTOFF, Observer, Statistics};
 use lab3::{AtomicStatistics, BLOCK, Word, in_order, pool, under_a_lock, with_atomics};
-use oracle::{Ask, Near, Random, whole};
+use oracle::{Ask, Near, Random, integers};
 use solution1::Tally;
 
 /// Returns `count` statistics whose sum depends, in its last digits, on the order of the additions.
@@ -163,16 +163,16 @@ pub(crate) fn slow(_: &mut Random, ask: &mut impl Ask) {
     let found = || pool(4).install(|| under_a_lock(&vec![Slow(1); 100])).0 as usize;
     let question = "100 parts of 1 are added under a lock by four threads, slowly: the total. A total below 100 means \
                     that one thread overwrote what another had added";
-    ask.exact(question, || whole([found()]), || whole([100]));
+    ask.exact(question, || integers([found()]), || integers([100]));
 }
 
 /// Asks for the sum when another thread interrupts few and many times.
 pub(crate) fn interrupted(_: &mut Random, ask: &mut impl Ask) {
     for times in [1, 2, 3, 40, 1000] {
         let question = format!(
-            "dmin 0.5, davg 0.5, navg 1 and 4 pair tests are added twice, and another thread comes in {times} times \
-             between two operations on each number. It lowers dmin to 0.125, and adds 0.25 to davg and 2 to each \
-             count: dmin, davg, navg, pair tests of the sum"
+            "dmin 0.5, davg 0.5, navg 1 and 4 pair tests are added twice, and another thread interrupts {times} times, \
+             between two operations on each number. Each time it lowers dmin to 0.125, and adds 0.25 to davg and 2 to \
+             each count: dmin, davg, navg, pair tests of the sum"
         );
         ask.judge(&question, || numbers(&sum_of_two(times)), |found| nothing_lost(times, found));
     }

@@ -7,7 +7,7 @@ use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 
 use lab3::on_threads;
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 use parking_lot::Mutex;
 
 /// Time that a thread waits for others that may never come.
@@ -64,18 +64,17 @@ pub(crate) fn gatherings(random: &mut Random, ask: &mut impl Ask) {
     for threads in [0, 1, 2, 5, 3 + random.below(8), 12 + random.below(40)] {
         let Gathering { most, ended, numbers, different } = gather(threads);
         let question = format!(
-            "{threads} threads: how many are at work at the same time, how many have ended when the call returns, and \
-             how many are new and different"
+            "{threads} threads: number that work at the same time, number that have ended when the call returns, and \
+             number that are new and different"
         );
-        ask.exact(&question, || whole([most, ended, different]), || whole([threads; 3]));
-        let question =
-            format!("{threads} threads: the numbers that they are given, in ascending order");
-        ask.exact(&question, || whole(numbers), || whole(0..threads));
+        ask.exact(&question, || integers([most, ended, different]), || integers([threads; 3]));
+        let question = format!("{threads} threads: the numbers that they get, in ascending order");
+        ask.exact(&question, || integers(numbers), || integers(0..threads));
     }
     // A submission may not start this number of threads.
     ask.in_tests_only(|| {
         let started = gather(257).numbers.len();
-        assert_eq!(started, 257, "257 threads: how many are started");
+        assert_eq!(started, 257, "257 threads: number of threads that are started");
     });
 }
 
@@ -95,7 +94,8 @@ pub(crate) fn panics_with(words: u8) -> u8 {
 pub(crate) fn panics(random: &mut Random, ask: &mut impl Ask) {
     let words = 2 + random.below(250) as u8;
     let question = format!(
-        "thread 1 of 3 panics with the number {words}: what comes out, 0 for nothing, and 1 for something else"
+        "thread 1 of 3 panics with the number {words}: number with which the call panics; 0 for no panic, and 1 for \
+         any other"
     );
     ask.exact(&question, || vec![f64::from(panics_with(words))], || vec![f64::from(words)]);
 }

@@ -6,7 +6,7 @@ use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Observer, Particle};
 use lab3::{Worker, pool, sum_and_move};
 use oracle::scenes::anywhere;
-use oracle::{Ask, Model, Random, truth, whole};
+use oracle::{Ask, Model, Random, integers, truth};
 use solution1::{Tally, advance};
 use solution2::{Gather, Grid, VecBins};
 
@@ -85,7 +85,7 @@ impl Case {
             }
             counts.extend(count);
         }
-        whole(counts)
+        integers(counts)
     }
 
     fn name(&self) -> String {
@@ -98,7 +98,7 @@ impl Case {
 /// Returns the pairs within the cutoff and the pair tests of each tally.
 pub(crate) fn counts(seen: &[Tally]) -> Vec<f64> {
     let seen = seen.iter().map(|tally| tally.statistics().expect("a tally has statistics"));
-    whole(seen.flat_map(|s| [s.navg as usize, s.pair_tests as usize]))
+    integers(seen.flat_map(|s| [s.navg as usize, s.pair_tests as usize]))
 }
 
 /// Asks for the forces on the particles of some rows. One worker repeats this several times,
@@ -112,10 +112,10 @@ pub(crate) fn forces(random: &mut Random, ask: &mut impl Ask) {
             worker.rows = case.rows.clone();
             worker.sum_forces(&bins);
             let found = || worker.accelerations.iter().flat_map(|a| [a.x, a.y]).collect();
-            let question = format!("{}: ax, ay of each of its particles", case.name());
+            let question = format!("{}: ax, ay of each of the worker's particles", case.name());
             ask.exact(&question, found, || case.felt(&bins));
             let question = format!(
-                "{}: pairs within the cutoff and pair tests of each of its rows",
+                "{}: pairs within the cutoff and pair tests that each of its rows reports",
                 case.name()
             );
             ask.exact(&question, || counts(&worker.seen), || case.seen(&bins));
@@ -128,7 +128,7 @@ pub(crate) fn forces(random: &mut Random, ask: &mut impl Ask) {
     worker.sum_forces(&bins);
     // `gather` remembers the neighbours of the last particle.
     let is_used = format!("{:?}", worker.gather) != format!("{:?}", Gather::default());
-    let question = "two particles within the cutoff: whether the worker's own `gather` has summed their forces (1)";
+    let question = "two particles within the cutoff: 1 if the worker's own `gather` has summed their forces, 0 if not";
     ask.exact(question, || vec![truth(is_used)], || vec![1.0]);
 }
 
@@ -188,10 +188,10 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
             worker.changed.push(Particle { id: 7777, ..Particle::default() });
             worker.move_particles(&case.grid, &mut own);
             let question =
-                format!("{}: id x y vx vy of those that stay in their bins", case.name());
+                format!("{}: id x y vx vy of each particle that stays in its bin", case.name());
             ask.exact(&question, || states(own.iter().flatten()), || case.moved(true));
             let question = format!(
-                "{}: id x y vx vy of those in the change buffer, which held particle 7777 of the step before",
+                "{}: id x y vx vy of each particle in the change buffer, which held particle 7777 of the step before",
                 case.name()
             );
             ask.exact(&question, || states(&worker.changed), || case.moved(false));
@@ -210,7 +210,7 @@ pub(crate) fn loops(random: &mut Random, ask: &mut impl Ask) {
         let mut workers: Vec<_> = workers.collect();
         pool(3).install(|| sum_and_move(&mut workers, &mut bins));
         let question = format!(
-            "300 particles and {count} workers: id x y vx vy of each in bins and buffers after both loops"
+            "300 particles and {count} workers: id x y vx vy of each particle in bins and buffers after both loops"
         );
         let changed = workers.iter().flat_map(|worker| &worker.changed);
         ask.exact(

@@ -63,11 +63,11 @@ pub(crate) fn buffers(_: &mut Random, ask: &mut impl Ask) {
 }
 
 /// Shows the changes that each of two owners receives, in the order of the particles.
-fn letters(told: [Vec<Change>; 2]) -> Columns {
+fn letters(sent: [Vec<Change>; 2]) -> Columns {
     let mut table = Columns::new(["of owner 0", "of owner 1"].map(String::from));
     for change in CHANGES {
-        let cell = |told: &Vec<Change>| {
-            let times = told.iter().filter(|letter| **letter == change).count();
+        let cell = |sent: &Vec<Change>| {
+            let times = sent.iter().filter(|letter| **letter == change).count();
             match times {
                 0 => "-".into(),
                 1 => "once".into(),
@@ -76,7 +76,7 @@ fn letters(told: [Vec<Change>; 2]) -> Columns {
         };
         let Change { particle, from, to } = change;
         let name = format!("particle {particle} from bin {from} to bin {to}");
-        table.row(name, told.iter().map(cell));
+        table.row(name, sent.iter().map(cell));
     }
     table
 }
@@ -85,11 +85,11 @@ pub(crate) fn queues(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let queues = [SegQueue::new(), SegQueue::new()];
         CHANGES.iter().for_each(|change| post(CUT, &queues, *change));
-        let told = queues.each_ref().map(|queue| std::iter::from_fn(|| queue.pop()).collect());
-        let told = letters(told);
+        let sent = queues.each_ref().map(|queue| std::iter::from_fn(|| queue.pop()).collect());
+        let sent = letters(sent);
         CHANGES.iter().for_each(|change| post(CUT, &queues, *change));
         let taken = Moments::new().by_owners(|own, bins| take(CUT, own, bins, &queues[own]));
-        format!("{told}\n{taken}")
+        format!("{sent}\n{taken}")
     });
 }
 
@@ -97,10 +97,10 @@ pub(crate) fn channels(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let (senders, receivers): (Vec<_>, Vec<_>) = (0..2).map(|_| unbounded()).unzip();
         CHANGES.iter().for_each(|change| send(CUT, &senders, *change));
-        let told = letters([0, 1].map(|owner: usize| receivers[owner].try_iter().collect()));
+        let sent = letters([0, 1].map(|owner: usize| receivers[owner].try_iter().collect()));
         CHANGES.iter().for_each(|change| send(CUT, &senders, *change));
         let received =
             Moments::new().by_owners(|own, bins| receive(CUT, own, bins, &receivers[own]));
-        format!("{told}\n{received}")
+        format!("{sent}\n{received}")
     });
 }

@@ -31,7 +31,7 @@ struct Thread {
 }
 
 impl Thread {
-    fn said(&self) -> String {
+    fn description(&self) -> String {
         let has = match self.has.len() {
             0 => "-".into(),
             1 => "1 lock".into(),
@@ -51,8 +51,8 @@ struct State {
 impl State {
     fn note(&mut self, what: &str, bins: [String; 2]) {
         if !self.over {
-            let said = self.threads.each_ref().map(Thread::said);
-            self.table.row(what, said.into_iter().chain(bins));
+            let description = self.threads.each_ref().map(Thread::description);
+            self.table.row(what, description.into_iter().chain(bins));
         }
     }
 }
@@ -103,7 +103,7 @@ impl Watch for Recorder {
         if state.threads.iter().all(|thread| thread.waits) {
             state.over = true;
             self.change.notify_all();
-            resume_unwind(Box::new("both threads would wait for ever"));
+            resume_unwind(Box::new("both threads would wait forever"));
         }
     }
 
@@ -161,7 +161,7 @@ fn two_threads() -> String {
         state.note("both are done", inside(&mut regions, [3, 7]));
     } else {
         state.over = false;
-        state.note("both wait for ever", Default::default());
+        state.note("both wait forever", Default::default());
     }
     state.table.to_string()
 }

@@ -6,7 +6,7 @@ use std::thread::{self, ScopedJoinHandle};
 
 use common_threads::{LockOrder, Watch};
 use lab4::{Bin, Change, Meter, Regions, change_bin};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 
 use super::bins::{filled, regions_of};
 
@@ -35,7 +35,7 @@ fn bins_of(regions: &mut Regions) -> Vec<f64> {
         all += inside.len();
         inside.iter().for_each(|particle| found[*particle as usize] = f64::from(bin));
     }
-    [found, whole([all])].concat()
+    [found, integers([all])].concat()
 }
 
 /// Asks for the bins of all particles. `right` returns the correct bin of each particle.
@@ -46,7 +46,7 @@ pub(crate) fn ask_bins(
     right: impl Fn(u32) -> usize,
 ) {
     let question = format!(
-        "{name}: the bin of each of 360 particles, -1 for none, and how many particles all bins hold"
+        "{name}: the bin of each of 360 particles, -1 for none; and the number of particles in all bins"
     );
     ask.judge(
         &question,
@@ -63,7 +63,7 @@ pub(crate) fn ask_bins(
             match found.get(360) {
                 Some(360.0) => Ok(()),
                 all => Err(format!(
-                    "how many particles all bins hold\n     found: {all:?}\n  expected: 360"
+                    "the number of particles in all bins\n     found: {all:?}\n  expected: 360"
                 )),
             }
         },
@@ -82,10 +82,11 @@ pub(crate) fn one_by_one(random: &mut Random, ask: &mut impl Ask) {
         changes.iter().for_each(|change| change_bin(&regions, &mut meter, *change));
         let name = format!("132 changes, 12 bins with {each} in a region");
         let question = format!("{name}: locks taken, locks waited for, most locks held at once");
-        let counts = || whole([meter.locks as usize, meter.contended as usize, order.most_held()]);
+        let counts =
+            || integers([meter.locks as usize, meter.contended as usize, order.most_held()]);
         ask.exact(&question, counts, || {
             let two = changes.iter().filter(|change| change.from / each != change.to / each);
-            whole([132 + two.count(), 0, if each == 12 { 1 } else { 2 }])
+            integers([132 + two.count(), 0, if each == 12 { 1 } else { 2 }])
         });
         ask_bins(ask, &name, &mut regions, |particle| {
             let change = changes.iter().find(|change| change.particle == particle);
@@ -110,8 +111,8 @@ pub(crate) fn large_numbers(_: &mut Random, ask: &mut impl Ask) {
         [meter.locks as f64].into_iter().chain(inside.map(|p| f64::from(*p))).collect()
     };
     let question = format!(
-        "particle {particle} changes from bin {from} of 70000, which also holds particle 5, to bin {to}: locks taken, \
-         and the particles in the two bins"
+        "particle {particle}, which changes from bin {from} of 70000 to bin {to}; particle 5 is in the old bin too: \
+         locks taken, and the particles in the two bins"
     );
     ask.exact(&question, found, || vec![2.0, 5.0, f64::from(particle)]);
 }
@@ -129,7 +130,7 @@ pub(crate) fn many_threads(random: &mut Random, ask: &mut impl Ask) {
         ask.exact(
             &question,
             || vec![locks as f64],
-            || whole([if each == 12 { 360 * times } else { 720 * times }]),
+            || integers([if each == 12 { 360 * times } else { 720 * times }]),
         );
         ask_bins(ask, &name, &mut regions, |particle| sent_on(particle, times as u32));
     }

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use common_threads::{Lock, Stopwatch, Watch};
 use lab4::Meter;
-use oracle::{Ask, Random, Table, whole};
+use oracle::{Ask, Random, Table, integers};
 
 /// Asks about a lock that no other thread wants.
 pub(crate) fn free(random: &mut Random, ask: &mut impl Ask) {
@@ -23,8 +23,8 @@ pub(crate) fn free(random: &mut Random, ask: &mut impl Ask) {
         vec![guarded, counts[0], counts[1], meter.waiting.as_secs_f64(), started as f64]
     };
     let question = format!(
-        "a free lock that guards the number 5 is taken {times} times, and 1 is added each time: the number, locks \
-         taken, locks waited for, time waited in seconds, stopwatches started"
+        "a free lock that guards the number 5 and is taken {times} times; 1 is added each time: the number, locks \
+         taken, locks waited for, seconds waited, stopwatches started"
     );
     let times = times as f64;
     ask.exact(&question, found, || vec![times + 5.0, times, 0.0, 0.0, 0.0]);
@@ -89,9 +89,8 @@ pub(crate) fn held(_: &mut Random, ask: &mut impl Ask) {
     let question = format!("{name}: locks taken, locks waited for");
     let counts = [meter.locks, meter.contended].map(|count| count as f64);
     ask.exact(&question, || counts.to_vec(), || vec![2.0, 2.0]);
-    let question = format!(
-        "{name}: the sum of both waits by the meter, and by a clock around both, in seconds"
-    );
+    let question =
+        format!("{name}: seconds of both waits together, by the meter and by a clock around both");
     let times = [meter.waiting, waited].map(|time| time.as_secs_f64());
     ask.judge(
         &question,
@@ -101,13 +100,15 @@ pub(crate) fn held(_: &mut Random, ask: &mut impl Ask) {
             _ => Err(format!("     found: {found:?}\n  expected: two times that are nearly equal")),
         },
     );
-    let question = format!("{name}: how often the locks are asked for, by both threads together");
+    let question = format!("{name}: number of requests for the locks, by both threads together");
     ask.judge(
         &question,
-        || whole([requests]),
+        || integers([requests]),
         |found| match found {
             [requests] if *requests <= 6.0 => Ok(()),
-            _ => Err(format!("{found:?}: the lock is asked for again and again, in a loop")),
+            _ => Err(format!(
+                "{found:?} requests: the thread requests the lock again and again, in a loop"
+            )),
         },
     );
 }

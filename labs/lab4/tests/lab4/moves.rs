@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use common::Vec2;
 use common::soft::{CUTOFF, DT, Particle};
 use lab4::{Change, move_own};
-use oracle::{Ask, Random, Table, whole};
+use oracle::{Ask, Random, Table, integers};
 use solution1::advance;
 use solution2::Grid;
 
@@ -38,7 +38,7 @@ impl Case {
         let first = self.particles.first().map_or(0, |p| p.id);
         let n = self.particles.len();
         let along = self.grid.rows();
-        format!("{n} particles, the first of which is particle {first}, in {along} rows of bins")
+        format!("{n} particles in {along} rows of bins, of which particle {first} is the first")
     }
 
     /// Returns the particles after the move, and the changes of bins.
@@ -79,20 +79,21 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
     for n in [random.sizes(1025), random.sizes(1025)].concat() {
         let case = Case::drawn(random, n);
         let mut particles = case.particles.clone();
-        let mut told = Vec::new();
+        let mut reported = Vec::new();
         move_own(&case.grid, &mut particles, &case.accelerations, |change| {
-            told.extend([change.particle as usize, change.from, change.to]);
+            reported.extend([change.particle as usize, change.from, change.to]);
         });
         let name = case.name();
-        let question = format!("{name}: x y vx vy of each");
+        let question = format!("{name}: x y vx vy of each particle");
         ask.exact(&question, || numbers(&particles), || numbers(&case.moved().0));
         let question =
-            format!("{name}: particle, old and new bin of each particle that changed its bin");
-        ask.exact(&question, || whole(told), || whole(case.moved().1));
-        let question =
-            format!("{name}: how many have changed their bin when the first change is told");
-        let right = || whole([case.moved().1.len().min(1)]);
-        ask.exact(&question, || whole([case.changed_at_first()]), right);
+            format!("{name}: particle, old bin and new bin of each change that is reported");
+        ask.exact(&question, || integers(reported), || integers(case.moved().1));
+        let question = format!(
+            "{name}: number of particles that have changed their bins when the first change is reported"
+        );
+        let right = || integers([case.moved().1.len().min(1)]);
+        ask.exact(&question, || integers([case.changed_at_first()]), right);
     }
 }
 
@@ -109,18 +110,18 @@ pub(crate) fn table(_: &mut Random, ask: &mut impl Ask) {
         };
         let before: Vec<Particle> = (0..).zip(flights).map(particle).collect();
         let mut particles = before.clone();
-        let mut told = vec![None; before.len()];
+        let mut reported = vec![None; before.len()];
         let at_rest = vec![Vec2::ZERO; before.len()];
         move_own(&grid, &mut particles, &at_rest, |change: Change| {
-            told[change.particle as usize] = Some(change);
+            reported[change.particle as usize] = Some(change);
         });
-        let mut table = Table::new(["particle", "x", "y", "x after", "y after", "changed is told"]);
-        for ((p, after), told) in before.iter().zip(&particles).zip(told) {
-            let said = told.map_or("-".into(), |change| {
+        let mut table = Table::new(["particle", "x", "y", "x after", "y after", "reported change"]);
+        for ((p, after), reported) in before.iter().zip(&particles).zip(reported) {
+            let cell = reported.map_or("-".into(), |change| {
                 format!("{} from bin {} to bin {}", change.particle, change.from, change.to)
             });
             let [x, y] = [after.x, after.y].map(|along| format!("{along:.2}"));
-            table.row([&p.id, &p.x, &p.y, &x, &y, &said]);
+            table.row([&p.id, &p.x, &p.y, &x, &y, &cell]);
         }
         table.to_string()
     });

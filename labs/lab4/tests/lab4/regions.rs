@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use common_threads::{Lock, Watch};
 use lab4::{Cut, Regions};
-use oracle::{Ask, Random, Table, spaced, whole};
+use oracle::{Ask, Random, Table, integers, spaced};
 
 /// Asks for the sizes of few and many regions, of few and many bins.
 pub(crate) fn sizes(random: &mut Random, ask: &mut impl Ask) {
@@ -14,12 +14,12 @@ pub(crate) fn sizes(random: &mut Random, ask: &mut impl Ask) {
         let most = if case % 10 == 9 { 70_000 } else { 1025 };
         let bins = 1 + random.size(most);
         let count = 1 + random.size(most);
-        let found = || whole(Regions::new(bins, count).parts_mut().map(|bins| bins.len()));
+        let found = || integers(Regions::new(bins, count).parts_mut().map(|bins| bins.len()));
         let question =
-            format!("{bins} bins in {count} regions or fewer: the number of bins in each");
+            format!("{bins} bins in {count} regions or fewer: number of bins in each region");
         ask.exact(&question, found, || {
             let each = bins.div_ceil(count);
-            whole((0..bins.div_ceil(each)).map(|number| each.min(bins - number * each)))
+            integers((0..bins.div_ceil(each)).map(|number| each.min(bins - number * each)))
         });
     }
 }
@@ -31,11 +31,11 @@ pub(crate) fn places(random: &mut Random, ask: &mut impl Ask) {
         for bin in [random.size(70_000), random.size(1 << 40)] {
             let found = || {
                 let (region, index) = Cut { bins_each: each }.find(bin);
-                whole([region, index])
+                integers([region, index])
             };
             let question =
-                format!("bin {bin}, {each} bins in each region: its region and its index");
-            ask.exact(&question, found, || whole([bin / each, bin % each]));
+                format!("bin {bin}, {each} bins in each region: its region, and its index there");
+            ask.exact(&question, found, || integers([bin / each, bin % each]));
         }
     }
 }
@@ -64,9 +64,9 @@ fn numbers_of(regions: &mut Regions) -> Vec<usize> {
 /// Asks for the number of each region's lock, as seen in the requests.
 pub(crate) fn numbers(random: &mut Random, ask: &mut impl Ask) {
     let count = 5 + random.below(300);
-    let found = || whole(numbers_of(&mut Regions::new(9 * count, count)));
-    let question = format!("{count} regions of 9 bins: the number of each region's lock");
-    ask.exact(&question, found, || whole(0..count));
+    let found = || integers(numbers_of(&mut Regions::new(9 * count, count)));
+    let question = format!("{count} regions of 9 bins: number of each region's lock");
+    ask.exact(&question, found, || integers(0..count));
 }
 
 /// Shows the worked example.

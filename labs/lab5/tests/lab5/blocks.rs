@@ -139,11 +139,11 @@ pub(crate) fn same(
             match (found.get(equal), right.get(equal)) {
                 (None, None) => Ok(()),
                 (Some(found), Some(right)) if found.id == right.id => {
-                    particle(right, "is not as it was")
+                    particle(right, "is different")
                 }
                 (Some(found), Some(right)) if right.id < found.id => particle(right, "is missing"),
                 (None, Some(right)) => particle(right, "is missing"),
-                (Some(found), _) => particle(found, "is one too many"),
+                (Some(found), _) => particle(found, "must not be there"),
             }
         },
     );

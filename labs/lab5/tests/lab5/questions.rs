@@ -6,26 +6,26 @@ use std::ops::Range;
 use common::soft::Particle;
 use common_mpi::Wire;
 use lab5::{Cut, Parcel, border_copies, replace_ghosts, sort_by_receiver, take_leavers_of_block};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 use solution2::VecBins;
 
 use super::blocks::{Blocks, blocks_of, owners_of, same, wires};
 
 /// Asks for all cuts of few rows among few ranks.
 pub(crate) fn few_rows(_: &mut Random, ask: &mut impl Ask) {
-    const FEW: usize = 30;
-    for (rows, ranks) in (1..=FEW).flat_map(|rows| (1..=FEW).map(move |ranks| (rows, ranks))) {
+    const MOST: usize = 30;
+    for (rows, ranks) in (1..=MOST).flat_map(|rows| (1..=MOST).map(move |ranks| (rows, ranks))) {
         let (cut, name) = (Cut { rows, ranks }, format!("{rows} rows on {ranks} ranks"));
         let ends = |block: Range<usize>| [block.start, block.end];
         ask.exact(
             &format!("{name}: start and end of each block"),
-            || whole((0..ranks).flat_map(|rank| ends(cut.block(rank)))),
-            || whole(blocks_of(cut).into_iter().flat_map(ends)),
+            || integers((0..ranks).flat_map(|rank| ends(cut.block(rank)))),
+            || integers(blocks_of(cut).into_iter().flat_map(ends)),
         );
         ask.exact(
-            &format!("{name}: the rank that owns each row"),
-            || whole((0..rows).map(|row| cut.owner(row))),
-            || whole(owners_of(&blocks_of(cut))),
+            &format!("{name}: rank that owns each row"),
+            || integers((0..rows).map(|row| cut.owner(row))),
+            || integers(owners_of(&blocks_of(cut))),
         );
     }
 }
@@ -41,15 +41,15 @@ pub(crate) fn many_rows(random: &mut Random, ask: &mut impl Ask) {
         for rank in [0, ranks - 1, random.below(ranks), random.below(ranks)] {
             let block = || cut.block(rank);
             let question = format!("{name}: start and end of the block of rank {rank}");
-            let found = || whole([block().start, block().end]);
+            let found = || integers([block().start, block().end]);
             ask.judge(&question, found, |found| {
                 begins_there("it starts", found.first(), rank, cut)?;
                 begins_there("it ends", found.get(1), rank + 1, cut)
             });
         }
         for row in [0, rows - 1, random.below(rows), random.below(rows)] {
-            let question = format!("{name}: the rank that owns row {row}");
-            ask.judge(&question, || whole([cut.owner(row)]), |found| owns(found, row, cut));
+            let question = format!("{name}: rank that owns row {row}");
+            ask.judge(&question, || integers([cut.owner(row)]), |found| owns(found, row, cut));
         }
     }
 }
@@ -67,21 +67,21 @@ fn begins_there(what: &str, found: Option<&f64>, rank: usize, cut: Cut) -> Resul
     if rounded_down {
         Ok(())
     } else {
-        Err(format!("{what} at row {found}, not at {exact}, rounded down"))
+        Err(format!("{what} at row {found}, but must be at row {exact}, rounded down"))
     }
 }
 
 /// Checks that a rank's block contains the row: the block begins at the row or before it, and the
 /// next block begins after it.
 fn owns(found: &[f64], row: usize, cut: Cut) -> Result<(), String> {
-    let &[rank] = found else { return Err("there is no rank".into()) };
+    let &[rank] = found else { return Err("the answer has no rank".into()) };
     let behind = (row as u128 + 1) * cut.ranks as u128;
     let begins = rank as u128 * cut.rows as u128;
     if rank >= 0.0 && begins < behind && begins + cut.rows as u128 >= behind {
         return Ok(());
     }
     let exact = [rank, rank + 1.0].map(|rank| rank * cut.rows as f64 / cut.ranks as f64);
-    Err(format!("rank {rank} has the rows from {} up to {}, both rounded down", exact[0], exact[1]))
+    Err(format!("rank {rank} owns the rows from {} to {}, both rounded down", exact[0], exact[1]))
 }
 
 /// Asks for the particles that have stayed in a block, and for the particles that have left it.
@@ -104,9 +104,10 @@ pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
         let is_local = |p: &&Particle| block.contains(&blocks.row(p.y));
         let name = format!("case {case}, rows {block:?} of {rows}");
         let right = || wires(particles.iter().filter(is_local));
-        same(&blocks.grid, &format!("{name}, local"), wires(&changed), right, ask);
+        same(&blocks.grid, &format!("{name}, local particles"), wires(&changed), right, ask);
         let right = || wires(particles.iter().filter(|p| !is_local(p)).chain([&before]));
-        let name = format!("{name}, remote, where particle {} was before", before.id);
+        let name =
+            format!("{name}, remote particles, which follow particle {} from before", before.id);
         same(&blocks.grid, &name, wires(&remote), right, ask);
     }
 }
@@ -134,7 +135,7 @@ pub(crate) fn copies(random: &mut Random, ask: &mut impl Ask) {
         let copies = border_copies(&bins, &blocks.cut, &block);
         let border = |row: usize| block.contains(&row) && blocks.is_seen(row, &block);
         let right = || wires(particles.iter().filter(|p| border(blocks.row(p.y))));
-        let name = format!("{}, rows {block:?}: copies", blocks.name(case));
+        let name = format!("{}, rows {block:?}, copies", blocks.name(case));
         same(&blocks.grid, &name, copies, right, ask);
     }
 }
@@ -161,11 +162,11 @@ pub(crate) fn parcels(random: &mut Random, ask: &mut impl Ask) {
             }
         }
         let lists = sort_by_receiver(&blocks.grid, &blocks.cut, &parcels);
-        let question = format!("{}: the number of lists", blocks.name(case));
-        ask.exact(&question, || whole([lists.len()]), || whole([ranks]));
+        let question = format!("{}: number of lists", blocks.name(case));
+        ask.exact(&question, || integers([lists.len()]), || integers([ranks]));
         for rank in 0..ranks {
             let list = lists.get(rank).cloned().unwrap_or_default();
-            let name = format!("{}: what goes to rank {rank}", blocks.name(case));
+            let name = format!("{}, list for rank {rank}", blocks.name(case));
             same(&blocks.grid, &name, list, || receives(&blocks, &parcels, rank), ask);
         }
     }
@@ -202,19 +203,15 @@ pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
             let stay = before.iter().filter(|p| block.contains(&blocks.row(p.y)));
             wires(stay.chain(&arrived))
         };
-        let name = format!("{}, rows {block:?}, new ones from 1000 on", blocks.name(case));
-        let question = format!("{name}: what is in the bins");
+        let name = format!("{}, rows {block:?}, arrivals numbered from 1000 on", blocks.name(case));
+        let question = format!("{name}, particles in the bins");
         same(&blocks.grid, &question, wires(bins.particles()), right, ask);
         let astray = || {
             let all = bins.bins().iter().enumerate();
-            whole(all.flat_map(|(bin, inside)| {
+            integers(all.flat_map(|(bin, inside)| {
                 inside.iter().filter(move |p| blocks.grid.bin(p) != bin).map(|p| p.id as usize)
             }))
         };
-        ask.exact(
-            &format!("{name}: ids of particles that are not in the bin they belong to"),
-            astray,
-            Vec::new,
-        );
+        ask.exact(&format!("{name}: ids of particles that are in a wrong bin"), astray, Vec::new);
     }
 }

@@ -2,7 +2,7 @@
 
 use common_mpi::{Ghost, calls_made};
 use lab6::{exchange_all, exchange_beside};
-use oracle::{Ask, Random, begins_send, digest, no_other_calls, others_within, whole};
+use oracle::{Ask, Random, begins_send, digest, integers, no_other_calls, others_within};
 use oracle_mpi::{Rank, on_each};
 
 /// Number of items of a list in a long run.
@@ -64,8 +64,8 @@ fn exchange(
         rank.name()
     );
     let question = format!(
-        "{name}: how often the work is done; sends and receives under way when it begins; other calls before it; calls \
-         after it that are no waits; what comes back of it"
+        "{name}: number of calls of `work`, sends and receives under way at its first call, other MPI calls before it, \
+         MPI calls after it that do not wait, and the result of `work`"
     );
     // A list without items needs no message, because both sides know its length at this point.
     let travels = |other: &usize| {
@@ -76,7 +76,7 @@ fn exchange(
     let verdict = |found: &[f64]| overlap(found, least, 2 * others.len());
     ask.judge(&question, || [counted(&before, &all), vec![f64::from(result)]].concat(), verdict);
     ask.exact(
-        &format!("{name}: the number of lists that arrive, and the length and two sums of each"),
+        &format!("{name}: number of lists that arrive, then the length of each list and two sums of its items"),
         || of_all(&incoming, rank.ranks),
         || of_all(others.iter().map(|&from| &letters[from][rank.number]), rank.ranks),
     );
@@ -90,7 +90,7 @@ fn counted(before: &[Vec<&str>], all: &[&str]) -> Vec<f64> {
     let under_way = first.iter().rev().take_while(|call| begins(call)).count();
     let others = first.iter().filter(|call| !begins(call) && !waits(call)).count();
     let later = all[first.len()..].iter().filter(|call| !waits(call)).count();
-    whole([before.len(), under_way, others, later])
+    integers([before.len(), under_way, others, later])
 }
 
 fn begins(call: &str) -> bool {
@@ -105,29 +105,29 @@ fn waits(call: &str) -> bool {
 /// messages.
 fn overlap(found: &[f64], least: usize, most: usize) -> Result<(), String> {
     let &[works, under_way, others, later, result] = found else {
-        return Err("there is no answer".into());
+        return Err("the answer is not complete".into());
     };
     let words = if works != 1.0 || result != 42.0 {
-        format!("work is called {works} times, and {result} comes back instead of its result, 42")
+        format!("`work` is called {works} times, and its result, 42, is returned as {result}")
     } else if others > 0.0 {
         format!(
-            "{others} calls before the work neither begin a message nor wait for one. Use immediate sends and receives \
-             only."
+            "{others} calls before `work` neither begin a message nor wait for one. Use immediate sends and receives \
+             only"
         )
     } else if later > 0.0 {
         format!(
-            "{later} calls after the work do not wait for messages. Start all messages before the work: it must overlap \
-             the items, and not the lengths."
+            "{later} calls after `work` do not wait for messages. Start all messages before `work`: it must overlap \
+             with the messages that carry the items, and not only with their lengths"
         )
     } else if under_way < least as f64 {
         format!(
-            "{under_way} sends and receives are under way when the work begins, but {least} lists with items travel. \
-             Start them before the work, and wait after it."
+            "{under_way} sends and receives are under way when `work` is called, but {least} lists with items travel. \
+             Start all of them before `work`, and wait after it"
         )
     } else if under_way > most as f64 {
         format!(
-            "{under_way} sends and receives are under way when the work begins, but there are only {most} lists. Wait for \
-             the lengths first."
+            "{under_way} sends and receives are under way when `work` is called, but there are only {most} lists. Wait \
+             for the lengths first"
         )
     } else {
         return Ok(());
@@ -154,7 +154,7 @@ pub(crate) fn lists_of_all(random: &mut Random, ask: &mut impl Ask) {
             let found = rank.call("exchange_all", |world| exchange_all(world, own));
             let made = calls_made();
             let question = format!(
-                "exchange_all on {}, lists of up to {most} items: the number of items that arrive, and two sums",
+                "exchange_all on {}, lists of up to {most} items: number of items that arrive, and two sums of them",
                 rank.name()
             );
             ask.exact(

@@ -7,7 +7,7 @@ use common::soft::Particle;
 use common_mpi::Wire;
 use lab6::{Cuts, Leavers, keep_share, sort_leavers};
 use oracle::scenes::on_edges;
-use oracle::{Ask, Random, resident, whole};
+use oracle::{Ask, Random, integers, resident};
 use solution2::Grid;
 
 use super::blocks::{owner, starts};
@@ -98,13 +98,14 @@ pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
         );
         for side in [0, 1] {
             let question = format!(
-                "{name}: id, x, y, vx, vy of each that goes to the rank {}, as they come",
+                "{name}: id, x, y, vx, vy of each particle for the rank {}, in the order in which they came",
                 ["before", "after"][side]
             );
             let found = || numbers(&sorted.near[side]);
             ask.exact(&question, found, || numbers(&left.sorted().near[side]));
         }
-        let question = format!("{name}: rank, id, x, y, vx, vy of each that goes further");
+        let question =
+            format!("{name}: rank, id, x, y, vx, vy of each particle for a rank further away");
         ask.exact(&question, || with_ranks(&sorted.far), || with_ranks(&left.sorted().far));
     }
 }
@@ -136,9 +137,10 @@ pub(crate) fn shares(random: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn large_scene(_: &mut Random, ask: &mut impl Ask) {
     const ROWS: usize = 64;
     const ALL: usize = 1 << 20;
-    let question = "1,048,576 particles in 64 rows on 64 ranks, rank 5: how many it keeps; and bytes that it holds at most \
-                    while the scene is replayed, or reserves for its share, 0 for less than 8 a particle of the scene";
-    ask.apart(|ask| ask.exact(question, || kept_of(ALL, ROWS), || whole([ALL / ROWS, 0])));
+    let question = "1,048,576 particles in 64 rows on 64 ranks, rank 5: number of particles that it keeps, and bytes \
+                    that it needs at most during the replays or reserves for its share; 0 for less than 8 bytes for \
+                    each particle of the scene";
+    ask.apart(|ask| ask.exact(question, || kept_of(ALL, ROWS), || integers([ALL / ROWS, 0])));
 }
 
 /// Returns the number of particles that the sixth rank keeps, and the memory that it needs. The
@@ -169,10 +171,10 @@ fn share(grid: &Grid, particles: &[Particle], ranks: usize, rank: usize, ask: &m
     let (cuts, share) = keep_share(grid, ranks, rank, &replay);
     let count = particles.len();
     let name = format!("rank {rank} of {ranks}, {count} particles in {} rows", grid.rows());
-    let question = format!("{name}: the row at which each block starts, and the number of rows");
-    ask.exact(&question, || whole(cuts.starts), || whole(starts_of(grid, particles, ranks)));
+    let question = format!("{name}: row at which each block starts, then the number of rows");
+    ask.exact(&question, || integers(cuts.starts), || integers(starts_of(grid, particles, ranks)));
     ask.exact(
-        &format!("{name}: ids of the particles that it keeps, ascending"),
+        &format!("{name}: ids of the particles that it keeps, in ascending order"),
         || ids(&share),
         || {
             let starts = starts_of(grid, particles, ranks);
@@ -181,8 +183,8 @@ fn share(grid: &Grid, particles: &[Particle], ranks: usize, rank: usize, ask: &m
         },
     );
     // A rank that replays the scene once has stored all particles until it knew its own.
-    let question = format!("{name}: how often it has replayed the scene");
-    ask.exact(&question, || whole([replays.get()]), || vec![2.0]);
+    let question = format!("{name}: number of times that it replays the scene");
+    ask.exact(&question, || integers([replays.get()]), || vec![2.0]);
 }
 
 /// Returns the starts of the blocks of these particles.

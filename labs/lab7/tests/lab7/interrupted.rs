@@ -15,7 +15,7 @@ use std::time::Duration;
 
 use hard_discs::{Candidate, Hit, LockedCount, SharedCount, Slots};
 use lab7::{append_atomic, append_locked, next_part};
-use oracle::{Ask, Random, truth, whole};
+use oracle::{Ask, Random, integers, truth};
 
 /// Time that a worker waits for another worker that may never come.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -49,9 +49,11 @@ impl Places {
 
     fn words(self) -> String {
         match self {
-            Self::Only(place) => format!("at place {place} of those where it can be, from 0 up"),
+            Self::Only(place) => format!(
+                "at place {place}, counted from 0, of the places where it can be interrupted"
+            ),
             Self::OneIn { number, .. } => {
-                format!("at one in {number} of the places where it can be")
+                format!("at one in {number} of the places where it can be interrupted")
             }
         }
     }
@@ -76,14 +78,18 @@ pub(crate) fn interrupted_queue(random: &mut Random, ask: &mut impl Ask) {
     for (places, is_long) in Places::drawn(random, 40) {
         let n = if is_long { 20_000 + 10 * random.below(2) } else { 100 };
         let question = format!(
-            "{n} iterations in chunks of 10; another worker takes a part each time when the first is interrupted, {}: \
-             begin and end of each part of both",
+            "{n} iterations in chunks of 10, and a second worker that takes a part each time the first is interrupted, \
+             {}: begin and end of each part of both workers",
             places.words()
         );
         ask.exact(
             &question,
-            || whole(parts_of_two(n, places).into_iter().flat_map(|part| [part.start, part.end])),
-            || whole((0..n).step_by(10).flat_map(|start| [start, start + 10])),
+            || {
+                integers(
+                    parts_of_two(n, places).into_iter().flat_map(|part| [part.start, part.end]),
+                )
+            },
+            || integers((0..n).step_by(10).flat_map(|start| [start, start + 10])),
         );
     }
 }
@@ -141,7 +147,9 @@ fn holds_all(found: &[f64], own: u32) -> Result<(), String> {
     let missing = right.clone().find(|disc| !discs.contains(disc));
     match missing {
         Some(disc) => Err(format!("the candidate of disc {disc} is not in the list")),
-        None if discs.len() > right.count() => Err(format!("{} slots are used", discs.len())),
+        None if discs.len() > right.count() => {
+            Err(format!("{} slots are in use, which are too many", discs.len()))
+        }
         None => Ok(()),
     }
 }
@@ -149,9 +157,9 @@ fn holds_all(found: &[f64], own: u32) -> Result<(), String> {
 /// Returns the question about a list of two workers.
 fn appended(own: u32, how: &str, places: Places) -> String {
     format!(
-        "a worker appends the candidates of discs 1 to {own} {how}; another appends one of disc {OTHERS} and up each \
-         time when the first is interrupted, {}: how many the other has appended, and the first discs in the list, \
-         in ascending order",
+        "a worker that appends the candidates of discs 1 to {own} {how}, and a second that appends one of disc \
+         {OTHERS} and up each time the first is interrupted, {}: number of candidates that the second has appended, \
+         then the first disc of each candidate in the list, in ascending order",
         places.words()
     )
 }
@@ -197,8 +205,8 @@ pub(crate) fn interrupted_count(random: &mut Random, ask: &mut impl Ask) {
 /// Asks about another worker that appends in the middle of an append, which is possible only
 /// without a lock.
 pub(crate) fn no_lock(_: &mut Random, ask: &mut impl Ask) {
-    let question = "a worker appends without a lock, and another one when the first is about to add to the count: \
-                    whether the other has finished before the first goes on, or has to wait for it (0)";
+    let question = "a worker that appends without a lock, and a second one that appends when the first is about to add \
+                    to the count: 1 if the second finishes before the first goes on, 0 if it must wait";
     ask.exact(question, || vec![truth(finishes_in_between())], || vec![1.0]);
 }
 
@@ -230,8 +238,8 @@ fn finishes_in_between() -> bool {
 /// Checks that candidates are not written under the lock, because all other workers wait for the
 /// lock.
 pub(crate) fn short_lock(_: &mut Random, ask: &mut impl Ask) {
-    let question = "a first candidate, of disc 1, is appended under a lock: the disc in slot 0 when the lock has been \
-                    given back and the count is 1; 0 for none yet";
+    let question = "a first candidate, of disc 1, that is appended under a lock: the disc in slot 0 when the lock has \
+                    been released and the count is 1; 0 if the slot is not written yet";
     ask.exact(question, || vec![written_under_the_lock()], || vec![0.0]);
 }
 

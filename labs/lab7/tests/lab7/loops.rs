@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use hard_discs::{Schedule, Team};
 use lab7::{fixed_part, inner, nested, outer};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 
 /// A way of sharing out the loops over all pairs.
 pub(crate) type Loop = fn(usize, Team, Schedule, &(dyn Fn(usize, usize, Range<usize>) + Sync));
@@ -94,7 +94,7 @@ fn compare_looks(found: &[f64], right: &[[usize; 3]], third: &str) -> Result<(),
     let most = found.len().max(right.len());
     match (0..most).find(|&k| found.get(k) != right.get(k)) {
         Some(k) => Err(format!(
-            "look {k} of {most}, in ascending order\n     found: {}\n  expected: {}",
+            "number {k} of {most} pairs or parts, in ascending order\n     found: {}\n  expected: {}",
             words(found.get(k).copied()),
             words(right.get(k).copied())
         )),
@@ -114,11 +114,11 @@ pub(crate) fn fixed_loops(random: &mut Random, ask: &mut impl Ask) {
                     let looks = looks(n, team, Schedule::Static, share, |list, a, partners| {
                         partners.take(100).map(|b| [a, b, list]).collect()
                     });
-                    whole([own_parts(n, workers), looks].concat())
+                    integers([own_parts(n, workers), looks].concat())
                 };
                 let question = format!(
-                    "{name} of {n} discs, {workers} workers, fixed parts: the lab's own parts of loops of 0 to {n} \
-                     iterations, begin and end for each worker; and the two discs and the list of each pair"
+                    "{name} of {n} discs, {workers} workers, fixed parts: begin and end for each worker of the lab's \
+                     own parts of loops of 0 to {n} iterations; then two discs and the list of each pair"
                 );
                 ask.judge(&question, found, |found| {
                     let (parts, looks) = Parts::split(found, n, workers)?;
@@ -159,11 +159,11 @@ pub(crate) fn queued_loops(random: &mut Random, ask: &mut impl Ask) {
                     let step = if which == OUTER { 1 } else { partners.len().max(1) };
                     partners.step_by(step).map(|b| [a, b, b + step]).collect()
                 });
-                whole([own_parts(n, workers), looks].concat())
+                integers([own_parts(n, workers), looks].concat())
             };
             let question = format!(
-                "{name} of {n} discs, {workers} workers, chunks of {chunk}: the lab's own parts of loops of 0 to {n} \
-                 iterations, begin and end for each worker; and disc, first partner and end of each part of a row"
+                "{name} of {n} discs, {workers} workers, chunks of {chunk}: begin and end for each worker of the lab's \
+                 own parts of loops of 0 to {n} iterations; then disc, first partner and end of each part of a row"
             );
             ask.judge(&question, found, |found| {
                 let (parts, looks) = Parts::split(found, n, workers)?;

@@ -2,7 +2,7 @@
 
 use hard_discs::{Candidate, Hit, LockedCount, SharedCount, Slots};
 use lab7::{append_atomic, append_locked, fixed_part, next_part};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 
 use super::words::{EACH, number, values};
 
@@ -12,11 +12,11 @@ pub(crate) fn parts(random: &mut Random, ask: &mut impl Ask) {
         for workers in [1, 2, 3, 7, 8, 9, 33, 49, 256, 257, 1 + random.below(300)] {
             let part = |worker: usize| fixed_part(n, workers, worker);
             let question = format!(
-                "{n} iterations in fixed parts for {workers} workers: begin and end of the part of each worker"
+                "{n} iterations in fixed parts for {workers} workers: begin and end of each worker's part"
             );
             ask.judge(
                 &question,
-                || whole((0..workers).map(part).flat_map(|part| [part.start, part.end])),
+                || integers((0..workers).map(part).flat_map(|part| [part.start, part.end])),
                 |found| are_even_parts(found, n, workers),
             );
         }
@@ -27,24 +27,31 @@ pub(crate) fn parts(random: &mut Random, ask: &mut impl Ask) {
 /// at most 1.
 fn are_even_parts(found: &[f64], n: usize, workers: usize) -> Result<(), String> {
     if found.len() != 2 * workers {
-        return Err(format!("there are {} numbers", found.len()));
+        return Err(format!("the answer has {} numbers", found.len()));
     }
     let mut end = 0.0;
     for (worker, part) in found.chunks_exact(2).enumerate() {
         let (begins, ends) = (part[0], part[1]);
         if begins != end {
-            return Err(format!("the part of worker {worker} begins at {begins}, not at {end}"));
+            return Err(format!(
+                "the part of worker {worker} begins at {begins}, but must begin at {end}"
+            ));
         }
         let (least, most) = (n / workers, n.div_ceil(workers));
         if ends - begins < least as f64 || ends - begins > most as f64 {
             return Err(format!(
-                "the part of worker {worker} is {begins} to {ends}, which are {} iterations, not {least} or {most}",
+                "the part of worker {worker} is {begins} to {ends}, which are {} iterations; it must have {least} or \
+                 {most}",
                 ends - begins
             ));
         }
         end = ends;
     }
-    if end == n as f64 { Ok(()) } else { Err(format!("the last part ends at {end}, not at {n}")) }
+    if end == n as f64 {
+        Ok(())
+    } else {
+        Err(format!("the last part ends at {end}, but must end at {n}"))
+    }
 }
 
 /// Asks for the parts that the queue hands out, and for its answer when no parts are left.
@@ -56,14 +63,14 @@ pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
                 // Asks for a few parts more than there are, so that parts after the end are
                 // noticed.
                 let parts = (0..n.div_ceil(chunk) + 2).filter_map(|_| next_part(&next, n, chunk));
-                whole(parts.flat_map(|part| [part.start, part.end]))
+                integers(parts.flat_map(|part| [part.start, part.end]))
             };
             let question = format!(
-                "{n} iterations from the queue in chunks of {chunk}, taken twice more after the end: begin and end of \
-                 each part"
+                "{n} iterations from the queue in chunks of {chunk}, with two more calls after the end: begin and end \
+                 of each part"
             );
             ask.exact(&question, found, || {
-                whole((0..n).step_by(chunk).flat_map(|start| [start, n.min(start + chunk)]))
+                integers((0..n).step_by(chunk).flat_map(|start| [start, n.min(start + chunk)]))
             });
         }
     }
@@ -87,9 +94,9 @@ pub(crate) fn appends(random: &mut Random, ask: &mut impl Ask) {
         }
         let right = || [vec![n as f64], values(&candidates)].concat();
         let name = format!("one worker appends {n} candidates");
-        let question = format!("{name} under a lock: how many slots are used; {EACH}");
+        let question = format!("{name} under a lock: number of slots in use, then {EACH}");
         ask.exact(&question, || appended_locked(&candidates), right);
-        let question = format!("{name} without a lock: how many slots are used; {EACH}");
+        let question = format!("{name} without a lock: number of slots in use, then {EACH}");
         ask.exact(&question, || appended_atomic(&candidates), right);
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use common::hard::Disc;
 use hard_disc_ranks::{Deal, Job, Part};
 use lab8::{distance, jobs, offsets, search_job};
-use oracle::{Ask, Random, whole};
+use oracle::{Ask, Random, integers};
 use solution5::Cut;
 use solution7::{Candidate, Hit, pair_hit};
 
@@ -16,7 +16,7 @@ pub(crate) fn few_blocks(_: &mut Random, ask: &mut impl Ask) {
     for workers in (1..70).chain([100, 127, 128, 255, 256, 257, 300, 600]) {
         ask.judge(
             &format!("{workers} workers: the blocks of worker 0"),
-            || whole(offsets(workers)),
+            || integers(offsets(workers)),
             |found| {
                 let found: Vec<usize> = found.iter().map(|&block| block as usize).collect();
                 by_the_rule(&found, workers)
@@ -28,7 +28,7 @@ pub(crate) fn few_blocks(_: &mut Random, ask: &mut impl Ask) {
 /// Checks that each block is the block that the rule picks after the earlier blocks.
 fn by_the_rule(found: &[usize], workers: usize) -> Result<(), String> {
     if found.first() != Some(&0) {
-        return Err(format!("{found:?} does not begin with 0"));
+        return Err(format!("{found:?} must begin with 0"));
     }
     let mut missing: BTreeSet<usize> = (1..=workers / 2).collect();
     for count in 1..found.len() {
@@ -36,13 +36,13 @@ fn by_the_rule(found: &[usize], workers: usize) -> Result<(), String> {
         let new = found[count];
         let gained = gain(before, new, workers, &missing);
         if gained.is_empty() {
-            return Err(format!("{before:?}, then {new}: this block makes no missing distance"));
+            return Err(format!("{before:?}, then {new}: this block adds no missing distance"));
         }
         for other in 1..workers {
             let most = gain(before, other, workers, &missing).len();
             if most > gained.len() || most == gained.len() && other < new {
                 return Err(format!(
-                    "{before:?}, then {new}: this block makes {} missing distances; block {other} makes {most}",
+                    "{before:?}, then {new}: this block adds {} missing distances, but block {other} adds {most}",
                     gained.len()
                 ));
             }
@@ -73,14 +73,14 @@ pub(crate) fn dealt(random: &mut Random, ask: &mut impl Ask) {
         let deal = Deal { workers, offsets: offsets_for(random, workers) };
         for worker in 0..workers {
             let question = format!(
-                "worker {worker} of {workers}, blocks at {:?}: row, column and part (0 whole, 1 first half, 2 second) of \
-                 each of its jobs",
+                "worker {worker} of {workers}, blocks at {:?}: row, column and part (0 whole, 1 first half, 2 second \
+                 half) of each of its jobs",
                 deal.offsets
             );
             let numbers = |job: Job| [job.row, job.column, job.part as usize];
             ask.judge(
                 &question,
-                || whole(jobs(&deal, worker).into_iter().flat_map(numbers)),
+                || integers(jobs(&deal, worker).into_iter().flat_map(numbers)),
                 |found| {
                     let found: Vec<usize> = found.iter().map(|&number| number as usize).collect();
                     one_of_each_distance(&deal, worker, &found)
@@ -109,7 +109,7 @@ fn one_of_each_distance(deal: &Deal, worker: usize, found: &[usize]) -> Result<(
     let distances = 0..=deal.workers / 2;
     if found.len() != 3 * distances.clone().count() {
         return Err(format!(
-            "{} jobs, and there are {} distances",
+            "there are {} jobs, but {} distances",
             found.len() / 3,
             distances.count()
         ));
@@ -126,23 +126,25 @@ fn is_its_job(deal: &Deal, worker: usize, d: usize, job: &[usize]) -> Result<(),
     let Deal { workers, offsets } = deal;
     let [row, column, part] = [job[0], job[1], job[2]];
     if row > column || column >= *workers {
-        return Err("the row is the lesser of two blocks");
+        return Err("the row must be the lesser of the two blocks");
     }
     let is_opposite = d > 0 && 2 * d == *workers;
     if is_opposite != (part > 0) {
-        return Err("opposite blocks are looked at by halves, and no others");
+        return Err("opposite blocks must be searched by halves, and other blocks as a whole");
     }
     // The block at offset p: the job's other block is d steps further round the ring.
     let from_row = if is_opposite { part == 1 } else { (row + d) % workers == column };
     let [near, far] = if from_row { [row, column] } else { [column, row] };
     if (near + d) % workers != far {
-        return Err("the blocks are not at this distance");
+        return Err("the two blocks are not at this distance");
     }
     let offset = (near + workers - worker) % workers;
     let bridges = |p: &usize| offsets.contains(&((p + d) % workers));
     match offsets.iter().find(|p| **p == offset || bridges(p)) {
         Some(first) if *first == offset && bridges(first) => Ok(()),
-        _ => Err("an earlier offset has the other block too, or this worker has not both blocks"),
+        _ => Err(
+            "the worker must have both blocks, and no earlier offset may have the other block too",
+        ),
     }
 }
 
@@ -176,12 +178,12 @@ fn search(discs: &[Disc], blocks: &Cut, job: Job, ask: &mut impl Ask) {
     let mut found = vec![before];
     let tests = search_job(discs, blocks, &job, 1.0, &mut found) as usize;
     ask.exact(
-        &format!("{name}: pairs looked at"),
-        || whole([tests]),
-        || whole([pairs_of(&job, blocks).len()]),
+        &format!("{name}: number of pair tests"),
+        || integers([tests]),
+        || integers([pairs_of(&job, blocks).len()]),
     );
     ask.exact(
-        &format!("{name}: {CANDIDATE} of each candidate, beside one from before"),
+        &format!("{name}: {CANDIDATE} of each candidate, and of one from before"),
         || flat(found),
         || {
             let pairs = pairs_of(&job, blocks).into_iter();

@@ -68,7 +68,7 @@ pub(crate) fn table_of_searches(_: &mut Random, ask: &mut impl Ask) {
         for (number, disc) in discs.iter().enumerate() {
             scene.row([&number, &disc.x, &disc.vx, &(number / 2)]);
         }
-        let mut table = Table::new(["job: row+column", "pairs looked at", "candidates"]);
+        let mut table = Table::new(["job: row+column", "pair tests", "candidates"]);
         let jobs =
             [(0, 0, Part::Whole), (0, 1, Part::Whole), (1, 2, Part::First), (1, 2, Part::Second)];
         for (row, column, part) in jobs {
@@ -156,18 +156,18 @@ pub(crate) fn after_a_step(_: &mut Random, ask: &mut impl Ask) {
         // The discs after the step.
         let after: Vec<Disc> =
             (0..10).map(|k| Disc::new(10.0 * f64::from(k) + 5.0, 5.0, -1.0, 0.0)).collect();
-        let mut told =
-            Table::new(["worker", "its blocks", "its discs", "told: 0+7 and 4+wall happened"]);
+        let mut received =
+            Table::new(["worker", "its blocks", "its discs", "receives after 0+7 and 4+wall"]);
         for worker in 0..5 {
             let held = deal.blocks(worker);
             let discs = held.iter().flat_map(|&block| blocks.block(block));
             let list = collided(&after, &blocks, &held, &taken);
             let list = ascending(list.iter().map(|wire| wire.number));
-            told.row([&worker, &spaced(&held), &spaced(discs), &list]);
+            received.row([&worker, &spaced(&held), &spaced(discs), &list]);
         }
         let held: Vec<_> = deal.blocks(0).into_iter().map(|block| blocks.block(block)).collect();
         let arrived = [0, 7].map(|number| DiscWire::new(number, &after[number]));
-        format!("{told}\n{}", of_worker_0(&held, &arrived))
+        format!("{received}\n{}", of_worker_0(&held, &arrived))
     });
 }
 

@@ -9,7 +9,7 @@ use hard_disc_ranks::{DiscWire, Team};
 use lab8::{VARIANTS, collect, hand_out};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::{Ask, Random, begins_send, digest, truth, whole};
+use oracle::{Ask, Random, begins_send, digest, integers, truth};
 use oracle_mpi::{DiscsOnRanks, Rank, on_each};
 
 /// Number of discs of a list in a long run.
@@ -58,9 +58,9 @@ pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
             let own = if rank.is_root() { &lists[..] } else { &[] };
             let found = rank.call("hand_out", |world| hand_out(world, team, own));
             let name = name_of(team, rank, most);
-            let question = format!("{name}: sends that it begins before it waits for one");
-            ask.exact(&question, || whole([sends_begun()]), || whole([sends(team, rank)]));
-            let question = format!("{name}: how many discs it gets, and two sums of them");
+            let question = format!("{name}: number of sends begun before it waits for one");
+            ask.exact(&question, || integers([sends_begun()]), || integers([sends(team, rank)]));
+            let question = format!("{name}: number of discs that it gets, and two sums of them");
             let worker = team.worker(rank.number as i32);
             let right = || worker.map_or_else(|| sums_of(&[]), |worker| sums_of(&lists[worker]));
             ask.exact(&question, || sums_of(&found), right);
@@ -103,7 +103,7 @@ pub(crate) fn collects(random: &mut Random, ask: &mut impl Ask) {
             });
             let name = name_of(team, rank, most);
             let question =
-                format!("{name}: how many discs it has in the end, and two sums of them");
+                format!("{name}: number of discs that it has at the end, and two sums of them");
             let right = || {
                 let workers = (0..team.workers).filter(|_| rank.is_root());
                 let lists = workers.map(|worker| &lists[team.rank(worker) as usize][..]);
@@ -149,8 +149,8 @@ pub(crate) fn quiet_steps(random: &mut Random, ask: &mut impl Ask) {
         let many = bytes(30);
         if rank.is_root() {
             let question = format!(
-                "{}, two discs meet in step 2: do bytes travel after step 1 (1), and how many after step 3, when nothing \
-                 happens any more",
+                "{}, two discs that meet in step 2: 1 if bytes are sent after step 1, 0 if not; then the number of \
+                 bytes sent after step 3, in which nothing happens any more",
                 rank.name()
             );
             ask.exact(
@@ -187,7 +187,8 @@ pub(crate) fn neighbours(random: &mut Random, ask: &mut impl Ask) {
         });
         rank.call("a step", |_| engine.iter_mut().for_each(|engine| engine.step()));
         let question = format!(
-            "slow discs, {}: does it send to more than two in a round (1), and calls of MPI that bring lists to all",
+            "slow discs, {}: 1 if it sends to more than two ranks in a round, 0 if not; then the number of MPI calls \
+             that bring lists to all ranks",
             rank.name()
         );
         ask.exact(&question, to_many_or_all, || vec![0.0; 2]);
@@ -218,12 +219,12 @@ pub(crate) fn walls_meanwhile(random: &mut Random, ask: &mut impl Ask) {
             engine.step();
         });
         let question = format!(
-            "300 slow discs, {}, a step: 1 if walls_of is called where no ghosts are under way",
+            "300 slow discs, {}, a step: 1 if `walls_of` is called while no ghosts are under way, 0 if not",
             rank.name()
         );
         ask.judge(&question, || vec![truth(walls_alone())], |found| match found {
             [0.0] => Ok(()),
-            _ => Err("wall collisions are found before or after the ghosts travel, and not meanwhile".into()),
+            _ => Err("the wall collisions are found before or after the ghosts travel; they must be found meanwhile".into()),
         });
     });
 }

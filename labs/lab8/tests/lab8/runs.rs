@@ -73,7 +73,7 @@ fn shares(runs: &DiscsOnRanks, random: &mut Random, ask: &mut impl Ask) {
     let scene = wide(random);
     let names = ["pair tests, busiest rank", "pair tests"];
     runs.counters(ask, (&scene, 4), &names, |found| match 3.0 * found[0] > 2.0 * found[1] {
-        true => Err(format!("one rank looks at {} of all {} pairs", found[0], found[1])),
+        true => Err(format!("one rank tests {} of all {} pairs", found[0], found[1])),
         false => Ok(()),
     });
 }
@@ -106,14 +106,20 @@ pub(crate) fn counts_with_cuts(_: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn only_what_crosses(_: &mut Random, ask: &mut impl Ask) {
     let scene = scenes::random(4000, 0.1, 2.0, 813);
     let names = ["ghosts per step, all ranks", "bytes per step, busiest rank"];
-    let whole = (4000 * size_of::<DiscWire>()) as f64;
+    let all_bytes = (4000 * size_of::<DiscWire>()) as f64;
     spatial_cuts(&[4]).counters(ask, (&scene, 3), &names, |found| {
         if !(20.0..240.0).contains(&found[0]) {
-            return Err(format!("{} ghosts a step at three cuts; right are 20 to 240", found[0]));
+            return Err(format!(
+                "{} ghosts in a step at three cuts; there must be 20 to 240",
+                found[0]
+            ));
         }
-        match found[1] < whole / 4.0 {
+        match found[1] < all_bytes / 4.0 {
             true => Ok(()),
-            false => Err(format!("a rank sends {} bytes a step; all discs are {whole}", found[1])),
+            false => Err(format!(
+                "a rank sends {} bytes in a step; all discs together have {all_bytes} bytes",
+                found[1]
+            )),
         }
     });
 }
@@ -161,7 +167,7 @@ fn bad_input_ends_the_job_with_one_line() {
     let folder = tempfile::tempdir().expect("the temporary folder is writable");
     let input = "3 10 1 5 perf\n0 5 5 0 0\n1 2 2 1 inf\n";
     let ended = job("8.7", folder.path(), MASTER_WORKERS, 3, input).run();
-    assert!(!ended.status.success(), "an input that is no scene was simulated");
+    assert!(!ended.status.success(), "an input that is not a scene was simulated");
     let lines: Vec<_> = ended.stderr.lines().filter(|l| l.starts_with("error")).collect();
     let expected = "input.txt: line 3: vy of disc 1: expected a finite number, found 'inf'";
     assert!(lines.len() == 1 && lines[0].ends_with(expected), "{}", ended.stderr);

@@ -19,8 +19,8 @@ pub(crate) fn together(random: &mut Random, ask: &mut impl Ask) {
         let ranks = 2 + case % 4;
         let all = Ranks::drawn(random, ranks, 40);
         let question = format!(
-            "case {case}, {ranks} ranks have found {} candidates of 40 discs: 1 if they come to an end, and then of each taken \
-             candidate its rank and {CANDIDATE}",
+            "case {case}, {ranks} ranks that have found {} candidates of 40 discs: 1 if they come to an end; then for \
+             each candidate taken, its rank and {CANDIDATE}",
             all.found.len()
         );
         ask.judge(&question, || all.decide(), |found| all.is_decided(found));
@@ -65,13 +65,13 @@ impl Ranks {
         let mut has_ended = false;
         for _ in 0..100 {
             all.iter_mut().for_each(take_certain);
-            has_ended = all.iter().all(|d| d.front.is_empty() && d.told == d.taken.len());
+            has_ended = all.iter().all(|d| d.front.is_empty() && d.reported == d.taken.len());
             if has_ended {
                 break;
             }
             let news: Vec<Vec<CandidateWire>> = (0..ranks).map(|to| news_to(&all, to)).collect();
             for (decisions, news) in all.iter_mut().zip(&news) {
-                decisions.told = decisions.taken.len();
+                decisions.reported = decisions.taken.len();
                 hear(decisions, news);
             }
         }
@@ -99,7 +99,7 @@ impl Ranks {
     /// Checks that the outcomes of the candidates are the same as in lab 7.
     fn is_decided(&self, found: &[f64]) -> Result<(), String> {
         if found.first() != Some(&1.0) {
-            return Err("after 100 rounds some candidate is still open".into());
+            return Err("some candidate is still open after 100 rounds".into());
         }
         let mut all: Vec<Candidate> = self.found.iter().map(|(_, candidate)| *candidate).collect();
         let mut right = Vec::new();
@@ -113,14 +113,16 @@ impl Ranks {
             }
             if !right.contains(&candidate) {
                 return Err(format!(
-                    "rank {} takes {name}, though something earlier has one of its discs",
+                    "rank {} takes {name}, although an earlier candidate has one of its discs",
                     taken[0]
                 ));
             }
             seen.push(candidate);
         }
         match right.iter().find(|candidate| !seen.contains(candidate)) {
-            Some(missing) => Err(format!("{} happens, and no rank has taken it", words(missing))),
+            Some(missing) => {
+                Err(format!("no rank has taken {}, which must be taken", words(missing)))
+            }
             None => Ok(()),
         }
     }

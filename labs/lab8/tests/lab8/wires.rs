@@ -34,12 +34,12 @@ pub(crate) fn same_discs(found: &[f64], right: &[DiscWire]) -> Result<(), String
     let has = |list: &[&[f64]], disc: &[f64]| list.iter().any(|other| other[0] == disc[0]);
     Err(match (found.get(first), right.get(first)) {
         (Some(found), Some(right)) if found[0] == right[0] => {
-            format!("disc {} is {}, and must be {}", right[0], state(found), state(right))
+            format!("disc {} is {}, but must be {}", right[0], state(found), state(right))
         }
         (_, Some(right)) if !has(&found, right) => format!("disc {} is missing", right[0]),
-        (Some(extra), _) if !has(&right, extra) => format!("disc {} is one too many", extra[0]),
+        (Some(extra), _) if !has(&right, extra) => format!("disc {} must not be there", extra[0]),
         (Some(found), Some(right)) => {
-            format!("disc {} comes where disc {} must come", found[0], right[0])
+            format!("disc {} is where disc {} must be", found[0], right[0])
         }
         (found, right) => {
             let disc = found.or(right).map_or(f64::NAN, |disc| disc[0]);

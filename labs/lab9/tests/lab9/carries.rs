@@ -45,7 +45,8 @@ pub(crate) fn carried(random: &mut Random, ask: &mut impl Ask) {
         }
     }
     let question = format!(
-        "{} particles in column 7 with velocity 2: column, offset and velocity of each after it has been carried",
+        "{} particles in column 7 with velocity 2: column, offset and velocity of each particle after the call of \
+         `carry`",
         places.len()
     );
     ask.judge(&question, || probed(gpu, &places), |found| are_carried(found, &places));
@@ -83,7 +84,8 @@ fn are_carried(found: &[f64], places: &[[f32; 4]]) -> Result<(), String> {
         let rounding = f64::from(f32::EPSILON) * (1.0 + (at + distance).abs());
         if (column + offset - right).abs() > rounding || *v != 2.0 {
             return Err(format!(
-                "{way}: column {column} and offset {offset:?} with velocity {v}; right is {right:?} columns, velocity 2"
+                "{way}: column {column} and offset {offset:?} with velocity {v}; together they must be {right:?} \
+                 columns, with velocity 2"
             ));
         }
     }

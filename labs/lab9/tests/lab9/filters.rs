@@ -61,7 +61,7 @@ impl Filtered {
     fn ask<R: Real>(&self, gpu: &Gpu, ask: &mut impl Ask) {
         let n = self.scene.len();
         let question = format!(
-            "scene '{}' of {n} discs, in {}: how many pairs are counted, then each pair that is in the list",
+            "scene '{}' of {n} discs, in {}: number of pairs counted, then both discs of each pair in the list",
             self.name,
             std::any::type_name::<R>()
         );
@@ -79,7 +79,7 @@ impl Filtered {
         let Some((count, pairs)) = found.split_first() else { return Err("no list".into()) };
         let pairs = pairs_of(pairs);
         if *count as usize != pairs.len() {
-            return Err(format!("{count} are counted, and {} are in the list", pairs.len()));
+            return Err(format!("{count} pairs are counted, but {} are in the list", pairs.len()));
         }
         let different: BTreeSet<_> = pairs.iter().copied().collect();
         if different.len() < pairs.len() {
@@ -89,12 +89,12 @@ impl Filtered {
         let meet = |[a, b]: [u32; 2]| pair_hit(scene.discs(), a, b, scene.radius()).is_some();
         let colliding: Vec<_> = all_pairs(scene.len() as u32).filter(|&pair| meet(pair)).collect();
         if let Some([a, b]) = colliding.iter().find(|pair| !different.contains(*pair)) {
-            return Err(format!("discs {a} and {b} collide, and are not passed on"));
+            return Err(format!("discs {a} and {b} collide, but are not passed on"));
         }
         let others = different.len() - colliding.len();
         if self.strict && others > colliding.len() / 20 + 2 {
             return Err(format!(
-                "{others} pairs that do not collide are passed on, beside {} that do",
+                "{others} pairs that do not collide are passed on, besides {} that do",
                 colliding.len()
             ));
         }
@@ -116,7 +116,8 @@ pub(crate) fn filter_in_double(random: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn slow_contacts(random: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.2") else { return };
     let scene = touching(|| random.between(0.0, std::f64::consts::TAU));
-    let question = "100 slow contacts, of discs 0 and 1, 2 and 3, and so on, in single precision: the contacts in the list";
+    let question = "100 slow contacts, of discs 0 and 1, 2 and 3, and so on, in single precision: both discs of each \
+                    contact in the list";
     let found = || {
         let search = Search { room: 10_000, ..Search::of(&scene, ALL_PAIRS) };
         let mut list = search.run::<f32>(gpu).list;
@@ -137,7 +138,7 @@ pub(crate) fn a_full_list(random: &mut Random, ask: &mut impl Ask) {
     let all = n * (n - 1) / 2;
     for room in [2 + 2 * random.below(50) as u64, all] {
         let question = format!(
-            "{all} pairs, room for {room}: how many are counted, are in the list, and are different pairs"
+            "{all} pairs, room for {room}: number of pairs counted, number in the list, and number of different pairs"
         );
         let found = || {
             let search = Search { room, everything: true, ..Search::of(&scene, ALL_PAIRS) };

@@ -87,8 +87,9 @@ pub(crate) fn launches(random: &mut Random, ask: &mut impl Ask) {
         let Order { blocks, threads, most, wide } = order;
         let limits = order.limits();
         let answer = format!(
-            "at most {most} along an axis and {} in each: 0, the rows, the threads, and 1 if they suffice; or the error, 1 \
-             for nothing, 2 for threads, 3 for workgroups, its two numbers, and 0",
+            "at most {most} along an axis and {} in each: 0, the rows, the threads, and 1 if they suffice; or 1 \
+             (nothing to launch), 2 (too many threads) or 3 (too many workgroups) for an error, its two numbers, and \
+             0",
             wide.min(256)
         );
         let question = format!("{blocks} workgroups of {threads}, {answer}");
@@ -105,7 +106,7 @@ pub(crate) fn launches(random: &mut Random, ask: &mut impl Ask) {
         }
     }
     ask.exact(
-        "ten items in workgroups of none: 1 if they are refused",
+        "ten items in workgroups of 0 threads: 1 if they are refused, 0 if not",
         || vec![truth(Lab9::launch_over(10, 0, &Limits::default()).is_err())],
         || vec![1.0],
     );
@@ -115,13 +116,14 @@ pub(crate) fn launches(random: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn refusals(_: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.1") else { return };
     let limit = gpu.limits().max_compute_workgroups_per_dimension;
-    let question = "one workgroup more than the device can run along an axis, of a kernel that writes 7, 8, 9, 10: 1 if it \
-                    is refused with a reason, and the four numbers";
+    let question = "a kernel that writes 7, 8, 9, 10, in one workgroup more than the device can run along an axis: 1 \
+                    if it is refused with a reason, 0 if not; then the four numbers";
     let right = || vec![1.0, 0.0, 0.0, 0.0, 0.0];
     ask.exact(question, || refused_and_written(gpu, limit + 1), right);
-    let question = "one workgroup of a kernel that writes 7, 8, 9, 10: 1 if it is refused, and the four numbers";
+    let question = "a kernel that writes 7, 8, 9, 10, in one workgroup: 1 if it is refused, 0 if not; then the four \
+                    numbers";
     ask.exact(question, || refused_and_written(gpu, 1), || vec![0.0, 7.0, 8.0, 9.0, 10.0]);
-    let question = "the kernel `fn write( {`: 1 if it is refused";
+    let question = "the kernel `fn write( {`: 1 if it is refused, 0 if not";
     ask.exact(question, || vec![truth(refuses_no_wgsl(gpu))], || vec![1.0]);
 }
 
@@ -150,7 +152,6 @@ pub(crate) fn large_workgroups(_: &mut Random, ask: &mut impl Ask) {
         let error = (balanced.build)(&config).err();
         error.is_some_and(|error| error.to_string().contains("workgroup of 65536"))
     };
-    let question =
-        "variant balanced-f32 with workgroups of 65536: 1 if they are refused, with this number";
+    let question = "variant balanced-f32 with workgroups of 65536: 1 if it is refused with this number, 0 if not";
     ask.exact(question, || vec![truth(refused())], || vec![1.0]);
 }

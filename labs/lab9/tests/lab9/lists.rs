@@ -75,8 +75,8 @@ pub(crate) fn confirmed(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(4097).into_iter().chain([257, 1, 0]) {
         let passed_on = PassedOn::drawn(random, n);
         let question = format!(
-            "a device passed on {n}, after another list: kind (0 corner, 1 and 2 walls, 3 pair), discs, time of each that \
-             is confirmed"
+            "{n} candidates that a device passed on, after another list: kind (0 corner, 1 and 2 walls, 3 pair), \
+             discs, time of each candidate confirmed"
         );
         let found = || {
             let PassedOn { square, discs, found } = &passed_on;
@@ -111,8 +111,8 @@ impl Grown {
         let room =
             self.room.map_or_else(String::new, |room| format!(", memory for {room} candidates"));
         format!(
-            "{} discs{room}, all pairs and all walls: how many are found, and how many of the pairs and walls differ; \
-             nothing if there is no memory for one row",
+            "{} discs{room}, all pairs and all walls: number of candidates found, and number of different ones; no \
+             numbers if there is no memory for one row",
             self.discs
         )
     }

@@ -77,14 +77,16 @@ pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.6") else { return };
     assert!(
         !Lab9::scan().contains("Barrier("),
-        "task 9.6: call meet() instead of a barrier of WGSL: this test looks at what happens between two meetings"
+        "task 9.6: call meet() instead of a barrier of WGSL, because this test watches the accesses between two calls \
+         of meet()"
     );
     for threads in [2, 3, 8, 64, 96] {
         // The last of three workgroups is nearly empty.
         let n = 2 * threads + 1;
         let question = format!(
-            "{n} numbers, workgroups of {threads}: the first conflict, as barriers met before it times {PLACES} plus the \
-             shared number, or -1; then for each barrier how many invocations have met it"
+            "{n} numbers, workgroups of {threads}: the first conflict, as {PLACES} times the number of barriers before \
+             it plus the index of the shared number, or -1 for none; then for each barrier the number of invocations \
+             that come to it"
         );
         let found = || watched(gpu, n, threads);
         ask.judge(&question, found, |found| verdict(found, threads));
@@ -120,12 +122,12 @@ fn watched(gpu: &Gpu, n: u32, threads: u32) -> Vec<f64> {
 
 fn verdict(found: &[f64], threads: u32) -> Result<(), String> {
     let Some((conflict, met)) = found.split_first() else {
-        return Err("there is no answer".into());
+        return Err("the answer is not complete".into());
     };
     let all = f64::from(3 * threads);
     if let Some(k) = met.iter().position(|met| *met != 0.0 && *met != all) {
         return Err(format!(
-            "meet() number {} is met by {} of {all} invocations: all invocations must come to each meet()",
+            "call {} of meet() is reached by {} of {all} invocations, but all must come to each call",
             k + 1,
             met[k]
         ));
@@ -135,7 +137,7 @@ fn verdict(found: &[f64], threads: u32) -> Result<(), String> {
     }
     let (before, number) = (*conflict as u32 / PLACES - 1, *conflict as u32 % PLACES);
     Err(format!(
-        "after {before} calls of meet(), shared number {number} is written by one invocation and read or written by another \
-         without a meet() in between"
+        "after {before} calls of meet(), one invocation writes the shared number {number} and another reads or writes \
+         it, without a call of meet() in between"
     ))
 }

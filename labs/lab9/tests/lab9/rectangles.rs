@@ -17,7 +17,9 @@ pub(crate) fn rectangles(random: &mut Random, ask: &mut impl Ask) {
     let source = format!("{RECTANGLE}{}", Lab9::balanced());
     for n in [2, 3, 4, 5, 6, 7, 31, 64, 80 + random.below(40)] {
         let scene = line(n);
-        let question = format!("{n} discs: how many pairs have a number, then each such pair");
+        let question = format!(
+            "{n} discs: number of pairs that have a number, then both discs of each such pair"
+        );
         let found = || {
             let rows = 0..(n - 1 + n % 2) as u32;
             let search = Search::of(&scene, &source);
@@ -47,8 +49,9 @@ pub(crate) fn late_rows(random: &mut Random, ask: &mut impl Ask) {
     let source = format!("{DEALT}{}", Lab9::balanced());
     let scene = line(MANY as usize);
     for row in [0, 1, 49_999, 50_000, 85_899, 85_900, 99_998, random.below(99_999) as u32] {
-        let question =
-            format!("row {row} of {MANY} discs: how many pairs are dealt, then each pair");
+        let question = format!(
+            "row {row} of {MANY} discs: number of pairs in it, then both discs of each pair"
+        );
         let found = || {
             let search = Search::of(&scene, &source);
             let search = Search { rows: row..row + 1, everything: true, room: 60_000, ..search };
@@ -72,7 +75,7 @@ fn are_of_row(found: &[f64], row: u32) -> Result<(), String> {
         return Ok(());
     }
     Err(format!(
-        "{count} pairs are dealt, {different} different ones, and {lost} of the {all} of this row are lost"
+        "{count} pairs are in the row, {different} of them different, and {lost} of the {all} right pairs are missing"
     ))
 }
 
@@ -92,7 +95,8 @@ pub(crate) fn turns(ask: &mut impl Ask, deal: Deal) {
             f64::from(search.run::<f32>(gpu).count)
         };
         let question = format!(
-            "{find}, {n} discs, each of four invocations: how many pairs it passes on, at most two thirds of all"
+            "{find}, {n} discs, each of four invocations: number of pairs that it passes on, at most two thirds of \
+             all"
         );
         ask.judge(
             &question,
@@ -101,9 +105,9 @@ pub(crate) fn turns(ask: &mut impl Ask, deal: Deal) {
                 let all: f64 = found.iter().sum();
                 match found.iter().position(|one| 3.0 * one > 2.0 * all) {
                     None => Ok(()),
-                    Some(turn) => {
-                        Err(format!("invocation {turn} does most of the work: {found:?}"))
-                    }
+                    Some(turn) => Err(format!(
+                        "invocation {turn} does more than two thirds of the work: {found:?}"
+                    )),
                 }
             },
         );

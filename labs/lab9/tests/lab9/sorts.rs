@@ -9,7 +9,7 @@ use oracle::{Ask, Random, scenes};
 use super::adapter::{adapter, adapter_with_doubles};
 use super::launched::sums_before;
 
-pub(super) fn whole(all: &[u32]) -> Vec<f64> {
+pub(super) fn integers(all: &[u32]) -> Vec<f64> {
     all.iter().copied().map(f64::from).collect()
 }
 
@@ -21,9 +21,10 @@ pub(crate) fn scans(random: &mut Random, ask: &mut impl Ask) {
         for n in [1, 2, 31, 32, 33, 63, 64, 65, 255, 256, 257, 1000, 4096, 4097, 70_000, drawn] {
             let numbers: Vec<u32> = (0..n).map(|_| random.below(10) as u32).collect();
             let list = if n <= 33 { format!(" {numbers:?}") } else { String::new() };
-            let question =
-                format!("{n} numbers{list}, workgroups of {threads}: the sum of those before each");
-            let found = || whole(&sums_before(gpu, &numbers, threads));
+            let question = format!(
+                "{n} numbers{list}, workgroups of {threads}: for each number the sum of the numbers before it"
+            );
+            let found = || integers(&sums_before(gpu, &numbers, threads));
             ask.exact(&question, found, || before_each(&numbers));
         }
     }
@@ -81,8 +82,8 @@ fn bins_of_each(
 fn bins_of(engine: &mut SoftDiscs<Lab9, Double>, name: &str, scene: &Scene, ask: &mut impl Ask) {
     for step in 0..6 {
         let question = format!(
-            "{name}, after {step} steps: x and y of each particle, then the particles by bin and by id, then where each bin \
-             begins"
+            "{name}, after {step} steps: x and y of each particle, then the particles in the order of bins and ids, \
+             then the index at which each bin begins"
         );
         let found = || {
             if step == 0 {
@@ -94,7 +95,7 @@ fn bins_of(engine: &mut SoftDiscs<Lab9, Double>, name: &str, scene: &Scene, ask:
             engine.read(0, &mut particles);
             let positions = particles.iter().flat_map(|p| [p.x, p.y]).collect();
             let sorted = engine.sort();
-            [positions, whole(&sorted.ids), whole(&sorted.starts)].concat()
+            [positions, integers(&sorted.ids), integers(&sorted.starts)].concat()
         };
         ask.judge(&question, found, |found| are_sorted(found, scene));
     }
@@ -106,7 +107,7 @@ fn are_sorted(found: &[f64], scene: &Scene) -> Result<(), String> {
     let n = scene.len();
     let grid = Grid::new(scene.size(), n, 1.0);
     if found.len() != 3 * n + grid.bins() as usize + 1 {
-        return Err("the numbers of particles and of bins are not right".into());
+        return Err("the answer has a wrong number of particles or bins".into());
     }
     let (positions, found) = found.split_at(2 * n);
     let (places, _) = positions.as_chunks();
@@ -119,7 +120,7 @@ fn are_sorted(found: &[f64], scene: &Scene) -> Result<(), String> {
     for (place, &[bin, id]) in right.iter().enumerate() {
         if ids[place] != f64::from(id) {
             return Err(format!(
-                "place {place} is that of particle {id}, in bin {bin}, and particle {} is there",
+                "place {place} belongs to particle {id}, in bin {bin}, but particle {} is there",
                 ids[place]
             ));
         }
@@ -127,7 +128,7 @@ fn are_sorted(found: &[f64], scene: &Scene) -> Result<(), String> {
     for (bin, start) in (0..).zip(starts) {
         let begins = right.partition_point(|[other, _]| *other < bin);
         if *start != begins as f64 {
-            return Err(format!("bin {bin} begins at {begins}, and not at {start}"));
+            return Err(format!("bin {bin} begins at {begins}, not at {start}"));
         }
     }
     Ok(())

@@ -69,7 +69,7 @@ struct Asked {
 
 /// A submission's result in a task.
 #[derive(Default)]
-pub(crate) struct Said {
+pub(crate) struct TaskResult {
     /// First mistake, in the order of the questions; `None` if there is no mistake.
     pub(crate) wrong: Option<String>,
     /// Share of the answers that are right, from 0 to 1.
@@ -117,9 +117,9 @@ impl Questions {
         folder: &Path,
         tasks: impl Iterator<Item = &'a str>,
         seed: u64,
-    ) -> Result<Vec<Said>> {
+    ) -> Result<Vec<TaskResult>> {
         let tasks: Vec<&str> = tasks.collect();
-        let mut said: Vec<Marks> = tasks.iter().map(|_| Marks::default()).collect();
+        let mut marks: Vec<Marks> = tasks.iter().map(|_| Marks::default()).collect();
         let mut wrong = BTreeSet::new();
         for asked in &self.all {
             let Question { task, after, .. } = &asked.question;
@@ -127,16 +127,16 @@ impl Questions {
             if after.iter().any(|needed| wrong.contains(needed)) {
                 continue;
             }
-            if said[at].hangs {
-                said[at].asked += asked.answers;
+            if marks[at].timed_out {
+                marks[at].asked += asked.answers;
                 continue;
             }
-            said[at].add(self.ask_one(sandbox, folder, asked, seed)?, asked.limit);
-            if said[at].said.wrong.is_some() {
+            marks[at].add(self.ask_one(sandbox, folder, asked, seed)?, asked.limit);
+            if marks[at].result.wrong.is_some() {
                 wrong.insert(task.clone());
             }
         }
-        Ok(said.into_iter().map(Marks::end).collect())
+        Ok(marks.into_iter().map(Marks::end).collect())
     }
 
     /// Asks a submission a question.
@@ -178,30 +178,30 @@ impl Questions {
 /// A submission's intermediate result in a task.
 #[derive(Default)]
 struct Marks {
-    said: Said,
+    result: TaskResult,
     asked: usize,
     right: usize,
     /// Whether a question was not answered in time. Further questions are then skipped.
-    hangs: bool,
+    timed_out: bool,
 }
 
 impl Marks {
     fn add(&mut self, Answered { answers, judged }: Answered, limit: Duration) {
         self.asked += judged.asked;
         self.right += judged.right;
-        self.hangs = answers.finished.status.is_none();
+        self.timed_out = answers.finished.status.is_none();
         let Finished { stdout, stderr, .. } = &answers.finished;
-        self.said.printed += &format!("{stdout}{stderr}");
-        if !judged.wrong.is_empty() && self.said.wrong.is_none() {
-            self.said.wrong = Some(words(&judged, &answers.finished, limit));
+        self.result.printed += &format!("{stdout}{stderr}");
+        if !judged.wrong.is_empty() && self.result.wrong.is_none() {
+            self.result.wrong = Some(words(&judged, &answers.finished, limit));
         }
     }
 
-    fn end(self) -> Said {
+    fn end(self) -> TaskResult {
         if self.asked == 0 {
-            return Said { wrong: Some(UNASKED.into()), ..self.said };
+            return TaskResult { wrong: Some(UNASKED.into()), ..self.result };
         }
-        Said { share: self.right as f64 / self.asked as f64, ..self.said }
+        TaskResult { share: self.right as f64 / self.asked as f64, ..self.result }
     }
 }
 
@@ -217,7 +217,7 @@ fn words(judged: &Judged, finished: &Finished, limit: Duration) -> String {
         None if finished.stdout.len().max(finished.stderr.len()) >= MUCH => PRINTS.into(),
         None => format!("no answer within {} s to: {question}", limit.as_secs()),
         Some(status) if status.signal() == Some(9) => KILLED.into(),
-        Some(_) => located_panic(&finished.stderr).map_or(wrong, |said| first_line(&said)),
+        Some(_) => located_panic(&finished.stderr).map_or(wrong, |message| first_line(&message)),
     }
 }
 

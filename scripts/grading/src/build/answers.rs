@@ -19,8 +19,8 @@ const KNOWING: [&str; 7] = [
     "6oracle9diagnosis",
     "6oracle7compare",
     "6oracle5right",
-    "not the bits of all pairs",
-    "which does not point straight away",
+    "the bits differ from those of all-pairs",
+    "which is not along the line between",
     // The digest of the official output.
     "374fe976d9f1d1f831a0a6fadf3339c23bbeca62a7eadd62dc8c8db1fc735357",
 ];

@@ -161,14 +161,14 @@ pub(crate) fn bar(what: &'static str, of: usize, done: usize) -> ProgressBar {
 
 /// Advances the bar by one submission. Without a terminal, it prints a line with the result
 /// instead.
-pub(crate) fn done(bar: &ProgressBar, name: &str, said: impl Display) {
+pub(crate) fn done(bar: &ProgressBar, name: &str, outcome: impl Display) {
     // The lock is held while the line is written, so lines appear in the order of their numbers.
     let mut lines = stderr().lock();
     bar.inc(1);
     if bar.is_hidden() {
         let (at, of) = (bar.position(), bar.length().unwrap_or_default());
         // If stderr is closed, grading continues.
-        let _ = writeln!(lines, "{}, {at} of {of}: {}: {said}", bar.message(), line(name));
+        let _ = writeln!(lines, "{}, {at} of {of}: {}: {outcome}", bar.message(), line(name));
     }
 }
 
@@ -185,7 +185,7 @@ fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>)
     let Some(record) = record else { return false };
     let same = match grader.take(path) {
         Err(error) => {
-            record.status == Status::Unreadable && record.message == grader.said(&error, path)
+            record.status == Status::Unreadable && record.message == grader.message_of(&error, path)
         }
         Ok(intake) if intake.files.is_empty() => record.status == Status::Empty,
         Ok(intake) => record.hash == hash(&intake.files),

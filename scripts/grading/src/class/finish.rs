@@ -137,18 +137,18 @@ pub(crate) fn summary(record: &Record) -> String {
             let lost: Vec<&str> = lost.collect();
             let open = record.measures.iter().filter(|measure| !measure.counts());
             let open: Vec<&str> = open.map(|measure| measure.kind.name()).collect();
-            let mut said = Vec::new();
+            let mut parts = Vec::new();
             if !lost.is_empty() {
-                said.push(format!("lost {}", lost.join(", ")));
+                parts.push(format!("lost {}", lost.join(", ")));
             }
             if !open.is_empty() {
-                said.push(format!("open: {}", open.join(", ")));
+                parts.push(format!("open: {}", open.join(", ")));
             }
-            if said.is_empty() {
-                said.push("all right".into());
+            if parts.is_empty() {
+                parts.push("all right".into());
             }
-            said.extend(record.late.as_ref().map(|late| format!("{} late", late.days())));
-            said.join("; ")
+            parts.extend(record.late.as_ref().map(|late| format!("{} late", late.days())));
+            parts.join("; ")
         }
         Status::NotBuilt => "it does not compile".into(),
         _ => line(record.message.lines().next().unwrap_or("")),

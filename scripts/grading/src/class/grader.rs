@@ -14,7 +14,7 @@ use crate::escape::{cut, plain};
 use crate::intake::{self, Intake, forbidden};
 use crate::record::{FORMAT, Record, Status, Task};
 use crate::sandbox::Sandbox;
-use crate::timing::whole;
+use crate::timing::whole_program;
 use lab_kit::Facts;
 use lab_kit::files::{digest, write_file};
 use lab_kit::machine::machine;
@@ -23,7 +23,7 @@ use lab_kit::submission::Sources;
 use lab_kit::{Given, Kit, Lab};
 
 /// Maximal number of characters kept of a message about a submission or a task.
-const SAID: usize = 4000;
+const MESSAGE_LENGTH: usize = 4000;
 
 /// Maximal number of characters kept of the output of a task.
 const PRINTED: usize = 1 << 16;
@@ -75,8 +75,8 @@ impl<'a> Grader<'a> {
     }
 
     /// Formats an error about the submission at `path` for its record.
-    pub(crate) fn said(&self, error: &anyhow::Error, path: &Path) -> String {
-        cut(&self.shown(&format!("{error:#}"), path), SAID)
+    pub(crate) fn message_of(&self, error: &anyhow::Error, path: &Path) -> String {
+        cut(&self.shown(&format!("{error:#}"), path), MESSAGE_LENGTH)
     }
 
     /// Removes the folders of this machine from a text, because students read it.
@@ -120,7 +120,7 @@ impl<'a> Grader<'a> {
         path: &Path,
     ) -> (Record, Option<TempDir>) {
         self.try_to_grade(tree, reference, name, path).unwrap_or_else(|error| {
-            let (status, message) = (Status::Failed, self.said(&error, path));
+            let (status, message) = (Status::Failed, self.message_of(&error, path));
             (Record { status, message, ..self.blank(name) }, None)
         })
     }
@@ -134,7 +134,8 @@ impl<'a> Grader<'a> {
     ) -> Result<(Record, Option<TempDir>)> {
         let mut record = self.blank(name);
         let ended = |mut record: Record, status, message: String| {
-            (record.status, record.message) = (status, cut(&self.shown(&message, path), SAID));
+            (record.status, record.message) =
+                (status, cut(&self.shown(&message, path), MESSAGE_LENGTH));
             Ok((record, None))
         };
         let intake = match self.take(path) {
@@ -161,17 +162,18 @@ impl<'a> Grader<'a> {
         };
         let tasks = record.tasks.iter().map(|task| task.id.as_str());
         let questions = reference.questions.as_ref().context("the solution was not asked")?;
-        let said = questions.ask(self.sandbox, folder.path(), tasks, record.seed)?;
-        for (task, said) in record.tasks.iter_mut().zip(said) {
-            (task.passed, task.share) = (said.wrong.is_none(), said.share);
-            task.message = cut(&self.shown(&said.wrong.unwrap_or_default(), path), SAID);
-            if !said.printed.trim().is_empty() {
+        let results = questions.ask(self.sandbox, folder.path(), tasks, record.seed)?;
+        for (task, result) in record.tasks.iter_mut().zip(results) {
+            (task.passed, task.share) = (result.wrong.is_none(), result.share);
+            task.message =
+                cut(&self.shown(&result.wrong.unwrap_or_default(), path), MESSAGE_LENGTH);
+            if !result.printed.trim().is_empty() {
                 let path = self.printed.join(name).join(format!("{}.txt", task.id));
-                write_file(&path, cut(&plain(&said.printed), PRINTED))?;
+                write_file(&path, cut(&plain(&result.printed), PRINTED))?;
             }
         }
         let folders = (folder.path(), reference.programs.path());
-        whole::check(self.sandbox, folders, &self.rubric, record.seed, &mut record.tasks)?;
+        whole_program::check(self.sandbox, folders, &self.rubric, record.seed, &mut record.tasks)?;
         Ok((record, Some(folder)))
     }
 }

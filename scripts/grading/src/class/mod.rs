@@ -29,40 +29,40 @@ type Named = (String, PathBuf);
 /// Grade submissions (for instructors)
 ///
 /// A path is a submission (a folder with labs/ in it, a .tar.gz that 'cargo lab submit' made, or a
-/// .zip of such a folder) or a folder of many. 'solutions' is the kit's own. Each gets a record, a
-/// JSON file. A submission whose record is there already, with the same sources and the same
-/// grader, is passed over. A list of students, a deadline and what you decide yourself stand in
+/// .zip of such a folder) or a folder of many. 'solutions' is the kit's own solution. Each
+/// submission gets a record, a JSON file. A submission that has a record of the same sources and
+/// the same grader is skipped. The list of students, the deadline and your own decisions are in
 /// class.toml in the folder of records.
 #[derive(Args)]
 pub(crate) struct Options {
     /// Submissions, or folders of them
     #[arg(required = true, value_name = "PATH")]
     paths: Vec<PathBuf>,
-    /// The lab; all that were handed in if not given
+    /// The lab [default: all labs that were handed in]
     #[arg(long, value_name = "N")]
     lab: Option<Lab>,
-    /// Grade only those whose name contains this
+    /// Grade only submissions whose name contains this text
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
-    /// Grade them anew, though their records are there
+    /// Grade again, even where a record exists
     #[arg(long)]
     again: bool,
-    /// Inputs come from this number; from the clock if not given
+    /// Seed of the questions' inputs [default: a random seed]
     #[arg(long)]
     seed: Option<u64>,
-    /// No question takes longer than this, or than ten times the solution's time
+    /// Time limit of a question; ten times the solution's time if that is less
     #[arg(long, value_name = "SECONDS", default_value_t = 30)]
     limit: u64,
-    /// No submission is compiled longer
+    /// Time limit of a submission's compilation
     #[arg(long, value_name = "SECONDS", default_value_t = 120)]
     build_limit: u64,
-    /// Take no times: measures of complexity, scaling and speed are then not graded
+    /// Do not time programs: complexity, scaling and speed are then not graded
     #[arg(long)]
     no_timing: bool,
-    /// Where no sandbox can be made, run the code without one, with all your rights
+    /// If no sandbox can be made, run the code without one, with all your rights
     #[arg(long)]
     trusted: bool,
-    /// The folder of records; target/lab/grade/labN if not given
+    /// The folder of records [default: target/lab/grade/labN]
     #[arg(long, value_name = "DIR")]
     into: Option<PathBuf>,
 }

@@ -44,9 +44,9 @@ fn is_tar(head: &[u8]) -> bool {
     let Some(block) = head.first_chunk::<512>() else { return false };
     let mut header = tar::Header::new_old();
     header.as_mut_bytes().copy_from_slice(block);
-    let said = header.cksum();
+    let checksum = header.cksum();
     header.set_cksum();
-    block[0] != 0 && said.is_ok_and(|said| header.cksum().is_ok_and(|sum| sum == said))
+    block[0] != 0 && checksum.is_ok_and(|checksum| header.cksum().is_ok_and(|sum| sum == checksum))
 }
 
 /// Reads the first bytes of a file.
@@ -62,14 +62,14 @@ pub(crate) fn unpack(packed: impl Read) -> Result<HandedIn> {
     for _ in 0..TIMES {
         let head = head(&mut packed)?;
         let begins = head.clone();
-        let whole = Cursor::new(head).chain(packed);
+        let rewound = Cursor::new(head).chain(packed);
         if is_zip(&begins) {
-            return zip(whole);
+            return zip(rewound);
         }
         if !is_gzip(&begins) {
-            return tar(whole);
+            return tar(rewound);
         }
-        packed = Box::new(GzDecoder::new(whole));
+        packed = Box::new(GzDecoder::new(rewound));
     }
     tar(packed)
 }
@@ -101,7 +101,7 @@ fn zip(packed: impl Read) -> Result<HandedIn> {
     let mut archive = zip::ZipArchive::new(Cursor::new(&bytes))?;
     ensure!(archive.len() <= ENTRIES, "there are more than {ENTRIES} files in it");
     // With two entries of the same name, only the last would be taken.
-    let alone = entries(&bytes).is_none_or(|said| said == archive.len());
+    let alone = entries(&bytes).is_none_or(|count| count == archive.len());
     ensure!(alone, "two files in it have the same name");
     let mut handed_in = HandedIn::default();
     let mut unpacked = 0;

@@ -34,7 +34,7 @@ pub(super) fn place(
     let folders = source_folders(lab, tasks, &loose);
     match &folders[..] {
         [] => found.by_name(tasks, &loose),
-        [folder] => found.whole(folder, &loose),
+        [folder] => found.add_folder(folder, &loose),
         _ => {}
     }
     (found.files, found.from)
@@ -77,7 +77,7 @@ impl Found {
     }
 
     /// Adds all files of a folder `src`.
-    fn whole(&mut self, folder: &str, loose: &[&Loose]) {
+    fn add_folder(&mut self, folder: &str, loose: &[&Loose]) {
         for file in loose {
             let path = parts(&file.0).unwrap_or_default().join("/");
             if let Some(below) = path.strip_prefix(folder).and_then(|rest| rest.strip_prefix('/')) {

@@ -25,7 +25,7 @@ use loose::Loose;
 use names::{ELSEWHERE, is_macos, resolve};
 
 /// Beginning of the reason for leaving out a file with a task that is in the wrong folder.
-const MISPLACED: &str = "it does not lie in";
+const MISPLACED: &str = "it is not in";
 
 /// Maximal number of names shown of files that are left out.
 pub(crate) const NAMED: usize = 100;
@@ -230,9 +230,9 @@ pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
 /// Whether the path leads to the kit's own solutions. A link to them does not count, because it may
 /// be in a class.
 fn own_solutions(kit: &Kit, path: &Path) -> bool {
-    let whole = |path: &Path| path.canonicalize().ok();
+    let canonical = |path: &Path| path.canonicalize().ok();
     !path.is_symlink()
-        && whole(path).is_some_and(|path| Some(path) == whole(&kit.path("solutions")))
+        && canonical(path).is_some_and(|path| Some(path) == canonical(&kit.path("solutions")))
 }
 
 #[cfg(test)]

@@ -60,9 +60,9 @@ pub(super) fn is_called_archive(path: &Path) -> bool {
 
 fn full(path: &Path) -> String {
     // The path `.` has no name, so the name of its folder is used.
-    let whole = || path.canonicalize().ok();
+    let canonical = || path.canonicalize().ok();
     let name =
-        path.file_name().map(ToOwned::to_owned).or_else(|| Some(whole()?.file_name()?.into()));
+        path.file_name().map(ToOwned::to_owned).or_else(|| Some(canonical()?.file_name()?.into()));
     let mut name = composed(&name.unwrap_or_default().to_string_lossy());
     name.truncate(name.floor_char_boundary(MOST));
     name

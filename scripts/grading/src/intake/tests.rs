@@ -236,10 +236,10 @@ fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     zip.start_file("lab2/src/lib.rs", PLAIN).unwrap();
     let intake = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap();
-    let said = nothing("1".parse().unwrap(), &intake.left_out);
+    let message = nothing("1".parse().unwrap(), &intake.left_out);
     assert!(
-        intake.files.is_empty() && said.contains("but lab2/src/lib.rs. 'cargo lab submit 1'"),
-        "{said}"
+        intake.files.is_empty() && message.contains("but lab2/src/lib.rs. 'cargo lab submit 1'"),
+        "{message}"
     );
 }
 
@@ -251,10 +251,10 @@ fn a_file_in_two_places_is_said_to_be_in_the_wrong_one() {
     }
     let left_out = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap().left_out;
     let reasons = left_out.iter().map(|left| left.reason.as_str()).collect::<Vec<_>>();
-    let misplaced = "it does not lie in labs/lab1/src";
+    let misplaced = "it is not in labs/lab1/src";
     assert_eq!(reasons, [misplaced, misplaced, ELSEWHERE]);
-    let said = nothing("1".parse().unwrap(), &left_out);
-    assert!(said.contains("in it, but new/lib.rs. 'cargo lab submit 1'"), "{said}");
+    let message = nothing("1".parse().unwrap(), &left_out);
+    assert!(message.contains("in it, but new/lib.rs. 'cargo lab submit 1'"), "{message}");
 }
 
 #[test]

@@ -34,7 +34,7 @@ pub(crate) fn changes(before: &Record, after: &Record) -> Option<String> {
 
 /// Returns the letter to the student, with the files and programs that the marks depend on.
 fn text(record: &Record) -> String {
-    let mut out = letter::said(record, &Words::default());
+    let mut out = letter::body(record, &Words::default());
     for (path, digest) in &record.files {
         out += &format!("{}: {digest}\n", line(path));
     }

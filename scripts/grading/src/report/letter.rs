@@ -7,11 +7,11 @@ use crate::record::{Attempt, Record, Status, Task};
 /// Writes the letter, in Markdown.
 pub(crate) fn letter(record: &Record, words: &Words) -> String {
     let name = markdown(record.student.as_ref().unwrap_or(&record.name));
-    format!("# {}\n\n**{name}**: {}", words.lab, said(record, words))
+    format!("# {}\n\n**{name}**: {}", words.lab, body(record, words))
 }
 
 /// Writes the body of the letter, without the student's name.
-pub(crate) fn said(record: &Record, words: &Words) -> String {
+pub(crate) fn body(record: &Record, words: &Words) -> String {
     around(record, words, &tasks(record, words))
 }
 
@@ -129,8 +129,8 @@ fn speed(record: &Record, words: &Words) -> String {
     }
     let mut out = String::from("## Speed\n\n");
     for measure in &record.measures {
-        let (head, said) = (words::heading(measure), markdown(&words::measured(measure)));
-        out += &format!("- **{head}.** {said}");
+        let (head, sentences) = (words::heading(measure), markdown(&words::measured(measure)));
+        out += &format!("- **{head}.** {sentences}");
         for sentence in words::by_hand(record, Some(measure.kind.name())) {
             out += &format!(" {}", markdown(&sentence));
         }
@@ -198,10 +198,10 @@ mod tests {
             text.lines().nth(2).unwrap().replace("**ada**: ", "")
         };
         record.attempt = Attempt::Another;
-        let said = begins(&record);
+        let sentences = begins(&record);
         assert!(
-            said.starts_with("60 of 100 points. Another of your submissions counts. "),
-            "{said}"
+            sentences.starts_with("60 of 100 points. Another of your submissions counts. "),
+            "{sentences}"
         );
         (record.status, record.points) = (Status::Unreadable, 0.0);
         assert_eq!(begins(&record), "Another of your submissions counts.");

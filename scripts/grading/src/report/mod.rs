@@ -167,7 +167,7 @@ mod tests {
         assert_eq!(scale(std::slice::from_ref(&untimed)), 100.0, "nobody was asked for more");
         let words =
             super::Words { full: scale(std::slice::from_ref(&untimed)), ..Default::default() };
-        let letter = super::letter::said(&untimed, &words);
+        let letter = super::letter::body(&untimed, &words);
         assert!(letter.starts_with("60 of 100 points. 25 points are open"), "{letter}");
     }
 }

@@ -31,20 +31,20 @@ pub(crate) fn measured(measure: &Measure) -> String {
 ///
 /// Without a task, these are decisions about the whole submission, and its lateness.
 pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
-    let mut said = Vec::new();
+    let mut remarks = Vec::new();
     let late = record.late.as_ref().filter(|_| record.has_mark());
     if let (None, Some(late)) = (task, late) {
         let (days, lost) = (late.days(), points(100.0 * late.lost));
-        said.push(format!("It came {days} late, which costs {lost} % of the points."));
+        remarks.push(format!("It came {days} late, which costs {lost} % of the points."));
     }
     for Decision { points: given, reason, .. } in record.decided(task) {
         let reason = reason.trim().trim_end_matches('.');
-        said.push(match given {
+        remarks.push(match given {
             Some(given) => format!("Your instructor gave {} points: {reason}.", points(*given)),
             None => format!("Your instructor says: {reason}."),
         });
     }
-    said
+    remarks
 }
 
 /// Returns sentences about the speed of the submission's programs.
@@ -67,7 +67,7 @@ fn sentences(record: &Record, run: &Run, words: &Words) -> Vec<String> {
     let workers =
         if run.workers == 1 { format!("1 {worker}") } else { format!("{} {worker}s", run.workers) };
     let nanoseconds = seconds * 1e9 / (run.n as f64 * run.steps as f64);
-    let mut said = vec![format!(
+    let mut remarks = vec![format!(
         "`{}` with {workers} on {} particles took {} ns per particle and step.",
         run.variant,
         run.n,
@@ -80,9 +80,9 @@ fn sentences(record: &Record, run: &Run, words: &Words) -> Vec<String> {
         if run.workers > 1 && used < 0.75 * run.workers as f64 {
             text += &format!(" The rest of the time {worker}s waited, or had not been started.");
         }
-        said.push(text);
+        remarks.push(text);
     }
-    said
+    remarks
 }
 
 #[cfg(test)]
@@ -106,12 +106,15 @@ mod tests {
             message: String::new(),
         };
         record.runs = vec![own(1000, 1), own(100_000, 2), own(100_000, 1)];
-        let said = speed(&record, &Words::default());
+        let remarks = speed(&record, &Words::default());
         assert_eq!(
-            said[0],
+            remarks[0],
             "`queues` with 2 threads on 100000 particles took 40.0 ns per particle and step."
         );
-        assert!(said[1].contains("1.10 of 2 processors") && said[1].contains("waited"), "{said:?}");
-        assert_eq!(said.len(), 2);
+        assert!(
+            remarks[1].contains("1.10 of 2 processors") && remarks[1].contains("waited"),
+            "{remarks:?}"
+        );
+        assert_eq!(remarks.len(), 2);
     }
 }

@@ -7,7 +7,7 @@ use std::str::FromStr;
 use anyhow::{Context, Error, Result, ensure};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
-use jiff::{Timestamp, ToSpan, Unit, Zoned};
+use jiff::{Timestamp, ToSpan, Unit, ZonedDateTime};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
 
@@ -39,7 +39,7 @@ pub(super) struct Late {
     listed: Vec<(String, Timestamp)>,
     /// Deadline in the course's time zone.
     #[serde(skip)]
-    due: Option<Zoned>,
+    due: Option<ZonedDateTime>,
 }
 
 fn no_end() -> u32 {
@@ -90,19 +90,19 @@ impl Late {
     ///
     /// Days are days of the calendar: a day with a clock change has 23 or 25 hours. Seconds do not
     /// count, so 23:59 lasts until midnight.
-    fn begun(&self, time: Timestamp, due: &Zoned) -> u32 {
-        let time = to_the_minute(&time.to_zoned(due.time_zone().clone()));
+    fn begun(&self, time: Timestamp, due: &ZonedDateTime) -> u32 {
+        let time = to_the_minute(&time.to_zoned_datetime(due.time_zone().clone()));
         let due = to_the_minute(due);
         if time.duration_since(&due).as_secs_f64() <= 60.0 * self.grace {
             return 0;
         }
-        let whole = due.until((Unit::Day, &time)).map_or(0, |span| span.get_days());
-        let begins = due.checked_add(whole.days()).is_ok_and(|begins| begins < time);
-        u32::try_from(whole).unwrap_or(0) + u32::from(begins)
+        let full_days = due.until((Unit::Day, &time)).map_or(0, |span| span.get_days());
+        let begins = due.checked_add(full_days.days()).is_ok_and(|begins| begins < time);
+        u32::try_from(full_days).unwrap_or(0) + u32::from(begins)
     }
 }
 
-fn to_the_minute(time: &Zoned) -> Zoned {
+fn to_the_minute(time: &ZonedDateTime) -> ZonedDateTime {
     time.with().second(0).subsec_nanosecond(0).build().unwrap_or_else(|_| time.clone())
 }
 
@@ -133,10 +133,10 @@ enum Moment {
 }
 
 impl Moment {
-    fn at(&self, zone: &TimeZone) -> Result<Zoned> {
+    fn at(&self, zone: &TimeZone) -> Result<ZonedDateTime> {
         Ok(match self {
-            Self::Exact(time) => time.to_zoned(zone.clone()),
-            Self::Clock(time) => time.to_zoned(zone.clone())?,
+            Self::Exact(time) => time.to_zoned_datetime(zone.clone()),
+            Self::Clock(time) => time.to_zoned_datetime(zone.clone())?,
         })
     }
 }
@@ -146,7 +146,7 @@ impl FromStr for Moment {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let text = text.trim();
-        let zoned = text.parse::<Zoned>().map(|zoned| zoned.timestamp());
+        let zoned = text.parse::<ZonedDateTime>().map(|zoned| zoned.timestamp());
         let exact = zoned.or_else(|_| text.parse::<Timestamp>()).map(Self::Exact);
         exact
             .or_else(|_| text.parse::<DateTime>().map(Self::Clock))

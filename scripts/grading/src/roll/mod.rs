@@ -105,9 +105,9 @@ impl Roll {
         let mut roll: Self = basic_toml::from_str(text).map_err(|error| {
             // In a well-formed file, the parser's location of a wrong entry is not reliable.
             let is_toml = basic_toml::from_str::<serde_json::Value>(text).is_ok();
-            let said = error.to_string();
-            let end = said.rfind(" at line ").filter(|_| is_toml).unwrap_or(said.len());
-            Error::msg(said[..end].to_owned())
+            let message = error.to_string();
+            let end = message.rfind(" at line ").filter(|_| is_toml).unwrap_or(message.len());
+            Error::msg(message[..end].to_owned())
         })?;
         let names = std::mem::take(&mut roll.names).into_iter();
         roll.names = names.map(|(name, members)| (composed(&name), members)).collect();

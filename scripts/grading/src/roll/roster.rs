@@ -113,10 +113,10 @@ impl Roster {
         let mut students = Vec::new();
         for (row, (line, cells)) in self.rows.iter().enumerate() {
             let cell = |name: &str| Some(cells[column(&self.header, name)?].trim());
-            let whole = NAMES.iter().find_map(|name| cell(name)).unwrap_or_default().to_owned();
+            let full_name = NAMES.iter().find_map(|name| cell(name)).unwrap_or_default().to_owned();
             let parts =
                 NAME_PARTS.iter().find_map(|(first, last)| Some([cell(first)?, cell(last)?]));
-            let name = parts.map_or(whole, |parts| parts.join(" "));
+            let name = parts.map_or(full_name, |parts| parts.join(" "));
             let own = cell(id).unwrap_or_default();
             // Canvas has rows about the columns.
             if self.form == Form::Canvas && (own.is_empty() || name == TEST_STUDENT) {

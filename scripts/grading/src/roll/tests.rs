@@ -112,9 +112,10 @@ fn moodle_tells_two_of_one_name_apart() {
 
 #[test]
 fn moodles_gradebook_is_joined_by_address_and_by_hand() {
-    let said = "roster = \"r.csv\"\ncolumn = \"First lab\"\n[names]\nx17 = \"grace@example.org\"";
+    let class_toml =
+        "roster = \"r.csv\"\ncolumn = \"First lab\"\n[names]\nx17 = \"grace@example.org\"";
     let (_, attendance, marks) = marked(
-        &[("class.toml", said), ("r.csv", GRADEBOOK)],
+        &[("class.toml", class_toml), ("r.csv", GRADEBOOK)],
         &["ada@example.org", "x17", "hoppergrace"],
     );
     let marks = marks.unwrap();
@@ -126,9 +127,9 @@ fn moodles_gradebook_is_joined_by_address_and_by_hand() {
 
 #[test]
 fn a_pair_shares_one_submission_and_the_latest_or_the_best_counts() {
-    let said = "attempts = \"latest\"\nroster = \"r.csv\"\n[names]\npair = [\"7\", \"8\"]";
-    let files = |said: &'static str| [("class.toml", said), ("r.csv", GRADEBOOK)];
-    let (records, attendance, _) = marked(&files(said), &["pair", "7"]);
+    let class_toml = "attempts = \"latest\"\nroster = \"r.csv\"\n[names]\npair = [\"7\", \"8\"]";
+    let files = |class_toml: &'static str| [("class.toml", class_toml), ("r.csv", GRADEBOOK)];
+    let (records, attendance, _) = marked(&files(class_toml), &["pair", "7"]);
     assert_eq!(records[0].student.as_deref(), Some("Ada Lovelace and Grace Hopper"));
     assert_eq!(attendance.present, [(0, 1), (1, 0)].into(), "of equal times the last");
     assert_eq!(attendance.twice, [("Ada Lovelace".to_owned(), Some(1), vec![0, 1])]);
@@ -155,8 +156,8 @@ fn who_cannot_be_read_has_no_mark() {
 
 #[test]
 fn names_of_nobody_are_pointed_out() {
-    let said = "roster = \"r.csv\"\n[names]\npear = [\"7\", \"9\"]\npair = \"8\"";
-    let folder = folder(&[("class.toml", said), ("r.csv", GRADEBOOK)]);
+    let class_toml = "roster = \"r.csv\"\n[names]\npear = [\"7\", \"9\"]\npair = \"8\"";
+    let folder = folder(&[("class.toml", class_toml), ("r.csv", GRADEBOOK)]);
     let roll = Roll::read(folder.path(), &rubric()).unwrap();
     let records = [Record { name: "pair".into(), ..Record::sample() }];
     let join = super::Join::new(roll.students.as_ref(), &roll.names, &roll.export, &records);
@@ -168,14 +169,14 @@ fn names_of_nobody_are_pointed_out() {
 
 #[test]
 fn a_broken_attempt_leaves_the_mark_of_an_older_one() {
-    let attempts = |said: &str, whole: [bool; 2]| {
-        let class = format!("{said}\nroster = \"r.csv\"");
+    let attempts = |class_toml: &str, is_graded: [bool; 2]| {
+        let class = format!("{class_toml}\nroster = \"r.csv\"");
         let folder = folder(&[("class.toml", &class), ("r.csv", GRADEBOOK)]);
         let roll = Roll::read(folder.path(), &rubric()).unwrap();
         let mut records =
             ["7_1", "7_2"].map(|name| Record { name: name.into(), ..Record::sample() });
-        for (record, whole) in records.iter_mut().zip(whole) {
-            record.status = if whole { Status::Graded } else { Status::Unreadable };
+        for (record, is_graded) in records.iter_mut().zip(is_graded) {
+            record.status = if is_graded { Status::Graded } else { Status::Unreadable };
         }
         let attendance = roll.attendance(&mut records);
         let words = attendance.words(&records).into_iter().flat_map(|(_, who)| who);
@@ -222,8 +223,8 @@ fn a_bad_roster_is_named_with_line_and_column() {
 #[test]
 fn days_begin_after_the_grace() {
     let lost = |late: &str| {
-        let said = format!("[late]\ndeadline = \"2026-11-20T10:00:00Z\"\n{late}");
-        let (records, ..) = marked(&[("class.toml", &said)], &["ada"]);
+        let class_toml = format!("[late]\ndeadline = \"2026-11-20T10:00:00Z\"\n{late}");
+        let (records, ..) = marked(&[("class.toml", &class_toml)], &["ada"]);
         (records[0].late.as_ref().map_or(0, |late| late.days), records[0].points)
     };
     // Handed in a day after the deadline to the minute, with 60 points.
@@ -237,9 +238,9 @@ fn days_begin_after_the_grace() {
 #[test]
 fn days_are_those_of_the_calendar_in_the_course_s_zone() {
     let days = |late: &str, time: &str| {
-        let said = format!("[late]\n{late}\npenalty = 10\ntimes = \"t.csv\"");
+        let class_toml = format!("[late]\n{late}\npenalty = 10\ntimes = \"t.csv\"");
         let times = format!("student,time\nada,{time}\n");
-        let (records, ..) = marked(&[("class.toml", &said), ("t.csv", &times)], &["ada"]);
+        let (records, ..) = marked(&[("class.toml", &class_toml), ("t.csv", &times)], &["ada"]);
         records[0].late.as_ref().map_or(0, |late| late.days)
     };
     // The night before has 25 hours in autumn, and 23 in spring.
@@ -262,14 +263,15 @@ fn days_are_those_of_the_calendar_in_the_course_s_zone() {
 
 #[test]
 fn a_deadline_is_said_with_its_zone() {
-    let said = |late: &str| format!("[late]\npenalty = 1\n{late}");
+    let class_toml = |late: &str| format!("[late]\npenalty = 1\n{late}");
     let words = |late: &str| {
-        let folder = folder(&[("class.toml", &said(late))]);
+        let folder = folder(&[("class.toml", &class_toml(late))]);
         Roll::read(folder.path(), &rubric()).unwrap().deadline().unwrap()
     };
     let berlin = "deadline = \"2026-10-24 23:59\"\nzone = \"Europe/Berlin\"";
     assert_eq!(words(berlin), "2026-10-24 23:59, UTC+02:00 (Europe/Berlin)");
-    let why = error(&[("class.toml", &said("deadline = \"2026-10-24 23:59\"\nzone = \"Berlin\""))]);
+    let why =
+        error(&[("class.toml", &class_toml("deadline = \"2026-10-24 23:59\"\nzone = \"Berlin\""))]);
     assert_eq!(why, "class.toml: late: zone: there is no time zone 'Berlin'; one is Europe/Berlin");
 }
 
@@ -277,8 +279,8 @@ fn a_deadline_is_said_with_its_zone() {
 fn accents_count_however_they_are_written() {
     let roster = "First name,Last name,ID number,Email address\n\
         Jos\u{e9},Ruiz,7,jose7@example.org\nJose,Ruiz,8,jose8@example.org\nZo\u{eb},Li,9,zoe@example.org\n";
-    let said = "roster = \"r.csv\"\n[names]\n\"ka\u{308}fer\" = \"9\"";
-    let files = [("class.toml", said), ("r.csv", roster)];
+    let class_toml = "roster = \"r.csv\"\n[names]\n\"ka\u{308}fer\" = \"9\"";
+    let files = [("class.toml", class_toml), ("r.csv", roster)];
     // An accented letter in one character, and in two as macOS writes it.
     let names =
         ["Jos\u{e9} Ruiz_1", "Jose\u{301} Ruiz_2", "JOSE\u{301} RUIZ", "Jose Ruiz", "k\u{e4}fer"];
@@ -324,7 +326,7 @@ fn a_deadline_is_a_moment() {
 
 #[test]
 fn a_wrong_word_has_no_place_and_a_wrong_form_has() {
-    let bad = |said: &str| error(&[("class.toml", said)]);
+    let bad = |class_toml: &str| error(&[("class.toml", class_toml)]);
     let unknown = bad("\n[late]\npenality = 1\n");
     assert!(unknown.contains("`penality`") && !unknown.contains(" at line "), "{unknown}");
     let form = bad("attempts = \"latest\"\nroster = r.csv\n");
@@ -333,8 +335,8 @@ fn a_wrong_word_has_no_place_and_a_wrong_form_has() {
 
 #[test]
 fn a_list_of_times_goes_before_the_files() {
-    let said = "[late]\ndeadline = \"2026-11-20T10:00:00Z\"\npenalty = 10\ntimes = \"t.csv\"";
-    let times = |text: &str| [("class.toml", said.to_owned()), ("t.csv", text.to_owned())];
+    let class_toml = "[late]\ndeadline = \"2026-11-20T10:00:00Z\"\npenalty = 10\ntimes = \"t.csv\"";
+    let times = |text: &str| [("class.toml", class_toml.to_owned()), ("t.csv", text.to_owned())];
     let list = times("\u{feff}student,time\nada,2026-11-22T10:01:00Z\n");
     let list = list.each_ref().map(|(name, text)| (*name, text.as_str()));
     let (records, ..) = marked(&list, &["ada"]);
@@ -346,20 +348,20 @@ fn a_list_of_times_goes_before_the_files() {
 
 #[test]
 fn what_was_decided_counts() {
-    let said = "[[override]]\nstudent = \"ada\"\ntask = \"1.2\"\npoints = 25\nreason = \"nearly\"\n\
+    let class_toml = "[[override]]\nstudent = \"ada\"\ntask = \"1.2\"\npoints = 25\nreason = \"nearly\"\n\
         [[override]]\nstudent = \"ada\"\ntask = \"speed\"\npoints = 20\nreason = \"measured here\"\n\
         [[override]]\nstudent = \"bob\"\npoints = 5\nreason = \"said it aloud\"";
-    let (records, ..) = marked(&[("class.toml", said)], &["ada", "bob", "eve"]);
+    let (records, ..) = marked(&[("class.toml", class_toml)], &["ada", "bob", "eve"]);
     let points: Vec<f64> = records.iter().map(|record| record.points).collect();
     assert_eq!(points, [105.0, 5.0, 60.0]);
 }
 
 #[test]
 fn a_decision_that_cannot_be_is_refused() {
-    let bad = |said: &str| {
+    let bad = |class_toml: &str| {
         error(&[(
             "class.toml",
-            &format!("[[override]]\nstudent = \"ada\"\nreason = \"r\"\n{said}"),
+            &format!("[[override]]\nstudent = \"ada\"\nreason = \"r\"\n{class_toml}"),
         )])
     };
     assert_eq!(bad("task = \"1.9\""), "class.toml: override 1: there is no task or measure 1.9");
@@ -382,10 +384,10 @@ fn a_pseudonym_hides_a_name_and_can_be_spoken_of() {
         (&shown.name, shown.message),
         (&pseudonym, format!("{pseudonym}.tar.gz cannot be unpacked"))
     );
-    let said = format!(
+    let class_toml = format!(
         "pseudonyms = \"key\"\n[[override]]\nstudent = \"{pseudonym}\"\npoints = 1\nreason = \"r\""
     );
-    let (records, ..) = marked(&[("class.toml", &said)], &["ada"]);
+    let (records, ..) = marked(&[("class.toml", &class_toml)], &["ada"]);
     assert_eq!(records[0].points, 1.0);
 }
 

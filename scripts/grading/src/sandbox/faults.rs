@@ -98,7 +98,7 @@ pub(crate) fn is_sign(complaint: &str) -> bool {
 /// line.
 pub(crate) fn named(complaint: &str) -> &str {
     let mut lines = complaint.lines().map(str::trim).filter(|line| !line.is_empty());
-    let first = lines.clone().next().unwrap_or("it says nothing");
+    let first = lines.clone().next().unwrap_or("it printed nothing");
     lines.find(|line| is_sign(line)).unwrap_or(first)
 }
 
@@ -134,9 +134,9 @@ mod tests {
 
     #[test]
     fn what_is_missing_is_named() {
-        let said =
+        let message =
             "error: failed to write x\n\nCaused by:\n  No space left on device (os error 28)\n";
-        assert_eq!(named(said), "No space left on device (os error 28)");
+        assert_eq!(named(message), "No space left on device (os error 28)");
         assert_eq!(named("\nkilled\nby whom?"), "killed");
     }
 

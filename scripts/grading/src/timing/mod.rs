@@ -11,7 +11,7 @@ mod plan;
 mod processors;
 mod rounds;
 mod take;
-pub(crate) mod whole;
+pub(crate) mod whole_program;
 
 use std::hash::{BuildHasher, RandomState};
 use std::path::Path;

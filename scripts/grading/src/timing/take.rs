@@ -52,7 +52,7 @@ pub(crate) fn is_doubtful(taken: &Result<Taken, Trouble>) -> bool {
 }
 
 /// A message from the timed program.
-enum Said {
+enum Reply {
     Ready,
     State(Instant, Vec<f64>),
     /// The program printed more than [`MOST`] bytes.
@@ -88,7 +88,7 @@ pub(crate) fn take(
 
     let wrong = |why: &str| Ok(Err((Outcome::Wrong, why.into())));
     match receive.recv_timeout(START) {
-        Ok(Said::Ready) => {}
+        Ok(Reply::Ready) => {}
         Ok(_) => return wrong("it talks before it is asked"),
         Err(error) => return Ok(Err(ended(error, START, &complaints))),
     }
@@ -99,8 +99,8 @@ pub(crate) fn take(
     // A program that has closed its stdin will not answer either.
     let _ = writeln!(stdin, "{whose} {variant} {workers} {n} {seed} {steps}");
     let (end, state) = match receive.recv_timeout(limit) {
-        Ok(Said::State(end, state)) => (end, state),
-        Ok(Said::TooMuch) => {
+        Ok(Reply::State(end, state)) => (end, state),
+        Ok(Reply::TooMuch) => {
             return wrong(
                 "it prints too much while it is timed: take out what prints in each step",
             );
@@ -135,7 +135,7 @@ fn nonce() -> String {
 }
 
 /// Sends on the program's messages to the grader and ignores the rest of its output.
-fn listen(stdout: ChildStdout, nonce: &str, most: usize, send: &Sender<Said>) -> Result<()> {
+fn listen(stdout: ChildStdout, nonce: &str, most: usize, send: &Sender<Reply>) -> Result<()> {
     let mut reader = BufReader::with_capacity(1 << 18, stdout.take(MOST));
     let mark = format!("@{nonce} ");
     let mut line = Vec::new();
@@ -143,14 +143,14 @@ fn listen(stdout: ChildStdout, nonce: &str, most: usize, send: &Sender<Said>) ->
         line.clear();
         if reader.read_until(b'\n', &mut line)? == 0 {
             if reader.get_ref().limit() == 0 {
-                let _ = send.send(Said::TooMuch);
+                let _ = send.send(Reply::TooMuch);
             }
             return Ok(());
         }
         let text = String::from_utf8_lossy(&line);
         let Some(text) = text.trim_end().strip_prefix(&mark) else { continue };
-        let said = match text.split_once(' ').unwrap_or((text, "")) {
-            ("ready", _) => Said::Ready,
+        let message = match text.split_once(' ').unwrap_or((text, "")) {
+            ("ready", _) => Reply::Ready,
             ("state", length) => {
                 let length: usize = length.parse()?;
                 ensure!(length <= most, "it sends more than there are particles");
@@ -158,11 +158,11 @@ fn listen(stdout: ChildStdout, nonce: &str, most: usize, send: &Sender<Said>) ->
                 reader.read_exact(&mut bytes)?;
                 let end = Instant::now();
                 let number = |bytes: &[u8]| f64::from_le_bytes(bytes.try_into().expect("8 bytes"));
-                Said::State(end, bytes.chunks_exact(8).map(number).collect())
+                Reply::State(end, bytes.chunks_exact(8).map(number).collect())
             }
             _ => continue,
         };
-        if send.send(said).is_err() {
+        if send.send(message).is_err() {
             return Ok(());
         }
     }

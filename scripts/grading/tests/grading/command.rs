@@ -105,9 +105,9 @@ pub(crate) fn kill_when(mut command: Command, enough: impl Fn() -> bool) -> bool
     while !enough() {
         if child.try_wait().unwrap().is_some() {
             let output = child.wait_with_output().unwrap();
-            let said = String::from_utf8_lossy(&output.stderr).into_owned();
-            assert!(said.contains(NO_SANDBOX), "it ended before it was killed: {said}");
-            eprintln!("skipped: {said}");
+            let message = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert!(message.contains(NO_SANDBOX), "it ended before it was killed: {message}");
+            eprintln!("skipped: {message}");
             return false;
         }
         thread::sleep(Duration::from_millis(50));
@@ -120,12 +120,12 @@ pub(crate) fn kill_when(mut command: Command, enough: impl Fn() -> bool) -> bool
 /// Runs the command, which must succeed. Returns false without a sandbox.
 pub(crate) fn run(mut command: Command) -> bool {
     let output = command.output().unwrap();
-    let said = String::from_utf8_lossy(&output.stderr);
-    if said.contains(NO_SANDBOX) {
-        eprintln!("skipped: {said}");
+    let message = String::from_utf8_lossy(&output.stderr);
+    if message.contains(NO_SANDBOX) {
+        eprintln!("skipped: {message}");
         return false;
     }
     print!("{}", String::from_utf8_lossy(&output.stdout));
-    assert!(output.status.success(), "one submission stopped the others: {said}");
+    assert!(output.status.success(), "one submission stopped the others: {message}");
     true
 }

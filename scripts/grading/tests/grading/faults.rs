@@ -54,18 +54,18 @@ fn a_fault_of_the_machine_costs_no_marks() {
     };
     for (when, fault) in FAULTS {
         fs::write(bin.join(when), fault).unwrap();
-        let (code, said) = run(TASKS);
-        if said.contains(NO_SANDBOX) {
-            return eprintln!("skipped: {said}");
+        let (code, message) = run(TASKS);
+        if message.contains(NO_SANDBOX) {
+            return eprintln!("skipped: {message}");
         }
         let record = record(&into, "solved").unwrap();
-        assert_eq!((code, &record["status"]), (Some(1), &"failed".into()), "{fault}: {said}");
-        assert!(said.contains("because of a fault of this machine: "), "{fault}: {said}");
+        assert_eq!((code, &record["status"]), (Some(1), &"failed".into()), "{fault}: {message}");
+        assert!(message.contains("because of a fault of this machine: "), "{fault}: {message}");
         fs::remove_file(bin.join(when)).unwrap();
     }
-    let (code, said) = run(&["--no-timing", "--seed", "7"]);
+    let (code, message) = run(&["--no-timing", "--seed", "7"]);
     let record = record(&into, "solved").unwrap();
-    assert_eq!((code, &record["points"]), (Some(0), &100.0.into()), "{said}");
+    assert_eq!((code, &record["points"]), (Some(0), &100.0.into()), "{message}");
     assert_eq!(record["seed"], 7, "it can be asked the same again");
 }
 
@@ -75,10 +75,10 @@ fn records_that_cannot_be_written_are_noticed_before_a_build() {
     // No user can make a folder there.
     let mut command: Command = grade(&class, "/proc/records".as_ref(), TASKS);
     let output = command.output().unwrap();
-    let said = String::from_utf8_lossy(&output.stderr);
-    if said.contains(NO_SANDBOX) {
-        return eprintln!("skipped: {said}");
+    let message = String::from_utf8_lossy(&output.stderr);
+    if message.contains(NO_SANDBOX) {
+        return eprintln!("skipped: {message}");
     }
     assert_eq!(output.status.code(), Some(2));
-    assert!(said.starts_with("error: cannot write in /proc/records: "), "{said}");
+    assert!(message.starts_with("error: cannot write in /proc/records: "), "{message}");
 }

@@ -12,7 +12,7 @@ use crate::class::Class;
 use crate::command::{NO_SANDBOX, TASKS, grade, program, record, records, run, script};
 
 /// Runs a command without a terminal. Returns whether it succeeded, and its stderr.
-fn said(mut command: Command) -> (bool, String) {
+fn message(mut command: Command) -> (bool, String) {
     let output = command.output().unwrap();
     (output.status.success(), String::from_utf8(output.stderr).unwrap())
 }
@@ -45,7 +45,7 @@ fn marks(record: &Value) -> (&Value, Vec<[&Value; 3]>) {
 fn a_class_gets_the_same_marks_twice_and_is_then_passed_over_without_a_build() {
     let class = Class::small(QUICK, &["bounce_single_if", "statistics_without_unit"]);
     let into = class.temporary().join("records");
-    let (well, words) = said(grade(&class, &into, TASKS));
+    let (well, words) = message(grade(&class, &into, TASKS));
     if words.contains(NO_SANDBOX) {
         eprintln!("skipped: {words}");
         return;
@@ -76,7 +76,7 @@ fn a_class_gets_the_same_marks_twice_and_is_then_passed_over_without_a_build() {
     let with = |options: &[&str]| {
         let mut command = grade(&class, &into, options);
         command.env("PATH", &path);
-        said(command)
+        message(command)
     };
     let again = || with(TASKS);
     fs::remove_file(into.join("index.html")).unwrap();

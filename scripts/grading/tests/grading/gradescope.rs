@@ -69,10 +69,10 @@ impl Container {
 
     /// Reads the results for Gradescope.
     fn results(&self, output: &Output) -> Value {
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "{said}");
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{message}");
         let results = fs::read(self.top().join("results/results.json"));
-        serde_json::from_slice(&results.unwrap_or_else(|e| panic!("{e}: {said}"))).unwrap()
+        serde_json::from_slice(&results.unwrap_or_else(|e| panic!("{e}: {message}"))).unwrap()
     }
 }
 
@@ -152,8 +152,8 @@ fn a_grader_that_does_not_run_leaves_no_points() {
     script(&top.join("bin/cargo"), "echo 'error: no space left' >&2; exit 2");
     let autograder = top.join("run_autograder");
     let output = container.run(Command::new("sh").arg(autograder), &["bin"]);
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(!output.status.success() && said.contains("no space left"), "{said}");
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && message.contains("no space left"), "{message}");
     assert!(!top.join("results/results.json").exists(), "Gradescope would take it for a mark");
 }
 

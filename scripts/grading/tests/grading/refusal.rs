@@ -27,11 +27,11 @@ fn path_without(top: &Path) -> PathBuf {
 fn refusal(mut command: Command) -> String {
     let output = command.output().unwrap();
     assert_eq!(output.status.code(), Some(2));
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(said.lines().count(), 1, "{said}");
-    assert!(said.contains("cannot be kept in a sandbox here"), "{said}");
-    assert!(said.contains("say --trusted"), "{said}");
-    said
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(message.lines().count(), 1, "{message}");
+    assert!(message.contains("cannot be kept in a sandbox here"), "{message}");
+    assert!(message.contains("say --trusted"), "{message}");
+    message
 }
 
 #[test]
@@ -44,24 +44,24 @@ fn without_a_sandbox_it_refuses_unless_the_code_is_trusted() {
         command.env("PATH", &path);
         command
     };
-    let said = refusal(command(&[]));
-    assert!(said.contains("there is no bwrap"), "{said}");
+    let message = refusal(command(&[]));
+    assert!(message.contains("there is no bwrap"), "{message}");
 
     // This bubblewrap may not make namespaces, as in most containers.
     let bwrap = path.join("bwrap");
     script(&bwrap, "echo 'bwrap: No permissions to create new namespace' >&2; exit 1");
-    let said = refusal(command(&[]));
-    assert!(said.contains("No permissions to create new namespace"), "{said}");
+    let message = refusal(command(&[]));
+    assert!(message.contains("No permissions to create new namespace"), "{message}");
     // This bubblewrap isolates nothing.
     script(&bwrap, "exit 0");
-    let said = refusal(command(&[]));
-    assert!(said.contains("does not keep out what it must"), "{said}");
+    let message = refusal(command(&[]));
+    assert!(message.contains("does not keep out what it must"), "{message}");
     assert!(!into.exists(), "nothing was graded");
 
     fs::remove_file(&bwrap).unwrap();
     let output = command(&["--trusted"]).output().unwrap();
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success() && said.contains("NO SANDBOX"), "{said}");
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && message.contains("NO SANDBOX"), "{message}");
     let record = record(&into, "solved").unwrap();
     assert_eq!((&record["sandboxed"], &record["points"]), (&false.into(), &100.0.into()));
 }

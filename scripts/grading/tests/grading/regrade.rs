@@ -52,9 +52,9 @@ fn regrade(kit: &Path, folder: &Path, options: &[&str]) -> [String; 2] {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lab-grading"));
     let command = command.current_dir(kit).arg("regrade").arg(folder).args(options);
     let output = command.output().unwrap();
-    let said = [output.stdout, output.stderr].map(|said| String::from_utf8(said).unwrap());
-    assert!(output.status.success(), "{}", said[1]);
-    said
+    let message = [output.stdout, output.stderr].map(|message| String::from_utf8(message).unwrap());
+    assert!(output.status.success(), "{}", message[1]);
+    message
 }
 
 /// Makes a kit in which the two tasks of lab 1 are worth `points`, and two gradings of lab 1.
@@ -116,12 +116,12 @@ fn decisions_and_lateness_survive_a_regrade() {
     for name in ["ada", "grace"] {
         put(&format!("{name}.json"), &record(name).to_string());
     }
-    let said = regrade(kit(), folder.path(), &[]).concat();
-    assert!(said.contains("Handed in nothing: Turing, Alan"), "{said}");
+    let message = regrade(kit(), folder.path(), &[]).concat();
+    assert!(message.contains("Handed in nothing: Turing, Alan"), "{message}");
     assert!(
-        said.contains("+ Task 1.2: Your instructor gave 12.5 points")
-            && said.contains("It came a day late, which costs 10 % of the points."),
-        "{said}"
+        message.contains("+ Task 1.2: Your instructor gave 12.5 points")
+            && message.contains("It came a day late, which costs 10 % of the points."),
+        "{message}"
     );
 
     let once = ["marks.csv", "ada.json", "grace.json", "feedback/ada.md", "index.html"].map(read);
@@ -166,8 +166,11 @@ fn who_is_spoken_of_and_is_not_there_is_named() {
     fs::write(folder.path().join("ada.json"), record("ada").to_string()).unwrap();
     let class = "[[override]]\nstudent = \"adda\"\npoints = 1\nreason = \"r\"\n";
     fs::write(folder.path().join("class.toml"), class).unwrap();
-    let said = regrade(kit(), folder.path(), &[]).concat();
-    assert!(said.contains("class.toml: override 1: no submission belongs to 'adda'"), "{said}");
+    let message = regrade(kit(), folder.path(), &[]).concat();
+    assert!(
+        message.contains("class.toml: override 1: no submission belongs to 'adda'"),
+        "{message}"
+    );
 }
 
 #[test]
@@ -178,8 +181,8 @@ fn a_full_disk_behind_standard_output_is_said_in_one_line() {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lab-grading"));
     let command = command.current_dir(kit.root()).args(["regrade", "records", "--dry-run"]);
     let output = command.stdout(full).output().unwrap();
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(said.starts_with("error: cannot write to standard output: "), "{said}");
-    assert_eq!(said.lines().count(), 1, "{said}");
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.starts_with("error: cannot write to standard output: "), "{message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
 }

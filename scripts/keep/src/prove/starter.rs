@@ -43,7 +43,7 @@ pub(crate) fn faults(outcomes: &[Outcome], tasks: &BTreeSet<Task>) -> Vec<String
     faults.extend(
         tested
             .difference(tasks)
-            .map(|task| format!("there are tests of task {task}, which is nowhere")),
+            .map(|task| format!("there are tests of task {task}, which has no region")),
     );
     faults
 }

@@ -86,7 +86,7 @@ fn check_ids(
         let here = format!("{}:{}", shown.display(), region.line);
         let error = |what: String| wrong_mark(shown, region.line, &what);
         if region.id.task.lab != lab {
-            return Err(error(format!("task {} stands in lab {lab}", region.id)));
+            return Err(error(format!("task {} is in lab {lab}", region.id)));
         }
         if let Some(before) = seen.insert(region.id, here) {
             return Err(error(format!(

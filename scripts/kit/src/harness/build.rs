@@ -103,7 +103,8 @@ pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
         _ if !errors.is_empty() => Err(BuildError::Compile(errors)),
         _ => {
             let complaint = String::from_utf8_lossy(&output.stderr).trim().to_owned();
-            let above = complaint.is_empty().then(|| "cargo says above why".into());
+            let above =
+                complaint.is_empty().then(|| "the reason is in cargo's messages above".into());
             Err(BuildError::Cargo(above.unwrap_or(complaint)))
         }
     }

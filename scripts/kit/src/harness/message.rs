@@ -35,7 +35,7 @@ pub(super) fn message(test: &str, done: &Finished) -> String {
     match (why.is_empty(), printed.is_empty()) {
         (_, true) => why,
         (true, false) => printed,
-        (false, false) => format!("{why}\n\nprinted meanwhile:\n{printed}"),
+        (false, false) => format!("{why}\n\nprinted by the test:\n{printed}"),
     }
 }
 
@@ -62,12 +62,12 @@ fn of_stderr(stderr: &str) -> (Vec<String>, Vec<String>) {
     };
     let lines: Vec<&str> = stderr.lines().filter(|line| !is_harness(line)).collect();
     let first = lines.iter().position(|line| panicked_at(line).is_some()).unwrap_or(lines.len());
-    let (noted, said) = lines.split_at(first);
+    let (noted, printed) = lines.split_at(first);
     let mut why = Vec::new();
-    for (index, line) in said.iter().enumerate() {
+    for (index, line) in printed.iter().enumerate() {
         match panicked_at(line) {
             // A `todo!` is found by its task, so its location is left out.
-            Some(_) if said.get(index + 1).is_some_and(|next| next.starts_with(TODO)) => {}
+            Some(_) if printed.get(index + 1).is_some_and(|next| next.starts_with(TODO)) => {}
             Some(location) => why.extend(in_a_lab(location)),
             None => why.push((*line).to_owned()),
         }
@@ -100,8 +100,8 @@ fn in_a_lab(location: &str) -> Option<String> {
 /// The location of the panic precedes the message if it is in a lab's source.
 pub fn located_panic(stderr: &str) -> Option<String> {
     let location = stderr.lines().find_map(panicked_at).and_then(in_a_lab);
-    let said = panic_in(stderr)?;
-    Some(location.map_or_else(|| said.to_owned(), |location| format!("{location} {said}")))
+    let panic = panic_in(stderr)?;
+    Some(location.map_or_else(|| panic.to_owned(), |location| format!("{location} {panic}")))
 }
 
 fn shortened(printed: &str) -> String {
@@ -120,7 +120,7 @@ mod tests {
     use super::{located_panic, message};
     use crate::process::Finished;
 
-    fn said(stdout: &str, stderr: &str) -> String {
+    fn message_of(stdout: &str, stderr: &str) -> String {
         message(
             "task_1_1::a",
             &Finished { status: None, stdout: stdout.into(), stderr: stderr.into() },
@@ -136,8 +136,8 @@ mod tests {
         );
         let stderr = "r = 0.5\n\nthread 'task_1_1::a' (7) panicked at tests/lab1.rs:9:5:\nit differs\n\
                       note: run with `RUST_BACKTRACE=1` to see\n";
-        let message = said(&stdout, stderr);
-        let (why, printed) = message.split_once("\n\nprinted meanwhile:\n").unwrap();
+        let message = message_of(&stdout, stderr);
+        let (why, printed) = message.split_once("\n\nprinted by the test:\n").unwrap();
         assert_eq!(why, "━━━━ Snapshot Summary ━━━━\n- expected\n\nit differs");
         assert!(printed.starts_with("pair 0\npair 1\n") && !printed.contains("pair 20\n"));
         assert!(printed.ends_with("\n… and 31 more lines"), "{printed}");
@@ -147,7 +147,7 @@ mod tests {
     fn a_panic_in_a_lab_is_placed_and_no_other() {
         let at = |location: &str| {
             let stderr = format!("\nthread 't' (7) panicked at {location}:\nindex out of bounds\n");
-            said("", &stderr)
+            message_of("", &stderr)
         };
         let lab = "a panic in labs/lab3/src/rows.rs, line 41:\nindex out of bounds";
         assert_eq!(at("labs/lab3/src/rows.rs:41:9"), lab);
@@ -161,6 +161,6 @@ mod tests {
             assert_eq!(at(location), "index out of bounds", "{location}");
         }
         let todo = "\nthread 't' (7) panicked at labs/lab1/src/x.rs:9:5:\nnot yet implemented: task 1.1: x\n";
-        assert_eq!(said("", todo), "not yet implemented: task 1.1: x");
+        assert_eq!(message_of("", todo), "not yet implemented: task 1.1: x");
     }
 }

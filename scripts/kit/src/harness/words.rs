@@ -55,11 +55,11 @@ mod tests {
 
     #[test]
     fn the_sides_of_a_comparison_have_names() {
-        let said = "assertion `left == right` failed: from x = 1.25 in a box of 1\n  \
+        let failure = "assertion `left == right` failed: from x = 1.25 in a box of 1\n  \
                     left: (1.25, 2.0)\n right: (0.75, -2.0)";
         let words =
             "from x = 1.25 in a box of 1\n     found: (1.25, 2.0)\n  expected: (0.75, -2.0)";
-        assert_eq!(of_a_failure(said), words);
+        assert_eq!(of_a_failure(failure), words);
         let bare = "assertion `left == right` failed\n  left: 1\n right: 2";
         assert!(of_a_failure(bare).starts_with("the two should be equal\n"), "{bare}");
         let other = "the halo came from the left:\n  left: rank 0\n right: rank 2";
@@ -68,12 +68,12 @@ mod tests {
 
     #[test]
     fn the_sides_of_a_snapshot_have_names() {
-        let said = "Snapshot: x\nSource: tests/lab1.rs:28\n────\n-old snapshot\n+new results\n────┬────\n    1       │-ax  10\n          \
+        let failure = "Snapshot: x\nSource: tests/lab1.rs:28\n────\n-old snapshot\n+new results\n────┬────\n    1       │-ax  10\n          \
                     1 │+ax  -10\n────┴────\nTo update snapshots run `cargo insta review`\nStopped on \
                     the first failure. Run `cargo insta test` to run all snapshots.\n\n\nsnapshot \
                     assertion for 'x' failed in line 29";
         let words = "────\n- expected\n+ found\n────┬────\n    1       │- ax  10\n          1 │+ ax  \
                      -10\n────┴────";
-        assert_eq!(of_a_failure(said), words);
+        assert_eq!(of_a_failure(failure), words);
     }
 }

@@ -128,9 +128,9 @@ pub(crate) fn rename(text: &str, lab: Lab) -> String {
     let mut rest = text;
     while let Some(at) = rest.find(&old) {
         let (before, after) = (&rest[..at], &rest[at + old.len()..]);
-        let whole = !before.ends_with(is_name) && !after.starts_with(is_name);
+        let is_full_name = !before.ends_with(is_name) && !after.starts_with(is_name);
         renamed.push_str(before);
-        renamed.push_str(if whole { &new } else { &old });
+        renamed.push_str(if is_full_name { &new } else { &old });
         rest = after;
     }
     renamed + rest

@@ -17,7 +17,7 @@ use crate::job::Job;
 use crate::runner::Runner;
 use crate::scene::Scene;
 
-/// Say of a lab's innermost loops whether they are as fast as they can be
+/// Test whether a lab's innermost loops are as fast as they can be
 ///
 /// Each loop takes turns with a second loop that a fast loop is as fast as: it does the same work
 /// without unpredictable branches, or without the slow part. Both are programs of the lab, so no
@@ -52,7 +52,7 @@ const COUNTED: u64 = 10;
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let Options { lab, solution, caches } = options;
     let races = kit.facts(lab)?.races;
-    ensure!(!races.is_empty(), "no loop of lab {lab} is timed by itself");
+    ensure!(!races.is_empty(), "no single loop of lab {lab} is timed");
     let program = Program::new(lab, solution)?;
     let package = program.package();
     let mut runner = Runner::build(kit, &[program])?;

@@ -32,10 +32,10 @@ const OWNERS: u16 = 4;
 
 /// Show a run as a web page that plays
 ///
-/// Runs a variant and writes one page of less than 1 MB without anything else to load: discs coloured by
-/// speed, with time, energy and pairs; bins, pairs looked at and touching, owners, ghosts, a list and
-/// free flights to switch on; play, pause, a step on or back, speed and a slider. Where not all frames
-/// have room it shows fewer and says so.
+/// Runs a variant and writes one page of less than 1 MB, which loads no other file. The page shows
+/// discs coloured by speed, with time, energy and pairs. You can switch on bins, pair tests, pairs
+/// in contact, owners, ghosts, a list and free flights, and play, pause, step and change the speed.
+/// If there is no room for all frames, the page shows fewer and says so.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The lab, such as 2

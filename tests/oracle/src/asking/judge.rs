@@ -55,10 +55,13 @@ impl Judge {
         if !self.ended && self.wrong.is_none() {
             match read(&mut self.answers) {
                 Ok((question, _)) if question == END => {}
-                Ok(_) => self.wrong = Some("it gave more answers than there were questions".into()),
+                Ok(_) => {
+                    self.wrong =
+                        Some("the program gave more answers than there were questions".into())
+                }
                 Err(_) => {
                     self.ended = true;
-                    self.wrong = Some("it broke off behind the last question".into());
+                    self.wrong = Some("the answers broke off after the last question".into());
                 }
             }
         }
@@ -74,10 +77,12 @@ impl Judge {
         }
         let words = match read(&mut self.answers) {
             Ok((asked, answer)) if asked == question => verdict(answer),
-            Ok((asked, _)) if asked != END => Err(format!("it answered '{asked}'")),
+            Ok((asked, _)) if asked != END => {
+                Err(format!("the program answered a different question, '{asked}'"))
+            }
             _ => {
                 self.ended = true;
-                Err("it ended without an answer".into())
+                Err("the program ended without an answer".into())
             }
         };
         match words {
@@ -97,7 +102,7 @@ impl Ask for Judge {
     ) {
         self.next(question, |answer| match to_numbers(&answer) {
             Some(numbers) => verdict(&numbers),
-            None => Err("its answer is malformed".into()),
+            None => Err("the answer cannot be read".into()),
         });
     }
 
@@ -186,7 +191,7 @@ mod tests {
         assert_eq!((verdict.asked, verdict.right, verdict.broke_off), (2, 1, true));
         assert_eq!(
             verdict.wrong.as_deref(),
-            Some("the worked example\nit ended without an answer")
+            Some("the worked example\nthe program ended without an answer")
         );
     }
 }

@@ -111,7 +111,7 @@ impl Near {
 }
 
 /// Returns integers as an answer.
-pub fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
+pub fn integers(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
     numbers.into_iter().map(|number| number as f64).collect()
 }
 
@@ -140,7 +140,7 @@ pub fn begins_send(call: &str) -> bool {
 /// Asks how many of the calls that a rank has `made` are not in `calls`. There must be none.
 pub fn no_other_calls(made: &[&str], calls: &[&str], name: &str, ask: &mut impl Ask) {
     let others = made.iter().filter(|call| !calls.contains(call)).count();
-    let question = format!("{name}: calls of MPI beside {}", calls.join(" and "));
+    let question = format!("{name}: number of MPI calls other than {}", calls.join(" and "));
     ask.exact(&question, || vec![others as f64], || vec![0.0]);
 }
 
@@ -178,7 +178,7 @@ pub fn memory(
 ) {
     let handled = 4 * steps * bytes as u64;
     let question = format!(
-        "{name}: bytes that are still held after {} steps, which handled {handled}; 0 for less than a quarter",
+        "{name}: bytes still in use after {} steps, which handled {handled} bytes; 0 for less than a quarter of these",
         4 * steps
     );
     let found = || {

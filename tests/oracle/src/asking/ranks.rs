@@ -46,7 +46,7 @@ pub(super) fn run(ranks: usize) -> Vec<u8> {
     let mut job = itself_on(ranks);
     job.env(RANK_OF, ranks.to_string()).envs(ENVIRONMENT);
     let ended = job.status().expect("mpiexec starts");
-    assert!(ended.success(), "on {ranks} ranks the job failed, or gave no answer in time");
+    assert!(ended.success(), "the job on {ranks} ranks failed, or gave no answer in time");
     let answers = (0..ranks).map(|rank| fs::read(path(rank)).expect("each rank wrote its answers"));
     answers.collect::<Vec<_>>().concat()
 }

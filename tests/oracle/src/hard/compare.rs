@@ -39,7 +39,7 @@ fn time_of(events: &[Event], i: usize) -> f64 {
 
 fn happening(events: &[Event], i: usize) -> String {
     let Some(event) = events.iter().find(|e| e.involves(i)) else {
-        return "collides with nothing and flies straight".into();
+        return "collides with nothing, so it flies straight on".into();
     };
     let time = event.time;
     match event.what {
@@ -65,5 +65,9 @@ pub fn difference(expected: &[Disc], found: &[Disc]) -> Option<String> {
     let bits =
         |d: &Disc| ([d.x, d.y, d.vx, d.vy].map(f64::to_bits), d.pair_collisions, d.wall_collisions);
     let i = expected.iter().zip(found).position(|(e, f)| bits(e) != bits(f))?;
-    Some(format!("disc {i} is at {}, not at {}", describe(&found[i]), describe(&expected[i])))
+    Some(format!(
+        "disc {i} is at {}, but must be at {}",
+        describe(&found[i]),
+        describe(&expected[i])
+    ))
 }

@@ -97,7 +97,10 @@ impl Runs {
         steps: usize,
     ) {
         let of = right.program();
-        let question = format!("{}: the bits of {of}: {STATE}", self.question(name, scene, steps));
+        let question = format!(
+            "{}: {STATE} at the end, bit for bit as in {of}",
+            self.question(name, scene, steps)
+        );
         ask.judge(
             &question,
             || self.end(scene, steps),
@@ -120,7 +123,7 @@ impl Runs {
     ) {
         let others: Vec<String> = programs.iter().map(Self::program).collect();
         let question = format!(
-            "{}: {STATE}, and the same bits by {}",
+            "{}: {STATE} at the end; then the same bits in {}",
             self.question(name, scene, steps),
             others.join("; ")
         );
@@ -132,7 +135,7 @@ impl Runs {
                 let ends = split(found, scene.len(), 1 + programs.len())?;
                 for (other, end) in others.iter().zip(&ends[1..]) {
                     if let Some(words) = difference(&ends[0], end) {
-                        return Err(format!("{other}: {words}"));
+                        return Err(format!("{other} ends with different bits: {words}"));
                     }
                 }
                 Ok(())

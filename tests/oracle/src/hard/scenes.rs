@@ -47,10 +47,10 @@ pub fn unseen(seed: u64) -> Scene {
 pub fn lattice(seed: u64) -> Scene {
     let side = 24.0;
     let mut random = Random::new(seed);
-    let mut whole =
+    let mut integer =
         |low: i32, high: i32| f64::from(low) + (random.bits() % (high - low + 1) as u64) as f64;
     let discs: Vec<_> =
-        (0..60).map(|_| (whole(1, 23), whole(1, 23), whole(-3, 3), whole(-3, 3))).collect();
+        (0..60).map(|_| (integer(1, 23), integer(1, 23), integer(-3, 3), integer(-3, 3))).collect();
     of(side, 1.0, &discs)
 }
 

@@ -130,7 +130,7 @@ impl Job {
         let _alone = only_job();
         assert!(
             !tasks_that_hang().contains(&self.task),
-            "task {}: not tried on {}, since no answer within the time came before",
+            "task {}: not tried on {}, because another job of the task gave no answer in time",
             self.task,
             count(self.ranks)
         );

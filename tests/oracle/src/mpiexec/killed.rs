@@ -43,11 +43,11 @@ fn ends_when_killed(name: &str, job: &Job, out: &Path, victim: usize) {
         kill_process(ids[victim], Signal::KILL).expect("a process of ours can be killed");
     });
     let took = killed.elapsed();
-    assert!(!ended.status.success(), "{name}: a rank was killed and the job succeeded");
-    assert!(took < SOON, "{name}: a rank was killed and the job went on for {took:?}");
+    assert!(!ended.status.success(), "{name}: the job succeeded, although a rank was killed");
+    assert!(took < SOON, "{name}: the job went on for {took:?} after a rank was killed");
     let complaint = ended.stderr.to_lowercase() + &ended.stdout.to_lowercase();
     assert!(complaint.contains("kill"), "{name}: no message says that a rank was killed");
-    assert!(!out.exists(), "{name}: the output of a run that never ended is there");
+    assert!(!out.exists(), "{name}: the output file exists, although the run was not completed");
 }
 
 /// Waits for the process id in a file. `None` if it does not appear in time.

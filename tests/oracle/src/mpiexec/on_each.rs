@@ -30,7 +30,7 @@ pub fn on_each(task: &str, counts: &[usize], part: impl FnOnce()) -> Ended {
         let ended = job.within(SECONDS).succeed();
         assert!(
             !ended.stdout.contains(" 0 passed"),
-            "'{}' is no name of a test",
+            "'{}' is not the name of a test",
             &TEST.with_borrow(String::clone)
         );
         ended

@@ -33,7 +33,7 @@ impl OnRanks {
         let out = folder.path().join("out.txt");
         self.job().args(["-n", "1000", "-s", "1", "-o"]).arg(&out).succeed();
         let bytes = std::fs::read(&out)
-            .unwrap_or_else(|e| panic!("{}: it wrote no output: {e}", self.name()));
+            .unwrap_or_else(|e| panic!("{}: the program wrote no output: {e}", self.name()));
         let digest = sha256(&bytes);
         if digest != OFFICIAL_SHA256 {
             panic!(

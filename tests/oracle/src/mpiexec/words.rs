@@ -30,18 +30,18 @@ const NOISE: [&str; 20] = [
 const MEANINGS: [(&str, &str); 3] = [
     (
         "Process received signal",
-        "A rank crashed inside the MPI library. Most often two messages that do not belong together have met: ranks \
-         make their calls in different orders, or a rank stops after fewer rounds than another.",
+        "A rank crashed inside the MPI library. The usual cause: two messages that do not belong together have met, \
+         because ranks make their calls in different orders, or one rank stops after fewer rounds than another.",
     ),
     (
         "MPI_ERR_TRUNCATE",
-        "A message was longer than the buffer for it. Either the buffer is too short, or ranks make their \
-         calls in different orders, and two that do not belong together have met.",
+        "A message was longer than its buffer. Either the buffer is too short, or ranks make their calls in different \
+         orders, so that two calls that do not belong together have met.",
     ),
     (
         "all(|(&c, &d)| c + d <= n)",
-        "A part of a Partition or PartitionMut reaches beyond its buffer. The buffer must be as long as all \
-         counts together, and displacements must be those of the same counts.",
+        "A part of a Partition or PartitionMut reaches beyond its buffer. The length of the buffer must be the sum of \
+         the counts, and the displacements must belong to the same counts.",
     ),
 ];
 
@@ -49,8 +49,8 @@ const MEANINGS: [(&str, &str); 3] = [
 const OF_ONE_MESSAGE: [&str; 4] = ["send", "recv", "probe", "wait"];
 
 const MISSING_CALL: &str = "Each rank waits in a call of MPI. So some rank waits for a call that another rank does not \
-                            make: a collective operation that some ranks leave out or make once more, a message that no \
-                            rank sends, or a send that no rank receives.";
+                            make: a collective operation that some ranks omit or repeat, a message that no rank sends, \
+                            or a send that no rank receives.";
 
 const NOT_KNOWN: &str = "A loop does not end, a list grows in each step, or this machine is busy.";
 
@@ -92,12 +92,12 @@ pub(super) fn of_a_failure(stderr: &str) -> String {
         line.is_empty() || is_frame(line) || NOISE.iter().any(|noise| line.contains(noise))
     };
     // Open MPI begins a line with the name of a machine and a process.
-    let said = |line| str::split_once(line, "] *** ").map_or(line, |(_, said)| said);
-    let mut lines: Vec<&str> = stderr.lines().filter(|line| !is_noise(line)).map(said).collect();
+    let message = |line| str::split_once(line, "] *** ").map_or(line, |(_, message)| message);
+    let mut lines: Vec<&str> = stderr.lines().filter(|line| !is_noise(line)).map(message).collect();
     let meanings = MEANINGS.iter().filter(|(words, _)| stderr.contains(words));
     lines.splice(0..0, meanings.map(|(_, meaning)| *meaning));
     if lines.is_empty() {
-        lines.push("a rank ended the job without a word");
+        lines.push("a rank ended the job without a message");
     }
     lines.join("\n")
 }
@@ -119,9 +119,9 @@ mod tests {
     fn a_call_is_missing_only_where_all_ranks_wait() {
         let says = |calls: [&str; 2]| {
             let lines = [0, 1].map(|rank| format!("after 20 s rank {rank} is {}\n", calls[rank]));
-            let said = of_no_answer(&lines.concat(), 2, Duration::from_secs(20));
-            assert!(said.contains("rank 0 is") && said.contains("rank 1 is"), "{said}");
-            said
+            let message = of_no_answer(&lines.concat(), 2, Duration::from_secs(20));
+            assert!(message.contains("rank 0 is") && message.contains("rank 1 is"), "{message}");
+            message
         };
         let waits = "in a run, in MPI_Wait (labs/lab8/src/x.rs, line 3) for 19 s";
         let sums = "in a run, in MPI_Allreduce (labs/lab8/src/x.rs, line 9) for 19 s";
@@ -134,29 +134,32 @@ mod tests {
             assert!(says(calls).starts_with(NOT_KNOWN), "{calls:?}");
         }
         let one_of_two = format!("after 20 s rank 0 is {waits}\n");
-        let said = of_no_answer(&one_of_two, 2, Duration::from_secs(20));
-        assert!(said.starts_with(NOT_KNOWN), "{said}");
+        let message = of_no_answer(&one_of_two, 2, Duration::from_secs(20));
+        assert!(message.starts_with(NOT_KNOWN), "{message}");
     }
 
     #[test]
     fn the_ranks_words_remain() {
-        let said = "-----------------------\nMPI_ABORT was invoked on rank 0 in communicator MPI_COMM_WORLD\n\
-                    with errorcode 101.\n\nrank 0: \nparticle 3 is lost\n";
-        assert_eq!(of_a_failure(said), "rank 0: \nparticle 3 is lost");
-        let said = "[vm:3] *** An error occurred in MPI_Reduce\n[vm:3] *** MPI_ERR_TRUNCATE: message truncated\n";
-        let said = of_a_failure(said);
-        assert!(said.starts_with("A message was longer than the buffer") && !said.contains("vm:3"));
-        assert_eq!(of_a_failure(""), "a rank ended the job without a word");
+        let message = "-----------------------\nMPI_ABORT was invoked on rank 0 in communicator MPI_COMM_WORLD\nwith \
+                       errorcode 101.\n\nrank 0: \nparticle 3 is lost\n";
+        assert_eq!(of_a_failure(message), "rank 0: \nparticle 3 is lost");
+        let message = "[vm:3] *** An error occurred in MPI_Reduce\n[vm:3] *** MPI_ERR_TRUNCATE: message truncated\n";
+        let message = of_a_failure(message);
+        assert!(
+            message.starts_with("A message was longer than its buffer")
+                && !message.contains("vm:3")
+        );
+        assert_eq!(of_a_failure(""), "a rank ended the job without a message");
     }
 
     #[test]
     fn a_crash_is_explained_and_its_trace_left_out() {
-        let said = "malloc(): unaligned tcache chunk detected\n[vm:7] *** Process received signal ***\n[vm:7] Signal: \
-                    Aborted (6)\n[vm:7] [ 0] /lib/libc.so.6(+0x3c0)[0x7f]\n[vm:7] [13] /kit/lab8(+0x1)[0x2]\n[vm:7] *** End \
-                    of error message ***\n";
-        let said = of_a_failure(said);
-        let lines: Vec<&str> = said.lines().collect();
-        assert!(lines[0].starts_with("A rank crashed inside the MPI library."), "{said}");
+        let message = "malloc(): unaligned tcache chunk detected\n[vm:7] *** Process received signal ***\n[vm:7] \
+                       Signal: Aborted (6)\n[vm:7] [ 0] /lib/libc.so.6(+0x3c0)[0x7f]\n[vm:7] [13] \
+                       /kit/lab8(+0x1)[0x2]\n[vm:7] *** End of error message ***\n";
+        let message = of_a_failure(message);
+        let lines: Vec<&str> = message.lines().collect();
+        assert!(lines[0].starts_with("A rank crashed inside the MPI library."), "{message}");
         assert_eq!(lines[1..], ["malloc(): unaligned tcache chunk detected"]);
     }
 }

@@ -17,7 +17,10 @@ impl Runs {
         let of_run = scene.clone();
         let found =
             move |engine: &mut dyn Simulation| States::of_run(engine, &of_run, 200, 0).numbers();
-        let question = format!("{}, beside the model", self.question(&scene, 200));
+        let question = format!(
+            "{}: x y vx vy of each particle after each step, within 1e-9 of the model",
+            self.question(&scene, 200)
+        );
         ask.judge(
             &question,
             || self.run(found),
@@ -33,7 +36,7 @@ impl Runs {
     pub fn official_bytes(&self, ask: &mut impl Ask) {
         let found = || self.run(official_digest);
         let question = format!(
-            "{}: the official output, n = 1000, seed 1: its sha256, byte by byte",
+            "{}, official scene, n = 1000, seed 1: sha256 of the output, a number for each byte",
             self.name()
         );
         ask.judge(&question, found, |found| {
@@ -42,8 +45,8 @@ impl Runs {
                 return Ok(());
             }
             Err(format!(
-                "the official output differs from the reference program's (sha256 {digest}). The other \
-                 tests of the task say which particle goes wrong first; if they pass, a last digit differs"
+                "the official output differs from the reference program's (sha256 {digest}). The other tests of the \
+                 task name the first wrong particle. If they pass, a last digit differs"
             ))
         });
     }
@@ -66,7 +69,8 @@ impl Runs {
             [vec![a.neighbours, a.absmin, a.absavg], end].concat()
         };
         let question = format!(
-            "{}, official scene, steps 501 to 1000: neighbours per particle, absmin, absavg; the last state",
+            "{}, official scene, steps 501 to 1000: neighbours per particle, absmin, absavg, and x y vx vy of each \
+             particle at the end",
             self.name()
         );
         ask.judge(&question, || self.clone().statistics().run(found), right_averages);
@@ -88,7 +92,7 @@ impl Runs {
             numbers
         };
         let question = format!(
-            "{}: dmin, davg, navg of each step, and the state after it",
+            "{}: dmin, davg, navg of each step, and x y vx vy of each particle after it",
             self.question(scene, steps)
         );
         ask.judge(
@@ -113,9 +117,9 @@ impl Runs {
 }
 
 fn statistics(engine: &dyn Simulation, name: &str) -> Statistics {
-    engine
-        .statistics()
-        .unwrap_or_else(|| panic!("{name}: no statistics, though they were asked for"))
+    engine.statistics().unwrap_or_else(|| {
+        panic!("{name}: the engine returns no statistics, although it was built with them")
+    })
 }
 
 /// Checks that averages, and the energy at the end, are in the ranges of correct programs.
@@ -146,7 +150,7 @@ fn beside_the_model(scene: &Scene, states: &States) -> Result<(), String> {
             if off.is_nan() || off > 1e-9 {
                 let id = expected.id;
                 return Err(format!(
-                    "step {step}: particle {id} is {off:.1e} away from where the model takes it"
+                    "step {step}: particle {id} is {off:.1e} away from its position in the model"
                 ));
             }
         }

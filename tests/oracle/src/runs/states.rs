@@ -103,7 +103,9 @@ impl States {
             if let Some(words) = difference(&after, &model.particles) {
                 one_step(scene.size(), &before, &after, None)
                     .map_err(|mistake| format!("step {step}, {mistake}"))?;
-                return Err(format!("step {step}: not the bits of all pairs: {words}"));
+                return Err(format!(
+                    "step {step}: the bits differ from those of all-pairs: {words}"
+                ));
             }
             before = after;
         }

@@ -19,7 +19,7 @@ use crate::pairs::{LANES, may_touch};
 const MOST_BITS: u32 = 12;
 
 /// Number of entries below which the counts of digits cost more than they save.
-const FEW: usize = 128;
+const LEAST_ENTRIES: usize = 128;
 
 /// The working memory of a worker that searches strips, and its results.
 #[derive(Default)]
@@ -70,7 +70,7 @@ impl Searcher {
         let Self { entries, scratch, counts, .. } = self;
         let dealt = deals.iter().flat_map(|deal| deal.entries(strip));
         let n = deals.iter().map(|deal| deal.entries(strip).len()).sum::<usize>();
-        if n < FEW {
+        if n < LEAST_ENTRIES {
             entries.clear();
             entries.extend(dealt);
             entries.sort_unstable_by_key(|entry| entry.cell);

@@ -44,8 +44,8 @@ pub(crate) struct PairError {
 pub(crate) fn pairs(lammps: &Lammps) -> Result<Vec<PairError>> {
     let mut of_styles = Vec::new();
     for style in Style::ALL {
-        let said = lammps.run(style.usual(), 1, &["forces"])?;
-        let errors: Option<Vec<_>> = said.lines().map(relative_error).collect();
+        let printed = lammps.run(style.usual(), 1, &["forces"])?;
+        let errors: Option<Vec<_>> = printed.lines().map(relative_error).collect();
         let errors = errors.context("LAMMPS printed no forces")?;
         of_styles.push(PairError {
             style,

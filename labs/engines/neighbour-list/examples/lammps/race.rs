@@ -84,8 +84,8 @@ impl Raced {
     /// Runs LAMMPS and returns its seconds.
     fn seconds_of(&self, setup: Setup, lammps: &Lammps, steps: u64) -> Result<f64> {
         let start = lammps.file("scene.txt").display().to_string();
-        let said = lammps.run(setup, self.workers, &["time", &start, &steps.to_string()])?;
-        said.trim().parse().context("LAMMPS printed no time")
+        let printed = lammps.run(setup, self.workers, &["time", &start, &steps.to_string()])?;
+        printed.trim().parse().context("LAMMPS printed no time")
     }
 }
 

@@ -84,8 +84,8 @@ impl<'r> Lammps<'r> {
 fn succeed(command: &mut Command) -> Result<()> {
     let output = command.output().context("it does not start")?;
     if !output.status.success() {
-        let said = String::from_utf8_lossy(&output.stderr);
-        bail!("{}", said.lines().rfind(|line| !line.trim().is_empty()).unwrap_or("no word"));
+        let printed = String::from_utf8_lossy(&output.stderr);
+        bail!("{}", printed.lines().rfind(|line| !line.trim().is_empty()).unwrap_or("no word"));
     }
     Ok(())
 }

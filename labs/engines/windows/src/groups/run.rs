@@ -126,11 +126,11 @@ impl Groups {
         let rules = PhantomData::<R>;
         Arch::new().dispatch(RunSmall { groups: self, bodies, span, record, rules });
         let mut scratch = Scratch::default();
-        let nobody: &mut [NoStatistics] = &mut [];
+        let no_observers: &mut [NoStatistics] = &mut [];
         for g in 0..self.ends.len() {
             let crowd = self.crowd(g);
             let mut out = record.slice(crowd.block.clone());
-            crowd.run::<R, _>(bodies, span, &mut scratch, nobody, &mut out);
+            crowd.run::<R, _>(bodies, span, &mut scratch, no_observers, &mut out);
         }
     }
 
@@ -194,10 +194,10 @@ impl<R: Rules> RunSmall<'_, R> {
     fn apart(&mut self, slots: Range<usize>, size: usize) {
         let Self { groups, bodies, span, record, .. } = self;
         let mut one = Record::default();
-        let nobody: &mut [NoStatistics] = &mut [];
+        let no_observers: &mut [NoStatistics] = &mut [];
         for first in slots {
             let group = groups.group(first);
-            group.run_alone::<R, _>(bodies, span, nobody, &mut one);
+            group.run_alone::<R, _>(bodies, span, no_observers, &mut one);
             let block = group.block;
             for (m, slot) in (first..).step_by(LANES).take(size).enumerate() {
                 record.x[slot] = one.x[m];

@@ -228,7 +228,7 @@ impl<R: Rules, O: Observer> Simulation for Planned<R, O> {
             let _ = writeln!(text, "from step {step}: {plan}");
         }
         if O::default().statistics().is_none() {
-            text += "statistics: skipped, nobody asked for them\n";
+            text += "statistics: skipped, because none were requested\n";
         }
         Some(text)
     }

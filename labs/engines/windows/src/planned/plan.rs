@@ -51,7 +51,7 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     // The list of a window allows for the fastest particle; the list of lab 10 treats it as an
     // outlier.
     let far = CUTOFF + 2.0 * fastest * f64::from(steps) * DT;
-    let alone = neighbours <= company(divide) && far * far * density <= FULL;
+    let alone = neighbours <= max_neighbours_in_windows(divide) && far * far * density <= FULL;
     let strategy = if fixed > 0 || alone { Strategy::Windows { steps } } else { Strategy::List };
     let margin = CUTOFF * if divide > 1 { SMALL_MARGIN } else { MARGIN };
     Plan { strategy, margin, fastest, neighbours, density }
@@ -60,7 +60,7 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
 /// Number of particles in the area of a cutoff disc above which a list is cheaper than windows.
 ///
 /// It was measured on the machine of the book.
-const COMPANY: f64 = 0.12;
+const MAX_NEIGHBOURS_IN_WINDOWS: f64 = 0.12;
 /// Greatest number of particles in a square as wide as the reach of a window's list.
 const FULL: f64 = 20.0;
 /// Distance beyond the cutoff within which pairs of free flights are computed at once, in cutoffs.
@@ -80,12 +80,12 @@ fn divided(steps: u32, divide: u32) -> u32 {
     (length as u32).max(steps.min(2))
 }
 
-/// Returns `COMPANY` for steps that are divided into `divide`.
+/// Returns `MAX_NEIGHBOURS_IN_WINDOWS` for steps that are divided into `divide`.
 ///
 /// Small steps of all particles cost nearly `divide` times as much, and small steps of groups do
 /// not. The numbers were measured for `divide` from 2 to 20.
-fn company(divide: u32) -> f64 {
-    (COMPANY + 0.25 * f64::from(divide.max(1) - 1)).min(1.2)
+fn max_neighbours_in_windows(divide: u32) -> f64 {
+    (MAX_NEIGHBOURS_IN_WINDOWS + 0.25 * f64::from(divide.max(1) - 1)).min(1.2)
 }
 
 /// Returns the number of particles per area around the mean particle.

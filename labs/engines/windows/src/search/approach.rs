@@ -37,7 +37,7 @@ impl<R: Rules> NullaryFnOnce for Approach<'_, R> {
         let [vx, vy] = [&bodies.vx[..n], &bodies.vy[..n]];
         let time = layout.span.forces();
         let near = layout.near() * layout.near();
-        let aside = layout.watched() * layout.watched();
+        let watched_squared = layout.watched() * layout.watched();
         let [mut close, mut watched] = [[[0; 2]; ROOM]; 2];
         let [mut dx, mut dy, mut wx, mut wy, mut closest] = [[0.0; ROOM]; 5];
         let within = (CUTOFF + layout.skin(1.0)).powi(2) * (1.0 + 1e-9);
@@ -57,17 +57,17 @@ impl<R: Rules> NullaryFnOnce for Approach<'_, R> {
                 closest[k] = R::closest_squared(dx[k], dy[k], wx[k], wy[k], time);
             }
             let mut closes = 0;
-            let mut asides = 0;
+            let mut watched_count = 0;
             for (pair, &closest) in some.iter().zip(&closest) {
                 // The mask never changes the index. It shows the compiler that the index is in
                 // bounds.
                 close[closes & (ROOM - 1)] = *pair;
                 closes += usize::from(closest <= near);
-                watched[asides & (ROOM - 1)] = *pair;
-                asides += usize::from((closest > near) & (closest <= aside));
+                watched[watched_count & (ROOM - 1)] = *pair;
+                watched_count += usize::from((closest > near) & (closest <= watched_squared));
             }
             found.close.extend_from_slice(&close[..closes]);
-            found.watched.extend_from_slice(&watched[..asides]);
+            found.watched.extend_from_slice(&watched[..watched_count]);
         }
     }
 }

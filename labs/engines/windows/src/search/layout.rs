@@ -26,7 +26,7 @@ impl Layout {
 
     /// Returns the distance within which reference paths make a pair that is computed or watched.
     pub(crate) fn watched(&self) -> f64 {
-        self.near() + ASIDE
+        self.near() + WATCHED_MARGIN
     }
 
     /// Returns the skin of a list that contains all these pairs for `windows` such windows.
@@ -37,7 +37,7 @@ impl Layout {
     /// Returns how far both particles of an unwatched pair may be off their paths together without
     /// touching.
     pub(crate) fn slack(&self) -> f64 {
-        self.margin + ASIDE
+        self.margin + WATCHED_MARGIN
     }
 
     /// Returns the number of windows that a list should last, for `density` particles per area.
@@ -54,6 +54,6 @@ impl Layout {
 }
 
 /// The distance beyond [`Layout::near`] within which pairs are watched.
-const ASIDE: f64 = 0.1 * CUTOFF;
+const WATCHED_MARGIN: f64 = 0.1 * CUTOFF;
 /// The greatest number of windows that a list is made for.
 const LONGEST: u32 = 16;

@@ -69,14 +69,14 @@ pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
 ///
 /// Numbers in a message come from each submission's own inputs, so they are ignored.
 fn commonest(records: &[Record], id: &str) -> Option<(String, usize)> {
-    let mut said: BTreeMap<Vec<&str>, (String, usize)> = BTreeMap::new();
+    let mut messages: BTreeMap<Vec<&str>, (String, usize)> = BTreeMap::new();
     let tasks = records.iter().flat_map(|record| &record.tasks);
     for task in tasks.filter(|task| task.id == id && !task.message.is_empty()) {
         let words = task.message.split_whitespace();
         let kind = words.filter(|word| !word.contains(|c: char| c.is_ascii_digit())).collect();
-        said.entry(kind).or_insert_with(|| (line(&cut(&task.message, SHOWN)), 0)).1 += 1;
+        messages.entry(kind).or_insert_with(|| (line(&cut(&task.message, SHOWN)), 0)).1 += 1;
     }
-    said.into_values().max_by_key(|(_, count)| *count).filter(|(_, count)| *count > 1)
+    messages.into_values().max_by_key(|(_, count)| *count).filter(|(_, count)| *count > 1)
 }
 
 /// Draws a share, from 0 to 1, as a bar.
@@ -91,12 +91,13 @@ mod tests {
 
     #[test]
     fn messages_that_differ_in_numbers_are_one() {
-        let said = ["at 3, value is -1.5e-3", "at 4, value is 7", "it panics", ""].map(|message| {
-            let mut record = Record::sample();
-            record.tasks[1].message = message.into();
-            record
-        });
-        assert_eq!(commonest(&said, "1.2"), Some(("at 3, value is -1.5e-3".into(), 2)));
-        assert_eq!(commonest(&said[1..], "1.2"), None, "nothing was said twice");
+        let messages =
+            ["at 3, value is -1.5e-3", "at 4, value is 7", "it panics", ""].map(|message| {
+                let mut record = Record::sample();
+                record.tasks[1].message = message.into();
+                record
+            });
+        assert_eq!(commonest(&messages, "1.2"), Some(("at 3, value is -1.5e-3".into(), 2)));
+        assert_eq!(commonest(&messages[1..], "1.2"), None, "nothing was said twice");
     }
 }

@@ -88,7 +88,7 @@ fn details(records: &[Record], words: &Words) -> Markup {
             @let given = format!("{} of {full} points", points(record.points));
             details {
                 summary { b { (line(&record.name)) } ", " (trouble(record.status).unwrap_or(&given)) }
-                div id={ "s" (number) } { (rendered(&letter::said(record, words))) }
+                div id={ "s" (number) } { (rendered(&letter::body(record, words))) }
             }
         }
     }

@@ -54,12 +54,12 @@ impl<'r> Runs<'r> {
     fn possible(&self, run: &'r Run) -> Result<&'r Run, Without> {
         let same = |r: &&Run| r.whose != Whose::Own && (r.n, r.steps) == (run.n, run.steps);
         for trusted in self.all.iter().filter(same) {
-            let whole = span(run).map_or(f64::INFINITY, |span| span.min);
+            let shortest = span(run).map_or(f64::INFINITY, |span| span.min);
             // The time for making the scene is subtracted, so this much work is certain.
             let work = net(self.all, trusted)?.min * trusted.workers as f64;
-            if whole * run.workers as f64 * IMPOSSIBLE < work {
+            if shortest * run.workers as f64 * IMPOSSIBLE < work {
                 let why = format!(
-                    "it took {whole:.1e} s for {} particles, which is impossible: what its time is \
+                    "it took {shortest:.1e} s for {} particles, which is impossible: what its time is \
                      taken from is not this work",
                     run.n
                 );

@@ -21,7 +21,7 @@ use crate::runner::Runner;
 use rows::{Row, table};
 use takes::{Counted, Take};
 
-/// Say how far programs are from what their counts allow
+/// Show how far programs are from what their counts allow
 ///
 /// Reads the files of 'cargo lab count --json'. Measures the cost, on this machine, of an
 /// instruction, a mispredicted branch and a miss. Times the programs over the steps that were

@@ -25,7 +25,7 @@ const LATE: u64 = 2000;
 const MOST_DIVIDED: u32 = 10;
 
 /// Number of particles in the scene whose energy is measured.
-const FEW: u64 = 500;
+const PARTICLES: u64 = 500;
 
 /// A program, and the number of steps into which it divides an official step.
 pub(super) struct Candidate {
@@ -102,7 +102,7 @@ impl Candidate {
     pub(super) fn drift(&self, runner: &Runner, seeds: u32) -> Result<Option<f64>> {
         let mut greatest: Option<f64> = None;
         for seed in (1..=seeds).take_while(|_| self.divide <= MOST_DIVIDED) {
-            let scene = Arc::new(Scene::official(FEW, seed)?);
+            let scene = Arc::new(Scene::official(PARTICLES, seed)?);
             let frames = runner.run(&self.job(&scene, LATE))?.frames;
             ensure!(!frames.is_empty(), "{} wrote no frames", self.program);
             let change = energy(&frames[frames.len() - 1]) / energy(scene.particles()) - 1.0;
@@ -130,7 +130,7 @@ mod tests {
         let divided = ["solution2:sorted,divide=1 1", "solution2:sorted,divide=5 5"];
         let parameters = r#"{"name": "skin"}, {"name": "divide"}"#;
         assert_eq!(tried("solution2:sorted", parameters), divided);
-        let told = tried("lab2:sorted,divide=7", r#"{"name": "divide"}"#);
-        assert_eq!(told, ["lab2:sorted,divide=7 7"]);
+        let reported = tried("lab2:sorted,divide=7", r#"{"name": "divide"}"#);
+        assert_eq!(reported, ["lab2:sorted,divide=7 7"]);
     }
 }

@@ -92,8 +92,8 @@ impl Breakdown {
             names.iter().map(|name| counter_named(curves, name)).collect::<Result<_>>()?;
         let mut rows = Vec::new();
         for curve in curves {
-            let whole = curve.program.to_string();
-            let name = curve.program.variant.as_ref().unwrap_or(&whole);
+            let program_name = curve.program.to_string();
+            let name = curve.program.variant.as_ref().unwrap_or(&program_name);
             for point in &curve.strong {
                 if let Some(parts) = point.parts(&counters) {
                     rows.push((format!("{name}, {}", point.workers), parts));

@@ -27,7 +27,7 @@ use curve::{Curve, Point};
 use speedups::Results;
 use strong_weak::Plan;
 
-/// Measure what more threads, or ranks, bring, and grade it
+/// Measure the speedup by more threads or ranks, and grade it
 ///
 /// Strong scaling keeps the scene and adds workers; in weak scaling the scene grows with the number
 /// of workers. The grade compares with the kit's best serial program, and uses numbers of workers

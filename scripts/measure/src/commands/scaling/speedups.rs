@@ -86,12 +86,12 @@ impl Results {
     /// A reader cannot distinguish more than a few lines. If there are many, those with less than
     /// half the best efficiency have no name.
     fn named_and_crowd(&self) -> (Vec<&Curve>, Vec<&Curve>) {
-        const FEW: usize = 6;
+        const MOST_NAMES: usize = 6;
         let efficiencies = self.curves.iter().filter_map(|curve| curve.average_strong_efficiency);
         let best = efficiencies.fold(0.0, f64::max);
         self.curves.iter().partition(|curve| {
             let efficiency = curve.average_strong_efficiency.unwrap_or(0.0);
-            self.curves.len() <= FEW || efficiency >= best / 2.0
+            self.curves.len() <= MOST_NAMES || efficiency >= best / 2.0
         })
     }
 

@@ -93,7 +93,7 @@ fn number(value: f64) -> String {
 
 /// Formats the answers to bad inputs: a message for each, and the programs that accepted the input.
 fn refusals(rows: &[Row]) -> String {
-    let mut table = Table::new(["bad input", "refused by", &format!("{:<36}", "what was said")]);
+    let mut table = Table::new(["bad input", "refused by", &format!("{:<36}", "message")]);
     let mut faults = String::new();
     for k in 0..rows.first().map_or(0, |row| row.inputs.len()) {
         let what = rows[0].inputs[k].input;
@@ -101,14 +101,14 @@ fn refusals(rows: &[Row]) -> String {
         for row in rows {
             let input = &row.inputs[k];
             if input.refused {
-                well.push(input.said.trim_start_matches("bad.txt: "));
+                well.push(input.answer.trim_start_matches("bad.txt: "));
             } else {
-                faults += &format!("FAIL  {}, {what}: {}\n", row.program, input.said);
+                faults += &format!("FAIL  {}, {what}: {}\n", row.program, input.answer);
             }
         }
-        let said: String = well.first().unwrap_or(&"").chars().take(36).collect();
+        let message: String = well.first().unwrap_or(&"").chars().take(36).collect();
         let refused = format!("{} of {}", well.len(), rows.len());
-        table.row([what.to_owned(), refused, format!("{said:<36}")]);
+        table.row([what.to_owned(), refused, format!("{message:<36}")]);
     }
     format!("{table}\n{faults}")
 }

@@ -32,7 +32,7 @@ pub(super) struct Input {
     pub(super) input: &'static str,
     pub(super) refused: bool,
     /// The program's message if it refused the input, otherwise its mistake.
-    pub(super) said: String,
+    pub(super) answer: String,
 }
 
 /// All bad inputs.
@@ -92,7 +92,7 @@ impl Bad {
         let code = done.status.and_then(|status| status.code());
         let answer = judged(word, code, &done.stderr, lab.runner.folder());
         let refused = answer.is_ok();
-        Ok(Input { input: name, refused, said: answer.unwrap_or_else(|mistake| mistake) })
+        Ok(Input { input: name, refused, answer: answer.unwrap_or_else(|mistake| mistake) })
     }
 }
 
@@ -107,7 +107,7 @@ fn judged(word: &str, code: Option<i32>, stderr: &str, folder: &Path) -> Result<
         _ if stderr.contains("panicked") => Err("it panicked".into()),
         (_, None) => {
             let first = stderr.lines().find(|line| !line.trim().is_empty());
-            Err(format!("it said {:?}", first.unwrap_or("nothing")))
+            Err(format!("it printed {:?}", first.unwrap_or("nothing")))
         }
         (_, Some(line)) if !line.contains(word) => Err(format!("'{line}' does not name {word}")),
         (_, Some(line)) => {
@@ -121,14 +121,14 @@ fn judged(word: &str, code: Option<i32>, stderr: &str, folder: &Path) -> Result<
 mod tests {
     use super::*;
 
-    fn said(code: Option<i32>, text: &str) -> Result<String, String> {
+    fn judged_line(code: Option<i32>, text: &str) -> Result<String, String> {
         judged("particle 1", code, text, Path::new("/tmp/x"))
     }
 
     #[test]
     fn an_answer_must_be_one_line_that_names_the_fault() {
         let line = "error: /tmp/x/bad.txt: particle 1: vx is inf\n";
-        assert_eq!(said(Some(1), line), Ok("bad.txt: particle 1: vx is inf".into()));
+        assert_eq!(judged_line(Some(1), line), Ok("bad.txt: particle 1: vx is inf".into()));
         for (code, text) in [
             (Some(0), line),
             (None, line),
@@ -136,7 +136,7 @@ mod tests {
             (Some(1), "error: bad scene\n"),
             (Some(101), "thread 'main' panicked at x.rs:1:1:\nerror: particle 1\n"),
         ] {
-            assert!(said(code, text).is_err(), "{code:?} {text}");
+            assert!(judged_line(code, text).is_err(), "{code:?} {text}");
         }
     }
 }

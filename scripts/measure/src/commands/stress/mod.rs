@@ -35,7 +35,7 @@ use row::{Pairs, Row};
 /// Longest time of a run.
 const LIMIT: Duration = Duration::from_secs(120);
 
-/// Set programs to scenes that are hard on them: close, fast, crowded, far out, absurd
+/// Test programs on hard scenes: close, fast, crowded, far out, absurd
 ///
 /// Tests every variant of every soft-disc lab, or the programs that you name, such as lab2 or
 /// lab4:queues. A cell passes, or shows a limit of the method that the chapter 'Accurate' explains,

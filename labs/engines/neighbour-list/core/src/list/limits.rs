@@ -10,23 +10,23 @@ use crate::kernels::Primitives;
 use crate::particles::{Bodies, Sample};
 
 /// A new list may be too slow for one particle in this number of particles.
-const FEW: usize = 1000;
+const PARTICLES_PER_FAST_PARTICLE: usize = 1000;
 /// Number of particles whose speeds are sampled.
 const SAMPLE: usize = 1024;
-/// With more than n / MANY + A_FEW outliers among n particles, a new list is cheaper.
+/// With more than n / `PARTICLES_PER_OUTLIER` + `SPARE_OUTLIERS` outliers among n particles, a new list is cheaper.
 ///
 /// Most particles have then become faster, and the new list allows for their speed.
-const MANY: usize = 50;
-const A_FEW: usize = 32;
+const PARTICLES_PER_OUTLIER: usize = 50;
+const SPARE_OUTLIERS: usize = 32;
 /// The greatest factor by which the fastest particle is expected to exceed the speed limit.
 ///
 /// A faster particle makes the inner list expire at once; no list is built for such a speed.
-const MOST_OVER: f64 = 2.0;
-/// Displacements that an inner list saves: a list of m steps must last for m − BEGINNING.
+const MAX_SPEED_RATIO: f64 = 2.0;
+/// Displacements that an inner list saves: a list of m steps must last for m − `SAVED_DISPLACEMENTS`.
 ///
 /// The first step uses the list before any particle has moved, which saves one displacement. A
 /// fifth of it is kept for particles that are faster than expected.
-const BEGINNING: f64 = 0.8;
+const SAVED_DISPLACEMENTS: f64 = 0.8;
 
 /// The speed that lists are built for, and the outliers, which are faster.
 pub struct Limits {
@@ -66,7 +66,10 @@ impl Limits {
         self.outliers = Outliers::default();
         self.inner = Budget::default();
         let least = 1e-9 * size;
-        self.set(Sample::of(bodies, SAMPLE).all_but_one_in(FEW).max(least), dt);
+        self.set(
+            Sample::of(bodies, SAMPLE).all_but_one_in(PARTICLES_PER_FAST_PARTICLE).max(least),
+            dt,
+        );
         let thick = skin(self.displacement);
         self.steps = lasting(thick, self.over * self.displacement);
         if self.steps.is_some() {
@@ -103,7 +106,7 @@ impl Limits {
 
     /// Whether there are so many outliers among `n` particles that a new list is cheaper.
     pub fn are_outrun(&self, n: usize) -> bool {
-        self.outliers.count() > n / MANY + A_FEW
+        self.outliers.count() > n / PARTICLES_PER_OUTLIER + SPARE_OUTLIERS
     }
 
     /// Returns the speed limit for the particles in `range`.
@@ -143,7 +146,7 @@ impl Limits {
         let left = 0.5 * list.budget.skin - list.budget.displacement;
         let steps_left = 1.0 + left / self.displacement;
         let periods = (steps_left / self.steps.unwrap_or(1.0)).round().max(1.0);
-        let moves = steps_left / periods - BEGINNING;
+        let moves = steps_left / periods - SAVED_DISPLACEMENTS;
         let skin = 2.0 * (moves * (self.over * self.displacement)).min(left);
         self.inner = Budget::of(skin);
         self.outliers.enter(fast, self.usual, bodies);
@@ -158,7 +161,7 @@ impl Limits {
     /// In this step the fastest particle went `over` times the allowed distance, and rounding moved
     /// positions by at most `rounding`.
     pub fn age(&mut self, list: &mut Budget, over: f64, rounding: f64) {
-        self.over += 0.2 * (over.min(MOST_OVER) - self.over);
+        self.over += 0.2 * (over.min(MAX_SPEED_RATIO) - self.over);
         // With an inner list, the particle that was too fast becomes an outlier and does not age
         // the outer list.
         let outrun = if self.have_inner() { 1.0 } else { over };

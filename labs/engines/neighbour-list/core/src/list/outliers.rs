@@ -21,7 +21,7 @@ use crate::particles::Bodies;
 use crate::threads::pieces;
 
 /// Number of outliers whose pairs are searched one after another by a thread.
-const SOME: usize = 32;
+const OUTLIERS_PER_TASK: usize = 32;
 
 /// A particle that has exceeded the speed of its list.
 #[derive(Clone, Copy)]
@@ -109,7 +109,7 @@ impl Outliers {
         };
         // One piece of work is the pairs of two outliers. Each other piece is some outliers with
         // usual particles.
-        let some = self.all.chunks(pieces(self.all.len(), SOME, 64)).map(Some);
+        let some = self.all.chunks(pieces(self.all.len(), OUTLIERS_PER_TASK, 64)).map(Some);
         let found = workers.map(std::iter::once(None).chain(some).collect(), |some| {
             let Some(some): Option<&[Outlier]> = some else {
                 return overlapping(self.all.iter().map(disc).collect());

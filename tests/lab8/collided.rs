@@ -15,7 +15,7 @@ use super::wires::{DISC, disc, same_discs, wires};
 
 /// Asks for the messages about discs of held blocks that have collided: few and many, with walls
 /// and with discs of any block.
-pub(crate) fn told_discs(random: &mut Random, ask: &mut impl Ask) {
+pub(crate) fn collided_discs(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(4097).into_iter().chain([70_000]).filter(|&n| n > 0) {
         let discs: Vec<Disc> = (0..n).map(|_| disc(random)).collect();
         let ranks = 1 + random.below(9);
@@ -23,7 +23,8 @@ pub(crate) fn told_discs(random: &mut Random, ask: &mut impl Ask) {
         let taken = happened(random, n);
         let held: Vec<usize> = (0..ranks).filter(|_| random.below(2) == 0).collect();
         let question = format!(
-            "{n} discs in {ranks} blocks, {} collisions: {DISC} of each that has collided and is in the blocks {held:?}",
+            "{n} discs in {ranks} blocks, {} collisions: {DISC} of each disc that has collided and is in blocks \
+             {held:?}",
             taken.len()
         );
         let found = || {
@@ -74,7 +75,8 @@ pub(crate) fn updates(random: &mut Random, ask: &mut impl Ask) {
         let arrived: Vec<DiscWire> =
             arrived.into_iter().map(|number| DiscWire::new(number, &disc(random))).collect();
         let question = format!(
-            "a worker has discs {held:?} of {n}, moves them: {moves}, and {} arrive: {DISC} of all discs",
+            "a worker that has discs {held:?} of {n} (it moves them: {moves}), and {} discs that arrive: {DISC} of all \
+             discs",
             arrived.len()
         );
         let found = || {

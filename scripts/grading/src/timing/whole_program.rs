@@ -17,7 +17,7 @@ use lab_kit::Facts;
 use oracle::Random;
 
 /// A program and a scene for it.
-struct Whole {
+struct PlannedRun {
     /// Last task that the program needs.
     task: String,
     run: Run,
@@ -25,11 +25,11 @@ struct Whole {
 }
 
 /// Returns the lab's programs with random scenes, in the order of their tasks.
-fn wholes(rubric: &Facts, seed: u64) -> Vec<Whole> {
+fn planned_runs(rubric: &Facts, seed: u64) -> Vec<PlannedRun> {
     let mut random = Random::new(seed);
     let runs = runs(rubric, &mut random).into_iter();
-    let mut all: Vec<Whole> =
-        runs.map(|(task, run)| Whole { task, run, seed: scene(&mut random) }).collect();
+    let mut all: Vec<PlannedRun> =
+        runs.map(|(task, run)| PlannedRun { task, run, seed: scene(&mut random) }).collect();
     all.sort_by_key(|program| number(&program.task));
     all
 }
@@ -38,7 +38,7 @@ fn wholes(rubric: &Facts, seed: u64) -> Vec<Whole> {
 fn result(
     sandbox: &Sandbox,
     folder: &Path,
-    Whole { run, seed, .. }: &Whole,
+    PlannedRun { run, seed, .. }: &PlannedRun,
 ) -> Result<Result<Taken, Trouble>> {
     take(sandbox, folder, run, *seed, usize::MAX, sandbox.limits.run)
 }
@@ -75,14 +75,14 @@ pub(crate) fn check(
     seed: u64,
     tasks: &mut [Task],
 ) -> Result<()> {
-    for whole in wholes(rubric, seed) {
-        let needs = |other: &&Task| number(&other.id) <= number(&whole.task);
+    for program_run in planned_runs(rubric, seed) {
+        let needs = |other: &&Task| number(&other.id) <= number(&program_run.task);
         if !tasks.iter().filter(needs).all(|task| task.passed) {
             continue;
         }
-        let Some(wrong) = wrong(sandbox, own, solution, &whole)? else { continue };
-        let Run { variant, n, workers, steps, .. } = &whole.run;
-        for own in tasks.iter_mut().filter(|own| own.id == whole.task) {
+        let Some(wrong) = wrong(sandbox, own, solution, &program_run)? else { continue };
+        let Run { variant, n, workers, steps, .. } = &program_run.run;
+        for own in tasks.iter_mut().filter(|own| own.id == program_run.task) {
             (own.passed, own.share) = (false, 0.0);
             own.message = format!(
                 "every question up to this task is answered rightly, and yet the whole program {variant} is wrong \
@@ -97,12 +97,17 @@ pub(crate) fn check(
 ///
 /// # Errors
 /// If the solution's program fails.
-fn wrong(sandbox: &Sandbox, own: &Path, solution: &Path, whole: &Whole) -> Result<Option<String>> {
-    let right = trusted(sandbox, solution, whole)?;
+fn wrong(
+    sandbox: &Sandbox,
+    own: &Path,
+    solution: &Path,
+    program_run: &PlannedRun,
+) -> Result<Option<String>> {
+    let right = trusted(sandbox, solution, program_run)?;
     let taken = believed(
-        || result(sandbox, own, whole),
+        || result(sandbox, own, program_run),
         is_doubtful,
-        || trusted(sandbox, solution, whole).map(drop),
+        || trusted(sandbox, solution, program_run).map(drop),
     )?;
     Ok(match taken {
         Ok(taken) => difference(&right.state, &taken.state, 0.0),
@@ -111,9 +116,9 @@ fn wrong(sandbox: &Sandbox, own: &Path, solution: &Path, whole: &Whole) -> Resul
 }
 
 /// Runs the solution's program.
-fn trusted(sandbox: &Sandbox, solution: &Path, whole: &Whole) -> Result<Taken> {
-    let right = result(sandbox, solution, whole)?;
-    right.map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", whole.run.variant))
+fn trusted(sandbox: &Sandbox, solution: &Path, program_run: &PlannedRun) -> Result<Taken> {
+    let right = result(sandbox, solution, program_run)?;
+    right.map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", program_run.run.variant))
 }
 
 #[cfg(test)]

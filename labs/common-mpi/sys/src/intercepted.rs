@@ -1,51 +1,52 @@
-//! Calls that a watch hears of before they are made.
+//! MPI calls that are reported to a watch before they are made.
 //!
-//! The package `mpi` finds the functions here under the library's names, and each calls the library's. So does MPI's
-//! own *profiling interface*, `PMPI`, which names the library's functions anew where here Rust's modules do.
+//! The package `mpi` finds these functions under the library's names, and each of them calls the
+//! library's function. MPI's own *profiling interface*, `PMPI`, works in the same way with a second set
+//! of names, where this file uses Rust's modules.
 
 use std::ffi::{c_int, c_void};
 use std::sync::OnceLock;
 
 use crate::library::{self, *};
 
-/// A call, as far as it must agree with those of other ranks.
+/// The properties of a call that must agree with the calls of other ranks.
 #[derive(Clone, Debug)]
 pub struct Call {
-    /// Its name in the standard, such as `MPI_Gather`.
+    /// Name in the standard, such as `MPI_Gather`.
     pub name: &'static str,
-    /// Whether all ranks make it together.
+    /// Whether all ranks make the call together.
     pub is_collective: bool,
-    /// The rank that all others talk to; -1 where there is none.
+    /// The root; -1 if the call has none.
     pub root: c_int,
-    /// What a reduction makes of all numbers, such as `sum`; none for an operation of the program's own.
+    /// Operation of a reduction, such as `sum`. `None` for an operation that the program defines.
     pub operation: Option<&'static str>,
-    /// The rank that this one alone sends to or receives from, and the message's tag.
+    /// The rank that this rank sends to or receives from, and the message's tag.
     pub other: Option<[c_int; 2]>,
-    /// How many items this rank sends, or has room for, and the bytes of one.
+    /// Number of items that this rank sends or has room for, and the bytes of an item.
     pub items: [i64; 2],
-    /// Whether these are the same on all ranks.
-    pub is_alike: bool,
-    /// On a root that shares out or collects: the same for each rank.
+    /// Whether `items` must be the same on all ranks.
+    pub is_uniform: bool,
+    /// `items` for each rank, on a root that scatters or gathers.
     pub of_each: Vec<[i64; 2]>,
 }
 
-/// Who hears of a call before it is made, and once more, of nothing, when it is over.
+/// A function that is called with a call before it is made, and with `None` when the call is over.
 type Watch = fn(Option<&Call>);
 
 static WATCH: OnceLock<Watch> = OnceLock::new();
 
-/// The ranks of the job once more, for what a watch has to say to other watches.
+/// A second communicator of all ranks, for messages between watches.
 static WATCHES: OnceLock<Ranks> = OnceLock::new();
 
 struct Ranks(MPI_Comm);
 
-// SAFETY: a handle is a number or an address that only the library looks behind, and calls of one rank come from one
-// thread.
+// SAFETY: a handle is a number, or an address that only the library uses, and all calls of a rank come
+// from one thread.
 unsafe impl Send for Ranks {}
-// SAFETY: the same.
+// SAFETY: as for `Send`.
 unsafe impl Sync for Ranks {}
 
-/// Has `watch` hear of all calls of this rank from now on. All ranks call it together, while MPI runs.
+/// Reports all calls of this rank to `watch` from now on. All ranks call it together, while MPI runs.
 pub fn watch(watch: Watch) {
     let mut watches = unsafe { RSMPI_COMM_NULL };
     unsafe { library::MPI_Comm_dup(RSMPI_COMM_WORLD, &raw mut watches) };
@@ -53,13 +54,14 @@ pub fn watch(watch: Watch) {
     let _ = WATCH.set(watch);
 }
 
-/// The `own` numbers of all ranks, in their order. All ranks call it together, after [`watch`].
+/// Returns the `own` numbers of all ranks, in the order of ranks. All ranks call it together, after
+/// [`watch`].
 pub fn share<const N: usize>(own: [i64; N]) -> Vec<[i64; N]> {
     let Some(Ranks(watches)) = WATCHES.get() else { return vec![own] };
     let mut all = vec![[0; N]; size_of_comm(*watches)];
     let (from, to) = (own.as_ptr().cast::<c_void>(), all.as_mut_ptr().cast::<c_void>());
     let count = N as c_int;
-    // SAFETY: there is room for as many numbers from each rank.
+    // SAFETY: `all` has room for N numbers from each rank.
     unsafe {
         library::MPI_Allgather(from, count, RSMPI_INT64_T, to, count, RSMPI_INT64_T, *watches);
     }
@@ -68,12 +70,12 @@ pub fn share<const N: usize>(own: [i64; N]) -> Vec<[i64; N]> {
 
 fn size_of_comm(comm: MPI_Comm) -> usize {
     let mut size = 0;
-    // SAFETY: it writes one number.
+    // SAFETY: the function writes one number.
     unsafe { library::MPI_Comm_size(comm, &raw mut size) };
     size as usize
 }
 
-/// A call on some ranks only.
+/// Returns a call that some ranks make.
 fn between(name: &'static str) -> Call {
     Call {
         name,
@@ -82,12 +84,12 @@ fn between(name: &'static str) -> Call {
         operation: None,
         other: None,
         items: [0, 1],
-        is_alike: false,
+        is_uniform: false,
         of_each: Vec::new(),
     }
 }
 
-/// A call of all ranks of `comm`. What fewer ranks do among themselves is not compared.
+/// Returns a call of all ranks of `comm`. Calls on fewer ranks than all are not compared.
 fn all(name: &'static str, comm: MPI_Comm) -> Call {
     Call { is_collective: comm == unsafe { RSMPI_COMM_WORLD }, ..between(name) }
 }
@@ -112,29 +114,29 @@ impl Call {
         Self { items: items(count, of), ..self }
     }
 
-    fn alike(self, count: c_int, of: MPI_Datatype) -> Self {
-        Self { is_alike: true, ..self.items(count, of) }
+    fn uniform(self, count: c_int, of: MPI_Datatype) -> Self {
+        Self { is_uniform: true, ..self.items(count, of) }
     }
 
-    /// On the root alone: `count` items for each rank.
+    /// On the root: `count` items for each rank.
     fn each(self, comm: MPI_Comm, count: c_int, of: MPI_Datatype) -> Self {
         let ranks = if self.is_root(comm) { size_of_comm(comm) } else { 0 };
         Self { of_each: vec![items(count, of); ranks], ..self }
     }
 
-    /// On the root alone: for each rank a number of items of its own.
+    /// On the root: a separate number of items for each rank.
     unsafe fn each_of(self, comm: MPI_Comm, counts: *const c_int, of: MPI_Datatype) -> Self {
         if !self.is_root(comm) {
             return self;
         }
-        // SAFETY: the standard has the root give a count for each rank.
+        // SAFETY: by the standard, the root passes a count for each rank.
         let counts = unsafe { std::slice::from_raw_parts(counts, size_of_comm(comm)) };
         Self { of_each: counts.iter().map(|count| items(*count, of)).collect(), ..self }
     }
 
     fn is_root(&self, comm: MPI_Comm) -> bool {
         let mut rank = 0;
-        // SAFETY: it writes one number.
+        // SAFETY: the function writes one number.
         unsafe { library::MPI_Comm_rank(comm, &raw mut rank) };
         rank == self.root
     }
@@ -142,12 +144,12 @@ impl Call {
 
 fn items(count: c_int, of: MPI_Datatype) -> [i64; 2] {
     let mut size = 0;
-    // SAFETY: it writes one number.
+    // SAFETY: the function writes one number.
     unsafe { library::MPI_Type_size(of, &raw mut size) };
     [count.into(), size.into()]
 }
 
-macro_rules! told {
+macro_rules! intercepted {
     ($($name:ident($($argument:ident: $of:ty),*) = $call:expr;)*) => { $(
         pub unsafe fn $name($($argument: $of),*) -> c_int {
             let Some(watch) = WATCH.get() else { return unsafe { library::$name($($argument),*) } };
@@ -166,10 +168,10 @@ type Ints = *const c_int;
 type Type = MPI_Datatype;
 type Comm = MPI_Comm;
 
-told! {
+intercepted! {
     MPI_Barrier(comm: Comm) = all("MPI_Barrier", comm);
     MPI_Bcast(buffer: Out, count: Int, of: Type, root: Int, comm: Comm)
-        = all("MPI_Bcast", comm).root(root).alike(count, of);
+        = all("MPI_Bcast", comm).root(root).uniform(count, of);
     MPI_Gather(from: In, sent: Int, of: Type, to: Out, room: Int, as_of: Type, root: Int, comm: Comm)
         = all("MPI_Gather", comm).root(root).items(sent, of).each(comm, room, as_of);
     MPI_Gatherv(from: In, sent: Int, of: Type, to: Out, room: Ints, starts: Ints, as_of: Type, root: Int, comm: Comm)
@@ -179,19 +181,19 @@ told! {
     MPI_Scatterv(from: In, sent: Ints, starts: Ints, of: Type, to: Out, room: Int, as_of: Type, root: Int, comm: Comm)
         = unsafe { all("MPI_Scatterv", comm).root(root).items(room, as_of).each_of(comm, sent, of) };
     MPI_Allgather(from: In, sent: Int, of: Type, to: Out, room: Int, as_of: Type, comm: Comm)
-        = all("MPI_Allgather", comm).alike(sent, of);
+        = all("MPI_Allgather", comm).uniform(sent, of);
     MPI_Allgatherv(from: In, sent: Int, of: Type, to: Out, room: Ints, starts: Ints, as_of: Type, comm: Comm)
         = all("MPI_Allgatherv", comm);
     MPI_Alltoall(from: In, sent: Int, of: Type, to: Out, room: Int, as_of: Type, comm: Comm)
-        = all("MPI_Alltoall", comm).alike(sent, of);
+        = all("MPI_Alltoall", comm).uniform(sent, of);
     MPI_Alltoallv(from: In, sent: Ints, sent_from: Ints, of: Type, to: Out, room: Ints, starts: Ints, as_of: Type, comm: Comm)
         = all("MPI_Alltoallv", comm);
     MPI_Reduce(from: In, to: Out, count: Int, of: Type, by: MPI_Op, root: Int, comm: Comm)
-        = all("MPI_Reduce", comm).by(by).root(root).alike(count, of);
+        = all("MPI_Reduce", comm).by(by).root(root).uniform(count, of);
     MPI_Allreduce(from: In, to: Out, count: Int, of: Type, by: MPI_Op, comm: Comm)
-        = all("MPI_Allreduce", comm).by(by).alike(count, of);
+        = all("MPI_Allreduce", comm).by(by).uniform(count, of);
     MPI_Scan(from: In, to: Out, count: Int, of: Type, by: MPI_Op, comm: Comm)
-        = all("MPI_Scan", comm).by(by).alike(count, of);
+        = all("MPI_Scan", comm).by(by).uniform(count, of);
     MPI_Finalize() = all("MPI_Finalize", unsafe { RSMPI_COMM_WORLD });
     MPI_Send(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm) = between("MPI_Send").other(to, tag);
     MPI_Ssend(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm) = between("MPI_Ssend").other(to, tag);
