@@ -1,6 +1,6 @@
 use lab14::VARIANTS;
 use oracle::contest::Kind;
-use oracle::{Ask, Random, Runs, scenes};
+use oracle::{Runs, scenes};
 
 #[path = "lab14/errors.rs"]
 mod errors;

@@ -1,6 +1,6 @@
 //! Runs that must have the same result.
 
-use common::soft::{CUTOFF, Simulation};
+use common::soft::CUTOFF;
 use oracle::contest::{Kind, STEPS};
 use oracle::{Ask, Random};
 
