@@ -103,10 +103,10 @@ impl Row {
         let Self { lab, name, workers, times } = self;
         let class = WORKERS.iter().find(|kind| kind.0 == *workers).map_or("", |kind| kind.1);
         let mut dots = String::new();
-        let mut said = Vec::new();
+        let mut labels = Vec::new();
         for (time, radius) in times.iter().zip(RADII) {
             if let (Some(printed), Some(number)) = (&time.printed, time.nanoseconds()) {
-                said.push(format!("{printed} ns with {}", time.n));
+                labels.push(format!("{printed} ns with {}", time.n));
                 dots += &dot(axis.at(number), radius);
             }
         }
@@ -115,7 +115,7 @@ impl Row {
         format!(
             "<div class=\"plot-row {class} lab-{lab}\" title=\"{name}: {}\"><span><b>{lab}</b> {name}</span>\
              <svg><line x1=\"{least:.1}%\" x2=\"{greatest:.1}%\" y1=\"50%\" y2=\"50%\"></line>{dots}</svg></div>\n",
-            said.join(", "),
+            labels.join(", "),
         )
     }
 }
