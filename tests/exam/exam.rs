@@ -9,11 +9,13 @@ use exam::numbers;
 use exam::numbers::draw::{Draw, Inputs};
 use exam::paper::{self, KINDS, POINTS};
 use lab_kit::files::read_text;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, answers};
 
+/// Returns the labs that the exam asks about: those with prescribed answers.
 fn labs() -> (Kit, Vec<Lab>) {
     let kit = Kit::find().unwrap();
-    let labs = kit.solutions();
+    let mut labs = kit.solutions();
+    labs.retain(|lab| !answers::tasks(&kit, *lab).unwrap().is_empty());
     (kit, labs)
 }
 
@@ -114,7 +116,7 @@ fn each_outcome_has_a_core_task_a_question_and_an_exam_question() {
         asked.entry(question.outcome).or_default().push(question.id);
     }
     let (mut tasks, mut core) = (BTreeSet::new(), BTreeSet::new());
-    for (id, facts) in labs.iter().flat_map(|lab| kit.facts(*lab).unwrap().tasks) {
+    for (id, facts) in kit.solutions().iter().flat_map(|lab| kit.facts(*lab).unwrap().tasks) {
         core.extend((!facts.optional).then(|| id.clone()));
         tasks.insert(id);
     }

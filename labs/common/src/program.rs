@@ -46,6 +46,13 @@ pub(crate) struct Choice {
     pub(crate) json: bool,
 }
 
+/// Returns the memory of this process in bytes; `None` if the system does not report it.
+pub(crate) fn resident() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    Some(1024 * line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()?)
+}
+
 /// Parses the command line and runs the program.
 ///
 /// Of several processes with the same command line, only the `root` prints. The root reports an

@@ -48,6 +48,12 @@ pub struct Job {
 pub struct RunOutput {
     /// Seconds of the steps, without start, scene and output.
     pub seconds: f64,
+    /// Seconds of the engine's `load`.
+    #[serde(default)]
+    pub loading: f64,
+    /// Bytes of memory at the end; `None` if the system does not report them.
+    #[serde(default)]
+    pub resident: Option<u64>,
     /// Averages over the steps, if the job has statistics.
     pub statistics: Option<Averages>,
     /// The variant's counters that are finite.

@@ -23,6 +23,7 @@ mod asking;
 mod bits;
 mod columns;
 mod compare;
+pub mod contest;
 mod count;
 mod diagnosis;
 pub mod drawn;

@@ -64,8 +64,17 @@ enum Generator {
     Counter,
 }
 
+/// The scene that an engine has loaded.
+struct Loaded {
+    n: usize,
+    size: f64,
+    /// Time of loading, without the time for reading a scene file.
+    time: Duration,
+}
+
 /// The measurements of a run.
 struct Run {
+    loading: Duration,
     stepping: Duration,
     statistics: Vec<Statistics>,
 }
@@ -95,9 +104,9 @@ fn run_lab(
     let mut config = options.choice.config(variant)?;
     config.statistics = options.statistics;
     let mut simulation = (variant.build)(&config).map_err(|e| e.to_string())?;
-    let (n, size) = load(&mut *simulation, options)?;
+    let Loaded { n, size, time } = load(&mut *simulation, options)?;
 
-    let run = match options.choice.output.as_deref().filter(|_| root) {
+    let mut run = match options.choice.output.as_deref().filter(|_| root) {
         Some(path) => write_whole(path, |out| {
             let format = if options.full { FrameFormat::Full } else { FrameFormat::Official };
             let mut frames = FrameWriter::new(out, format, n, size)?;
@@ -106,6 +115,7 @@ fn run_lab(
         .map_err(|e| format!("cannot write {}: {e}", path.display()))?,
         None => simulate(&mut *simulation, n, options, root, None).map_err(|e| e.to_string())?,
     };
+    run.loading = time;
     // Ranks may have to add up their counters, so all ranks call this.
     let counters = simulation.counters();
     let events = simulation.events();
@@ -120,8 +130,9 @@ fn run_lab(
     program::say(&report(variant, &config, counters, n, options, &run))
 }
 
-/// Loads the scene that the user chose, and returns its number of particles and its size.
-fn load(simulation: &mut dyn Simulation, options: &Options) -> Result<(usize, f64), Complaint> {
+/// Loads the scene that the user chose.
+fn load(simulation: &mut dyn Simulation, options: &Options) -> Result<Loaded, Complaint> {
+    let start = Instant::now();
     let Some(path) = &options.scene else {
         match options.generator {
             Generator::Official => simulation.load_official(options.n, options.seed),
@@ -129,14 +140,15 @@ fn load(simulation: &mut dyn Simulation, options: &Options) -> Result<(usize, f6
         }
         .map_err(|e| e.to_string())?;
         let n = options.n as usize;
-        return Ok((n, official_size(n)));
+        return Ok(Loaded { n, size: official_size(n), time: start.elapsed() });
     };
     let scene = File::open(path)
         .map_err(Into::into)
         .and_then(|file| read_scene(BufReader::new(file)))
         .map_err(|e| format!("{}: {e}", path.display()))?;
+    let start = Instant::now();
     simulation.load(&scene);
-    Ok((scene.len(), scene.size()))
+    Ok(Loaded { n: scene.len(), size: scene.size(), time: start.elapsed() })
 }
 
 fn simulate(
@@ -146,7 +158,7 @@ fn simulate(
     root: bool,
     mut frames: Option<&mut FrameWriter<&mut dyn Write>>,
 ) -> io::Result<Run> {
-    let mut run = Run { stepping: Duration::ZERO, statistics: Vec::new() };
+    let mut run = Run { loading: Duration::ZERO, stepping: Duration::ZERO, statistics: Vec::new() };
     let bar = program::progress(root, options.steps);
     let mut chunk = Vec::new();
     let mut done = 0;
@@ -211,6 +223,7 @@ fn report(
         let line = json!({
             "variant": variant.name, "n": n, "steps": options.steps,
             "threads": config.threads, "seconds": seconds,
+            "loading": run.loading.as_secs_f64(), "resident": program::resident(),
             "statistics": averages,
             "counters": program::counters_as_json(counters),
         });

@@ -104,6 +104,9 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
             line(&unpacked.join("; "))
         );
     }
+    if let Some(ungraded) = &grader.rubric.ungraded {
+        println!("Not graded: {ungraded}");
+    }
     println!("The class: {}", into.join("index.html").display());
     Ok(ended)
 }

@@ -58,6 +58,8 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab], earlier: Earlier) -> Result<Files>
     add(kit, &mut files, &kit.path("Cargo.lock"))?;
     // The measuring commands show its numbers with their measurements.
     add(kit, &mut files, &kit.path("book/published.toml"))?;
+    // `cargo lab contest` shows the kit's engines.
+    add(kit, &mut files, &kit.path("book/data/lab14-landmarks.json"))?;
     add_all(kit, &mut files, &kit.path("scripts/slurm"))?;
     // This script grades a class.
     files.remove(Path::new("scripts/slurm/grade.sh"));

@@ -1,6 +1,7 @@
 //! The measuring commands.
 
 pub mod complexity;
+pub mod contest;
 pub mod count;
 pub mod limits;
 pub mod precision;
@@ -37,6 +38,7 @@ pub enum Command {
     Traffic(traffic::Options),
     Precision(precision::Options),
     Stress(stress::Options),
+    Contest(contest::Options),
 }
 
 impl Command {
@@ -57,6 +59,7 @@ impl Command {
             Self::Traffic(options) => traffic::run(kit, options),
             Self::Precision(options) => precision::run(kit, options),
             Self::Stress(options) => stress::run(kit, options),
+            Self::Contest(options) => contest::run(kit, options),
         }
     }
 
@@ -77,6 +80,7 @@ impl Command {
             Self::Traffic(options) => options.files.again(results, |shown| options.draw(shown)),
             Self::Precision(options) => options.files.again(results, |shown| options.draw(shown)),
             Self::Stress(options) => options.files.again(results, |shown| options.draw(shown)),
+            Self::Contest(options) => options.files.again(results, |shown| options.draw(shown)),
         }
     }
 }

@@ -44,7 +44,7 @@ impl Group {
 
 /// Returns for each point (cost, error) whether it is on the Pareto front. A point that is not
 /// finite never is.
-fn front(points: &[(f64, f64)]) -> Vec<bool> {
+pub(crate) fn front(points: &[(f64, f64)]) -> Vec<bool> {
     let is_on = |p: &(f64, f64)| is_finite(p) && !points.iter().any(|other| beats(other, p));
     points.iter().map(is_on).collect()
 }

@@ -6,7 +6,7 @@
 
 mod candidate;
 mod diagram;
-mod group;
+pub(crate) mod group;
 pub mod reference;
 
 use std::process::ExitCode;

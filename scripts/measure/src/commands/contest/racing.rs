@@ -1,0 +1,159 @@
+//! The runs of the contest: races on drawn scenes, a second run, a long run, and a counted run.
+
+use anyhow::Result;
+use common::soft::CUTOFF;
+use lab_kit::machine::on_all_cores;
+use lab_kit::program::Program;
+use oracle::contest::Kind;
+
+use super::entry::Entry;
+use super::trial::Drawn;
+use crate::cachegrind::{By, Caches};
+use crate::commands::count::{per, profile};
+use crate::commands::precision::reference::rms;
+use crate::experiment::{one_by_one, turns};
+use crate::job::Job;
+use crate::runner::Runner;
+use crate::scene;
+
+/// Error below which no difference counts: a ten-millionth of a cutoff. It is added to all errors.
+const LEAST: f64 = 1e-7 * CUTOFF;
+
+/// Greatest distance (rms) between the ends of two runs, as a share of the official step's error.
+const ROUNDING: f64 = 0.01;
+
+/// Greatest growth of memory in the steps between two runs, in bytes, and the numbers of steps.
+const GROWTH: u64 = 4 << 20;
+const SHORT: u64 = 100;
+const LONG: u64 = 3000;
+
+/// Settings that all runs share.
+pub(super) struct Contest {
+    pub(super) reference: Program,
+    pub(super) threads: usize,
+    /// Divisor of the numbers of particles.
+    pub(super) shrink: usize,
+    pub(super) seed: u32,
+}
+
+impl Contest {
+    /// Draws the scenes of all rounds and computes their exact ends.
+    pub(super) fn scenes(&self, rounds: u32) -> Result<Vec<Drawn>> {
+        eprintln!("computing the exact motion of {} scenes", 5 * rounds);
+        let kinds = (0..rounds).flat_map(|round| Kind::ALL.map(|kind| (kind, self.seed + round)));
+        let kinds: Vec<(Kind, u32)> = kinds.collect();
+        let drawn = on_all_cores(&kinds, |(kind, seed)| Drawn::new(*kind, self.shrink, *seed));
+        drawn.into_iter().collect()
+    }
+
+    fn job(&self, program: &Program, drawn: &Drawn) -> Job {
+        let scene = scene::Scene::Given(drawn.scene.clone());
+        Job { workers: self.threads, ..Job::new(program.clone(), scene) }
+    }
+
+    /// Runs the reference and all entries on a scene, in turns.
+    pub(super) fn race(
+        &self,
+        runner: &Runner,
+        drawn: &Drawn,
+        turn: usize,
+        entries: &mut [Entry],
+    ) -> Result<()> {
+        let run = |program: &Program| drawn.run(runner, self.job(program, drawn));
+        let before = run(&self.reference)?.map_err(anyhow::Error::msg)?;
+        let mut seconds = before.seconds;
+        for at in turns(entries.len(), turn) {
+            let entry = &mut entries[at];
+            if entry.gave_up(drawn.kind) {
+                continue;
+            }
+            match run(&entry.program)? {
+                Ok(end) => {
+                    // The reference runs before and after each entry, and its shorter run counts.
+                    let after = run(&self.reference)?.map_err(anyhow::Error::msg)?.seconds;
+                    let beside = seconds.min(after);
+                    seconds = after;
+                    let error = (end.error + LEAST) / (before.error + LEAST);
+                    entry.add(drawn.kind, end.seconds / beside, error);
+                }
+                Err(why) => entry.fault(drawn, &why),
+            }
+        }
+        Ok(())
+    }
+
+    /// Runs the first scene again, and runs it for longer. A second end that differs by more than
+    /// rounding is a fault, and so is memory that grows with the steps.
+    pub(super) fn repeat(&self, runner: &Runner, drawn: &Drawn, entry: &mut Entry) -> Result<()> {
+        if !entry.faults.is_empty() {
+            return Ok(());
+        }
+        let mut ends = Vec::new();
+        let own = self.job(&entry.program, drawn);
+        for job in [self.job(&self.reference, drawn), own.clone(), own] {
+            match drawn.run(runner, job)? {
+                Ok(end) => ends.push(end),
+                Err(why) => entry.fault(drawn, &why),
+            }
+        }
+        if let [official, a, b] = &ends[..] {
+            let apart = rms(&a.state, &b.state);
+            if apart > ROUNDING * official.error {
+                entry.fault(drawn, &format!("two runs end {apart:.1e} apart (rms)"));
+            }
+        }
+        let small = Drawn::new(Kind::Crowd, 4, self.seed)?;
+        let mut held = Vec::new();
+        for steps in [SHORT, LONG] {
+            let job = Job { steps, ..self.job(&entry.program, &small) };
+            match runner.run(&job) {
+                Ok(output) => held.extend(output.resident),
+                Err(why) => entry.fault(&small, &format!("{steps} steps: {why}")),
+            }
+        }
+        if let [short, long] = held[..]
+            && long > short + GROWTH
+        {
+            let grown = (long - short) >> 20;
+            entry.fault(
+                &small,
+                &format!("the memory grows by {grown} MiB in {} steps", LONG - SHORT),
+            );
+        }
+        Ok(())
+    }
+
+    /// Counts the instructions of each ranked entry, if valgrind is here.
+    pub(super) fn count(
+        &self,
+        runner: &mut Runner,
+        caches: Caches,
+        drawn: &Drawn,
+        entries: &mut [Entry],
+    ) -> Result<()> {
+        let tool = match caches.tool(runner.folder()) {
+            Ok(tool) => tool,
+            Err(why) => {
+                println!("Instructions are not counted: {why}");
+                return Ok(());
+            }
+        };
+        runner.under(tool);
+        let counted = one_by_one(
+            entries,
+            |entry| format!("count {}", entry.program),
+            |entry| {
+                let job = Job { steps: 50, ..self.job(&entry.program, drawn) };
+                let is_ranked = entry.faults.is_empty();
+                let counted =
+                    is_ranked.then(|| profile(runner, &job, 50, By::Function).ok()).flatten();
+                Ok(counted.map(|profile| per(&job, profile.total())[0]))
+            },
+        )?;
+        for (entry, counted) in entries.iter_mut().zip(counted) {
+            entry.instructions = counted;
+        }
+        runner.under(Vec::new());
+        Ok(())
+    }
+}

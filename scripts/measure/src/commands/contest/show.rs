@@ -1,0 +1,103 @@
+//! The tables and the plane of run time and error.
+
+use lab_kit::table::three_digits;
+use oracle::contest::Kind;
+
+use super::entry::Entry;
+use super::ranking::Ranking;
+use crate::chart::{Axis, Chart, Kind as Look, Series};
+use crate::clock::{Span, Times};
+use crate::columns::Columns;
+use crate::commands::precision::group::front;
+
+/// A line of the tables.
+struct Row<'e> {
+    name: String,
+    entry: &'e Entry,
+    places: Vec<String>,
+}
+
+/// Formats the places of all entries, their results on each kind of scene, and their faults.
+pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
+    let all: Vec<&Entry> = entries.iter().chain(landmarks).collect();
+    let mut rows = Vec::new();
+    for (at, entry) in all.iter().enumerate() {
+        let star = if at < entries.len() { "" } else { " *" };
+        let places = Ranking::ALL.iter().map(|ranking| place(*ranking, entry, &all)).collect();
+        rows.push(Row { name: format!("{}{star}", entry.program), entry, places });
+    }
+    let mut places = Columns::of("all kinds", |row: &Row| row.name.clone())
+        .perhaps("time", |row| row.entry.time.map(range))
+        .perhaps("error", |row| row.entry.error.map(range))
+        .number("instructions", |row| row.entry.instructions);
+    for (at, ranking) in Ranking::ALL.into_iter().enumerate() {
+        places = places.text(ranking.name(), move |row| row.places[at].clone());
+    }
+    let mut kinds = Columns::of("time / error", |row: &Row| row.name.clone());
+    for kind in Kind::ALL {
+        kinds = kinds.perhaps(kind.name(), move |row| {
+            let median = |times: Times| three_digits(times.median);
+            Some(format!(
+                "{} / {}",
+                row.entry.times(kind).map(median)?,
+                row.entry.errors(kind).map(median)?
+            ))
+        });
+    }
+    let mut text = format!("{}\n{}", places.table(&rows), kinds.table(&rows));
+    for entry in &all {
+        if let Some(fault) = entry.faults.first() {
+            text += &format!("\nnot ranked: {}: {fault}", entry.program);
+        }
+    }
+    text + "\n1 is the time of solution2:sorted, and the error of the official step. A place with = is shared.\n\
+            * measured for the book, on its machine"
+}
+
+/// Formats a place, with `=` if it is shared.
+fn place(ranking: Ranking, entry: &Entry, all: &[&Entry]) -> String {
+    let Some(own) = ranking.place(entry, all) else { return "-".into() };
+    let alike = all.iter().filter(|other| ranking.place(other, all) == Some(own)).count();
+    format!("{own}{}", if alike > 1 { "=" } else { "" })
+}
+
+/// Formats the least and the median of the rounds.
+fn range(span: Span) -> String {
+    format!("{} {}", three_digits(span.min), three_digits(span.median))
+}
+
+/// Draws error against time, with the front that no entry beats.
+pub(super) fn chart(entries: &[Entry], landmarks: &[Entry]) -> Chart {
+    let all = entries.iter().chain(landmarks).filter(|entry| entry.faults.is_empty());
+    let points: Vec<(f64, f64)> = all.filter_map(point).collect();
+    let costs: Vec<(f64, f64)> = points.iter().map(|(error, time)| (*time, *error)).collect();
+    let best = points.iter().zip(front(&costs)).filter(|(_, on_front)| *on_front);
+    let mut chart = Chart::new(
+        "The contest: run time against error",
+        Axis::log("error, in errors of the official step"),
+        Axis::log("time, in times of sorted"),
+    )
+    .labelled_directly()
+    .with(Series::new(Look::Guide, "front", best.map(|(point, _)| *point).collect()));
+    for entry in landmarks {
+        chart = chart.with(series(Look::Behind, entry));
+    }
+    for entry in entries {
+        chart = chart.with(series(Look::Apart, entry));
+    }
+    chart
+}
+
+/// Returns an entry's error and time; `None` if a kind is missing.
+fn point(entry: &Entry) -> Option<(f64, f64)> {
+    Some((entry.error?.median, entry.time?.median))
+}
+
+/// Makes the mark of an entry. The kit's engines are named without their lab.
+fn series(look: Look, entry: &Entry) -> Series {
+    let program = entry.program.to_string();
+    let short = program.split_once(':').filter(|_| entry.program.solution);
+    let out = if entry.faults.is_empty() { "" } else { " (out)" };
+    let name = format!("{}{out}", short.map_or(&*program, |(_, variant)| variant));
+    Series::new(look, name, point(entry).into_iter().collect())
+}

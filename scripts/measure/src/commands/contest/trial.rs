@@ -1,0 +1,77 @@
+//! A run of a program on a drawn scene, and its error.
+
+use std::sync::Arc;
+
+use anyhow::{Result, anyhow};
+use common::soft::{Particle, Scene};
+use oracle::contest::{Kind, STEPS};
+
+use crate::commands::precision::reference::rms;
+use crate::job::Job;
+use crate::runner::Runner;
+
+/// A scene and its exact end.
+pub(super) struct Drawn {
+    pub(super) kind: Kind,
+    pub(super) seed: u32,
+    pub(super) scene: Arc<Scene>,
+    /// Particles whose error is measured.
+    exact: Vec<Particle>,
+}
+
+/// The end of a correct run.
+pub(super) struct End {
+    /// Seconds of loading and stepping.
+    pub(super) seconds: f64,
+    /// Root of the mean squared distance from the exact positions.
+    pub(super) error: f64,
+    pub(super) state: Vec<Particle>,
+}
+
+impl Drawn {
+    /// Draws a scene with fewer particles than in the contest by the factor `shrink`.
+    pub(super) fn new(kind: Kind, shrink: usize, seed: u32) -> Result<Self> {
+        let scene = kind.scene(kind.n() / shrink, seed);
+        let exact =
+            kind.exact_end(&scene, seed).map_err(|why| anyhow!("{}: {why}", kind.name()))?;
+        Ok(Self { kind, seed, scene: Arc::new(scene), exact })
+    }
+
+    /// Runs a job for the contest's steps. The inner error is a fault of the program, in words.
+    pub(super) fn run(
+        &self,
+        runner: &Runner,
+        job: Job,
+    ) -> Result<std::result::Result<End, String>> {
+        let job = Job { steps: STEPS, every: Some(STEPS - 1), ..job };
+        let output = match runner.run(&job) {
+            Ok(output) => output,
+            Err(why) => return Ok(Err(format!("{why:#}"))),
+        };
+        let Some(state) = output.frames.last() else { return Ok(Err("it wrote no state".into())) };
+        if let Some(fault) = self.fault(state) {
+            return Ok(Err(fault));
+        }
+        let of_judged = |particle: &Particle| state[particle.id as usize];
+        let judged: Vec<Particle> = self.exact.iter().map(of_judged).collect();
+        let seconds = output.loading + output.seconds;
+        Ok(Ok(End { seconds, error: rms(&judged, &self.exact), state: state.clone() }))
+    }
+
+    /// Finds a particle that is missing or outside the box.
+    fn fault(&self, state: &[Particle]) -> Option<String> {
+        let inside = 0.0..=self.scene.size();
+        for (number, p) in state.iter().enumerate() {
+            if [p.x, p.y, p.vx, p.vy] == [0.0; 4] {
+                return Some(format!("particle {number} is missing"));
+            }
+            if !inside.contains(&p.x) || !inside.contains(&p.y) {
+                return Some(format!(
+                    "particle {number} is outside the box, at ({}, {})",
+                    p.x, p.y
+                ));
+            }
+        }
+        None
+    }
+}
