@@ -132,7 +132,10 @@ mod tests {
     #[test]
     fn scenes_are_others_each_time_and_reach_beyond_16_bits() {
         let kit = Kit::find().unwrap();
-        for (lab, rubric) in rubric::all(&kit).unwrap() {
+        let mut rubrics = rubric::all(&kit).unwrap();
+        // An open lab prescribes no program.
+        rubrics.retain(|_, rubric| !rubric.variants.is_empty());
+        for (lab, rubric) in rubrics {
             let mut sizes = BTreeSet::new();
             for seed in 0..20 {
                 let runs = runs(&rubric, &mut Random::new(seed));

@@ -116,7 +116,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     }
     entries.iter_mut().for_each(Entry::summarise);
     entries.iter_mut().try_for_each(|entry| contest.repeat(&runner, &scenes[0], entry))?;
-    contest.count(&mut runner, options.caches, &scenes[0], &mut entries)?;
+    contest.count(&mut runner, options.caches, options.rounds, &mut entries)?;
     let seed = contest.seed;
     let landmarks = landmarks(kit, &entries);
     println!("{}", show::tables(&entries, &landmarks));

@@ -4,12 +4,13 @@ use anyhow::Result;
 use common::soft::CUTOFF;
 use lab_kit::machine::on_all_cores;
 use lab_kit::program::Program;
-use oracle::contest::Kind;
+use oracle::contest::{Kind, STEPS};
 
 use super::entry::Entry;
-use super::trial::Drawn;
-use crate::cachegrind::{By, Caches};
-use crate::commands::count::{per, profile};
+use super::ranking::ACCURATE;
+use super::trial::{Drawn, End};
+use crate::cachegrind::{By, Caches, Profile};
+use crate::commands::count::per;
 use crate::commands::precision::reference::rms;
 use crate::experiment::{one_by_one, turns};
 use crate::job::Job;
@@ -123,12 +124,15 @@ impl Contest {
         Ok(())
     }
 
-    /// Counts the instructions of each ranked entry, if valgrind is here.
+    /// Counts the instructions of each ranked entry in a whole run, if valgrind is here.
+    ///
+    /// The run includes loading, and its scene is new to the entry. So work in `load` is counted, and
+    /// the answers of an earlier run are of no use. An entry that is wrong in this run has no count.
     pub(super) fn count(
         &self,
         runner: &mut Runner,
         caches: Caches,
-        drawn: &Drawn,
+        rounds: u32,
         entries: &mut [Entry],
     ) -> Result<()> {
         let tool = match caches.tool(runner.folder()) {
@@ -138,16 +142,23 @@ impl Contest {
                 return Ok(());
             }
         };
+        let drawn = Drawn::new(Kind::Official, self.shrink, self.seed + rounds)?;
+        let official = drawn.run(runner, self.job(&self.reference, &drawn))?;
+        let official = official.map_err(anyhow::Error::msg)?.error;
         runner.under(tool);
         let counted = one_by_one(
             entries,
             |entry| format!("count {}", entry.program),
             |entry| {
-                let job = Job { steps: 50, ..self.job(&entry.program, drawn) };
-                let is_ranked = entry.faults.is_empty();
-                let counted =
-                    is_ranked.then(|| profile(runner, &job, 50, By::Function).ok()).flatten();
-                Ok(counted.map(|profile| per(&job, profile.total())[0]))
+                if !entry.faults.is_empty() {
+                    return Ok(None);
+                }
+                let job = self.job(&entry.program, &drawn);
+                let end = drawn.run(runner, job.clone())?;
+                let profile = Profile::take(runner.folder(), By::Function)?;
+                let is_right = |end: End| end.error + LEAST <= ACCURATE * (official + LEAST);
+                let steps = Job { steps: STEPS, ..job };
+                Ok(end.is_ok_and(is_right).then(|| per(&steps, profile.total())[0]))
             },
         )?;
         for (entry, counted) in entries.iter_mut().zip(counted) {

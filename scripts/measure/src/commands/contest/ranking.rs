@@ -5,7 +5,7 @@ use crate::clock::Span;
 
 /// Greatest median error on any kind of scene, as a multiple of the official step's, of an entry
 /// that counts as accurate. Rounding and chaos change the error a little.
-const ACCURATE: f64 = 1.05;
+pub(super) const ACCURATE: f64 = 1.05;
 
 /// A ranking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
