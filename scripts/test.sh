@@ -191,7 +191,7 @@ stage_pages() {
     (cd tests/pages && npm ci --no-audit --no-fund >/dev/null) || { skip "no playwright-core"; return; }
     folder=$(mktemp -d)
     make_movies "$folder" || return
-    timeout 900 node tests/pages/pages.js "$browser" "$folder"/*.html || return
+    timeout 1500 node tests/pages/pages.js "$browser" "$folder"/*.html || return
     rm -rf "$folder"
 }
 
