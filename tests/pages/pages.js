@@ -382,7 +382,8 @@ async function look(page, file, { width, theme, prints }) {
   (await page.evaluate(broken)).forEach(note);
   (await play(page)).forEach(note);
   (await stepThrough(page)).forEach(note);
-  (await restored(page)).forEach(note);
+  // A movie, which is no page of the book, has no state in its address.
+  if (file.startsWith(BOOK)) (await restored(page)).forEach(note);
   (await filter(page)).forEach(note);
   if (width > 1000) (await headStays(page)).forEach(note);
   (await turns(page)).forEach(note);
