@@ -215,7 +215,7 @@ stage_smoke() {
         else
             echo "+ cargo lab $command"
             # shellcheck disable=SC2086 # one word each
-            timeout 400 cargo lab $command >"$LOG.smoke" 2>&1 </dev/null && continue
+            timeout 600 cargo lab $command >"$LOG.smoke" 2>&1 </dev/null && continue
             # A Vulkan loader without a driver behind it.
             if grep -q '^error: no adapter' "$LOG.smoke"; then
                 leave_out "no adapter for 'cargo lab $command'"
