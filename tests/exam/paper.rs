@@ -10,6 +10,7 @@ use oracle::Random;
 use crate::bank::{self, Question, is_digit};
 use crate::numbers;
 use crate::numbers::draw::{Draw, Inputs, Shown};
+use lab_kit::table::with_commas;
 use lab_kit::{Kit, Lab};
 
 /// Kinds of the questions, by the beginning of their titles.
@@ -109,7 +110,7 @@ fn with_named(id: &str, text: &str, shown: &Shown) -> String {
         // Ten digits remove what rounding in binary adds.
         let number = format!("{value:.10}");
         let number = number.trim_end_matches('0').trim_end_matches('.');
-        out += &format!("{}<!--{name}-->", grouped(number));
+        out += &format!("{}<!--{name}-->", as_in_the_book(number));
         before = after;
     }
     out + before
@@ -133,7 +134,7 @@ fn with_computed(answer: &str, values: &[f64]) -> String {
                 return word.to_owned();
             };
             let decimals = core.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-            grouped(&format!("{value:.decimals$}")) + &word[core.len()..]
+            as_in_the_book(&format!("{value:.decimals$}")) + &word[core.len()..]
         });
         out += &format!("**{}**", replaced.collect::<String>());
     }
@@ -141,15 +142,6 @@ fn with_computed(answer: &str, values: &[f64]) -> String {
 }
 
 /// Writes a number as the book does: `12,500` and `−1.5`.
-fn grouped(number: &str) -> String {
-    let (sign, digits) = number.strip_prefix('-').map_or(("", number), |rest| ("−", rest));
-    let (whole, decimals) = digits.split_at(digits.find('.').unwrap_or(digits.len()));
-    let mut out = String::from(sign);
-    for (at, digit) in whole.chars().enumerate() {
-        if at > 0 && (whole.len() - at).is_multiple_of(3) {
-            out.push(',');
-        }
-        out.push(digit);
-    }
-    out + decimals
+fn as_in_the_book(number: &str) -> String {
+    with_commas(number).replace('-', "−")
 }

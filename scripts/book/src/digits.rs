@@ -1,5 +1,7 @@
 //! Formats numbers for the tables of the book.
 
+use lab_kit::table::with_commas;
+
 /// A format of numbers, written in a few characters.
 ///
 /// `3` is three significant digits; `.2`, two decimals; `3.1`, three digits and at most one
@@ -52,18 +54,6 @@ impl Format {
 /// Removes trailing zeros after the point: `1.50` becomes `1.5`.
 fn without_noughts(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
-}
-
-/// Separates thousands by commas: `1234567.8` becomes `1,234,567.8`.
-fn with_commas(text: &str) -> String {
-    let point = text.find('.').unwrap_or(text.len());
-    let mut out = text.to_owned();
-    let mut at = point;
-    while at > 3 && text[..at - 3].ends_with(|c: char| c.is_ascii_digit()) {
-        at -= 3;
-        out.insert(at, ',');
-    }
-    out
 }
 
 #[cfg(test)]

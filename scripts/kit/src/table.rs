@@ -101,6 +101,18 @@ pub fn three_digits(value: f64) -> String {
     }
 }
 
+/// Separates thousands by commas: `1234567.8` becomes `1,234,567.8`.
+pub fn with_commas(text: &str) -> String {
+    let point = text.find('.').unwrap_or(text.len());
+    let mut out = text.to_owned();
+    let mut at = point;
+    while at > 3 && text[..at - 3].ends_with(|c: char| c.is_ascii_digit()) {
+        at -= 3;
+        out.insert(at, ',');
+    }
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
