@@ -139,7 +139,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::{Change, Line, changes, only_change, own_lines};
-    use crate::record::number;
+    use exam::bank::{each, rows};
     use lab_kit::Kit;
     use lab_kit::files::read_text;
     use lab_kit::submission::{Sources, of_solution};
@@ -177,16 +177,8 @@ mod tests {
         }
         let mut outcomes = 0;
         let page = read_text(&kit.path("book/src/instructor/outcomes.md")).unwrap();
-        let rows = page.lines().map(|line| line.split(" | ").map(str::trim).collect::<Vec<_>>());
-        for row in rows.filter(|row| row[0].trim_matches(['|', ' ']).parse::<u8>().is_ok()) {
-            // Tasks such as `3.1, 3.3–3.12`.
-            let runs: Vec<_> =
-                row[2].split(", ").map(|run| run.split_once('–').unwrap_or((run, run))).collect();
-            let is_of = |task: &String| {
-                runs.iter()
-                    .any(|(first, last)| (number(first)..=number(last)).contains(&number(task)))
-            };
-            assert!(asked.iter().any(is_of), "{row:?}");
+        for row in rows(&page).filter(|row| row[0].parse::<u8>().is_ok()) {
+            assert!(each(row[2]).iter().any(|task| asked.contains(task)), "{row:?}");
             outcomes += 1;
         }
         assert_eq!(outcomes, 18);
