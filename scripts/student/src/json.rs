@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::results::{self, Run};
 use crate::tasks::Progress;
-use crate::test::{What, own_build};
+use crate::test::{What, expect_lab, own_build};
 use lab_kit::harness::{Build, BuildError, Outcome};
 use lab_kit::{Kit, Lab};
 
@@ -30,8 +30,9 @@ struct Report {
 /// Runs the tests and prints their outcomes as JSON, and nothing else, to standard output.
 ///
 /// # Errors
-/// If Cargo cannot build the tests, or if a test cannot be started.
+/// If this machine lacks what the tests need, if Cargo cannot build the tests, or if a test cannot be started.
 pub(crate) fn run(kit: &Kit, What { lab, task }: What) -> Result<ExitCode> {
+    expect_lab(kit, lab)?;
     let package = format!("lab{lab}");
     let build = Build { shown: false, ..own_build(kit.cargo(), lab, &package) };
     let report = match results::run(kit, lab, task, build, |_| {}) {

@@ -61,7 +61,7 @@ impl FromStr for What {
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     process::kill_all_on_interrupt();
     let What { lab, task } = options.what;
-    expect_lab(kit, lab)?;
+    kit.expect_starter(lab)?;
     if let Some(task) = task {
         expect_task(kit, task)?;
     }
@@ -90,7 +90,7 @@ pub(crate) fn expect_task(kit: &Kit, task: Task) -> Result<()> {
 }
 
 /// Returns an error if the kit lacks this lab, or if this machine lacks what its tests need.
-fn expect_lab(kit: &Kit, lab: Lab) -> Result<()> {
+pub(crate) fn expect_lab(kit: &Kit, lab: Lab) -> Result<()> {
     kit.expect_starter(lab)?;
     if let Some(what) = system::missing(kit, lab)? {
         bail!("lab {lab} needs {what}");
