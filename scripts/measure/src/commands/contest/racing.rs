@@ -155,10 +155,12 @@ impl Contest {
                 }
                 let job = self.job(&entry.program, &drawn);
                 let end = drawn.run(runner, job.clone())?;
-                let profile = Profile::take(runner.folder(), By::Function)?;
+                // A run that was stopped at its limit leaves no readable counts.
+                let profile = Profile::take(runner.folder(), By::Function).ok();
                 let is_right = |end: End| end.error + LEAST <= ACCURATE * (official + LEAST);
                 let steps = Job { steps: STEPS, ..job };
-                Ok(end.is_ok_and(is_right).then(|| per(&steps, profile.total())[0]))
+                let profile = profile.filter(|_| end.is_ok_and(is_right));
+                Ok(profile.map(|profile| per(&steps, profile.total())[0]))
             },
         )?;
         for (entry, counted) in entries.iter_mut().zip(counted) {
