@@ -111,15 +111,15 @@ fn a_student_pulls_a_lab_beside_their_work() {
 #[test]
 fn a_lab_builds_on_the_students_own_labs_while_late_days_last() {
     let (folder, kit) = handout(&["1"]);
-    let own_kit = Kit::find().unwrap();
-    lay(&own_kit, lab("2"), folder.path(), Earlier::Own).unwrap();
+    let whole = Kit::find().unwrap();
+    lay(&whole, lab("2"), folder.path(), Earlier::Own).unwrap();
     assert!(kit.solutions().is_empty(), "lab 1 may still be handed in");
     let manifest = fs::read_to_string(kit.path("Cargo.toml")).unwrap();
     assert!(manifest.contains(r#"solution1 = { path = "labs/lab1", package = "lab1" }"#));
     let cargo = kit.cargo().args(["tree", "--locked", "--offline", "-p", "lab2"]).output().unwrap();
     let tree = String::from_utf8_lossy(&cargo.stdout);
     assert!(tree.contains("lab1 v"), "{tree}{}", String::from_utf8_lossy(&cargo.stderr));
-    lay(&own_kit, lab("2"), folder.path(), Earlier::Solutions).unwrap();
+    lay(&whole, lab("2"), folder.path(), Earlier::Solutions).unwrap();
     assert_eq!(kit.solutions(), [lab("1")]);
 }
 
@@ -138,11 +138,11 @@ const LONG: usize = 30;
 /// Lines that are given in some file, or that were in an earlier answer, do not count.
 #[test]
 fn no_line_of_an_answer_is_in_a_class_s_tree() {
-    let own_kit = Kit::find().unwrap();
+    let whole = Kit::find().unwrap();
     let (mut public, mut answers) = (String::new(), BTreeSet::new());
-    for number in own_kit.solutions() {
+    for number in whole.solutions() {
         let due = number < lab("3");
-        for file in answers::read_solution(&own_kit, number).unwrap() {
+        for file in answers::read_solution(&whole, number).unwrap() {
             for part in file.parts {
                 if due || matches!(part, Part::Given(_)) {
                     public += part.text();
