@@ -90,15 +90,14 @@ impl Copy {
 
 /// Whether a path is not copied.
 ///
-/// These are starters, wrong solutions, exam questions (which call the tools), and the output of
-/// builds.
+/// These are starters, wrong solutions, right variants, and the output of builds.
 fn is_left_out(relative: &Path) -> bool {
     let mut parts = relative.iter().filter_map(|part| part.to_str());
     let (top, second) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
     let is_starter =
         top == "labs" && second.strip_prefix("lab").is_some_and(|n| n.parse::<Lab>().is_ok());
     is_starter
-        || (top == "tests" && ["wrong", "right", "exam"].contains(&second))
+        || (top == "tests" && ["wrong", "right"].contains(&second))
         || relative.iter().any(|part| part == "target")
 }
 
@@ -118,7 +117,7 @@ mod tests {
             ("tests/snapshots/lab1__a.snap", false),
             ("tests/oracle/src/lib.rs", false),
             ("tests/wrong/lab1/a.rs", true),
-            ("tests/exam/exam.rs", true),
+            ("tests/right/lab1/a.rs", true),
         ] {
             assert_eq!(is_left_out(Path::new(path)), out, "{path}");
         }
