@@ -54,8 +54,8 @@ struct Order<'a> {
 }
 
 impl<'a> Order<'a> {
-    fn of_submission(sandbox: &Sandbox, sources: &'a Sources) -> Self {
-        Self { sources, names: &NAMES, limit: sandbox.limits.build, most: BUILT_FILE }
+    fn of_submission(sandbox: &Sandbox, sources: &'a Sources, names: &'a [&'a str]) -> Self {
+        Self { sources, names, limit: sandbox.limits.build, most: BUILT_FILE }
     }
 }
 
@@ -84,16 +84,27 @@ impl Tree {
         Ok(Self { folder, lab: self.lab, programs, solution })
     }
 
-    /// Builds the programs of a submission.
+    /// Builds all programs of a submission, as [`Tree::build_some`] does.
+    pub(crate) fn build(&self, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
+        self.build_some(sandbox, sources, &NAMES)
+    }
+
+    /// Builds the programs of a submission that have these names.
     ///
     /// Only the compiler runs. A submission has no manifest, so it has no build script and no
     /// procedural macro.
     ///
     /// # Errors
     /// If the solution cannot be built now either. The submission is not the cause.
-    pub(crate) fn build(&self, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
+    pub(crate) fn build_some(
+        &self,
+        sandbox: &Sandbox,
+        sources: &Sources,
+        names: &[&str],
+    ) -> Result<Built> {
+        let order = Order::of_submission(sandbox, sources, names);
         let built = believed(
-            || self.build_once(sandbox, &Order::of_submission(sandbox, sources)),
+            || self.build_once(sandbox, &order),
             |built| built.as_ref().is_err_and(|why| !is_of_a_source(why)),
             || self.build_solution(sandbox),
         )?;
@@ -106,7 +117,7 @@ impl Tree {
 
     /// Builds the solution in the place of a submission.
     fn build_solution(&self, sandbox: &Sandbox) -> Result<()> {
-        match self.build_once(sandbox, &Order::of_submission(sandbox, &self.solution))? {
+        match self.build_once(sandbox, &Order::of_submission(sandbox, &self.solution, &NAMES))? {
             Ok(_) => Ok(()),
             Err(why) => bail!("the solution cannot be built either: {}", named(&why)),
         }

@@ -60,8 +60,14 @@ pub(super) fn own_lines(kit: &Kit, lab: Lab, sources: &Sources) -> Result<Vec<Li
         let [old, new] =
             [&before, &after].map(|text| text.lines().map(str::trim).collect::<Vec<_>>());
         let is_code = |line: &str| !line.is_empty() && !line.starts_with("//");
+        let mut task = None;
         for change in TextDiff::from_slices(&old, &new).ops() {
-            let task = old[change.old_range()].iter().find_map(|line| Some(todo(line)?.0.task));
+            let replaced = &old[change.old_range()];
+            // An equal line, such as a brace, may be in the middle of an answer.
+            if change.tag() == DiffTag::Equal && replaced.iter().any(|line| is_head(line)) {
+                task = None;
+            }
+            task = replaced.iter().find_map(|line| Some(todo(line)?.0.task)).or(task);
             let changed = change.new_range().filter(|_| change.tag() != DiffTag::Equal);
             for at in changed.filter(|at| is_code(new[*at])) {
                 let last = new[..at].iter().rfind(|line| is_code(line));
@@ -71,6 +77,11 @@ pub(super) fn own_lines(kit: &Kit, lab: Lab, sources: &Sources) -> Result<Vec<Li
         }
     }
     Ok(lines)
+}
+
+/// Whether a line begins a function.
+pub(super) fn is_head(line: &str) -> bool {
+    line.split_whitespace().take(3).any(|word| word == "fn")
 }
 
 /// Returns all changes of a student's lines: known mistakes if the answer's line is theirs, and

@@ -8,7 +8,7 @@ mod changes;
 mod sheet;
 mod trace;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
@@ -19,12 +19,13 @@ use clap::Args;
 use self::changes::{Line, changes, own_lines};
 use self::sheet::Sheet;
 use self::trace::{PARTICLES, STEPS, Trace, probe};
-use crate::asking::{JUDGE, Judge, Questions, TaskResult};
+use crate::asking::{ANSWER, JUDGE, Judge, Questions, TaskResult};
 use crate::build::Tree;
 use crate::escape::line;
 use crate::intake::names::named;
 use crate::intake::{self, forbidden};
 use crate::sandbox::{Limits, Sandbox};
+use crate::timing::PROGRAM;
 use lab_kit::files::write_file;
 use lab_kit::process::kill_all_on_interrupt;
 use lab_kit::submission::Sources;
@@ -40,10 +41,6 @@ const TRIES: usize = 16;
 
 /// Time limit of a question.
 const RUN: Duration = Duration::from_secs(10);
-
-/// Question about a changed line.
-const CHANGED: &str =
-    "Here is your program with one line changed. Which test fails, what does a user see, and why?";
 
 /// Write oral questions about each student's own program (for instructors)
 ///
@@ -125,10 +122,12 @@ impl Examiner<'_> {
         if let Some(why) = forbidden::find(&sources) {
             bail!("{why}");
         }
-        let own = self.failures(&sources, seed)?;
+        let tasks: Vec<&str> = self.facts.tasks.keys().map(String::as_str).collect();
+        let own = self.failures(&sources, &tasks, seed)?;
         let own = own.map_err(|why| anyhow!("it does not compile: {why}"))?;
+        let is_wrong = |task: &str| own.iter().any(|(wrong, _)| wrong == task);
         let mut lines = own_lines(self.kit, self.lab, &sources)?;
-        lines.retain(|line| line.task.is_none_or(|task| !own.contains_key(&task.to_string())));
+        lines.retain(|line| line.task.is_none_or(|task| !is_wrong(&task.to_string())));
         ensure!(!lines.is_empty(), "no task of it is right");
         let mut random = Random::new(seed);
         let mut sheet = Sheet::default();
@@ -148,31 +147,40 @@ impl Examiner<'_> {
             tries += 1;
             let mut changed = sources.clone();
             change.apply(&mut changed);
-            let Ok(failures) = self.failures(&changed, seed)? else { continue };
-            let lost = failures.iter().filter(|(task, _)| !own.contains_key(*task));
+            // A change shows in the tests of its task. Questions to all tasks would take longer.
+            let task = change.line.task.map(|task| task.to_string());
+            let tasks = task.as_ref().map_or(tasks.clone(), |task| vec![task]);
+            let Ok(failures) = self.failures(&changed, &tasks, seed)? else { continue };
+            let lost = failures.iter().filter(|(task, _)| !is_wrong(task));
             let mut key: String = lost.map(|(_, result)| failed(result)).collect();
             if !key.is_empty() {
                 key.extend(change.story.map(|story| format!("A known mistake: {story}")));
                 asked.extend(change.line.task.map(Some));
-                sheet.ask(&sources, &change.line, &change.new, CHANGED, key);
+                let of = task.map_or(String::new(), |task| format!(" of task {task}"));
+                let question = format!(
+                    "Here is your program with one line changed. Which test{of} fails, what does a user see, and why?"
+                );
+                sheet.ask(&sources, &change.line, &change.new, &question, key);
             }
         }
         Ok(sheet)
     }
 
-    /// Asks a program all questions. Returns the tasks that are wrong, or the compiler's errors.
+    /// Asks a program about these tasks. Returns the tasks that are wrong, or the compiler's
+    /// errors.
     fn failures(
         &self,
         sources: &Sources,
+        tasks: &[&str],
         seed: u64,
-    ) -> Result<Result<BTreeMap<String, TaskResult>, String>> {
-        let folder = match self.tree.build(&self.sandbox, sources)? {
+    ) -> Result<Result<Vec<(String, TaskResult)>, String>> {
+        let folder = match self.tree.build_some(&self.sandbox, sources, &[ANSWER])? {
             Ok(folder) => folder,
             Err(why) => return Ok(Err(why)),
         };
-        let tasks = self.facts.tasks.keys().map(String::as_str);
-        let result = self.questions.ask(&self.sandbox, folder.path(), tasks, seed)?;
-        let all = self.facts.tasks.keys().cloned().zip(result);
+        let asked = tasks.iter().copied();
+        let results = self.questions.ask(&self.sandbox, folder.path(), asked, seed)?;
+        let all = tasks.iter().map(|task| (*task).to_owned()).zip(results);
         Ok(Ok(all.filter(|(_, result)| result.wrong.is_some()).collect()))
     }
 
@@ -184,32 +192,26 @@ impl Examiner<'_> {
         random: &mut Random,
         sheet: &mut Sheet,
     ) -> Result<()> {
-        let variants: Vec<_> = self.facts.variants.iter().filter(|v| v.task.is_some()).collect();
-        let mut probed = sources.clone();
-        probe(&mut probed, lines);
+        let variants = self.facts.variants.iter().filter(|v| v.task.is_some() && !v.serial);
+        let variants: Vec<_> = variants.collect();
         if variants.is_empty() || self.facts.workers == Workers::Device {
             return Ok(());
         }
+        let mut probed = sources.clone();
+        probe(&mut probed, lines);
         // A line that cannot have a probe stops the build. The sheet then has other questions.
-        let Ok(folder) = self.tree.build(&self.sandbox, &probed)? else { return Ok(()) };
+        let Ok(folder) = self.tree.build_some(&self.sandbox, &probed, &[PROGRAM])? else {
+            return Ok(());
+        };
         let variant = &variants[random.below(variants.len())].name;
         let trace = |workers| Trace::of(&self.sandbox, folder.path(), variant, workers);
         let two = trace(2)?;
         let again = trace(2)?;
         let three = trace(3)?;
         // A count that differs from run to run, such as of repeated attempts, has no key.
-        let mut counts = Vec::new();
-        for (line, count) in
-            two.counts.iter().filter(|(line, count)| again.counts.get(line) == Some(count))
-        {
-            counts.extend(
-                three
-                    .counts
-                    .get(line)
-                    .filter(|more| *more != count)
-                    .map(|more| (*line, count, more)),
-            );
-        }
+        let steady = two.counts.iter().filter(|(line, n)| again.counts.get(line) == Some(n));
+        let more = steady.filter_map(|(line, n)| Some((*line, *n, *three.counts.get(line)?)));
+        let counts: Vec<_> = more.filter(|(_, count, more)| count != more).collect();
         if !counts.is_empty() {
             let (at, count, more) = counts[random.below(counts.len())];
             let question = format!(

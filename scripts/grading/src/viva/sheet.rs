@@ -1,6 +1,6 @@
 //! The page of a sheet: its questions, and the key on a new page.
 
-use super::changes::Line;
+use super::changes::{Line, is_head};
 use lab_kit::Lab;
 use lab_kit::submission::Sources;
 
@@ -45,8 +45,7 @@ impl Sheet {
 fn function(sources: &Sources, line: &Line, new: &str) -> String {
     let text = String::from_utf8_lossy(sources.get(&line.path).map_or(&[], Vec::as_slice));
     let lines: Vec<&str> = text.lines().collect();
-    let is_head = |line: &&str| line.split_whitespace().take(3).any(|word| word == "fn");
-    let head = lines[..=line.at].iter().rposition(is_head).unwrap_or(line.at);
+    let head = lines[..=line.at].iter().rposition(|line| is_head(line)).unwrap_or(line.at);
     let outer = &lines[head][..lines[head].len() - lines[head].trim_start().len()];
     let tail = lines[line.at..].iter().position(|text| *text == format!("{outer}}}"));
     let mut shown = String::new();

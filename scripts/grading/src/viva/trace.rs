@@ -17,6 +17,12 @@ use lab_kit::submission::Sources;
 /// Nanoseconds that a probe waits, so that different workers reach their lines during this time.
 const PAUSE: u128 = 1_000_000;
 
+/// Number of times that a line's probe waits.
+///
+/// An inner loop runs a line ten thousand times. If each time took a millisecond, a trace would
+/// take minutes.
+const PAUSES: u32 = 10;
+
 /// Size of a traced run, and its time limit.
 pub(super) const PARTICLES: usize = 60;
 pub(super) const STEPS: usize = 3;
@@ -33,24 +39,25 @@ pub(super) struct Trace {
 
 /// Adds a probe before each statement among `lines`.
 pub(super) fn probe(sources: &mut Sources, lines: &[Line]) {
-    for (number, line) in lines.iter().enumerate() {
-        let text = &line.text;
-        let is_item = text.starts_with("pub") || text.split(' ').any(|word| word == "fn");
-        let is_statement = line.begins && text.ends_with([';', '{']) && !text.contains("=>");
-        if !is_statement
-            || is_item
-            || text.starts_with(['}', '.', '#'])
-            || !line.path.ends_with(".rs")
-        {
-            continue;
-        }
+    for (number, line) in lines.iter().enumerate().filter(|(_, line)| is_statement(line)) {
         let new = format!(
-            "eprintln!(\"@viva {number} {{}}-{{:?}} {{}}\", std::process::id(), std::thread::current().id(), \
-             std::time::UNIX_EPOCH.elapsed().map_or(0, |time| time.as_nanos())); \
-             std::thread::sleep(std::time::Duration::from_nanos({PAUSE})); {text}"
+            "{{ use std::{{process, sync::atomic, thread, time}}; \
+             static RUNS: atomic::AtomicU32 = atomic::AtomicU32::new(0); \
+             let waits = RUNS.fetch_add(1, atomic::Ordering::Relaxed) < {PAUSES}; \
+             let now = time::UNIX_EPOCH.elapsed().map_or(0, |now| now.as_nanos() * u128::from(waits)); \
+             eprintln!(\"@viva {number} {{}}-{{:?}} {{now}}\", process::id(), thread::current().id()); \
+             if waits {{ thread::sleep(time::Duration::from_nanos({PAUSE})); }} }} {}",
+            line.text
         );
         Change { line: line.clone(), new, story: None }.apply(sources);
     }
+}
+
+/// Whether a line begins a statement of Rust, so that a probe can be put before it.
+fn is_statement(Line { path, text, begins, .. }: &Line) -> bool {
+    let is_item = text.starts_with("pub") || text.split(' ').any(|word| word == "fn");
+    let is_whole = *begins && text.ends_with([';', '{']) && !text.contains("=>");
+    path.ends_with(".rs") && is_whole && !is_item && !text.starts_with(['}', '.', '#'])
 }
 
 impl Trace {
@@ -73,21 +80,21 @@ impl Trace {
         Ok(Self::read(&output.recv_timeout(LIMIT).unwrap_or_default()))
     }
 
-    /// Reads the output of probes.
+    /// Reads the output of probes. The time of a probe that did not wait is 0.
     fn read(output: &str) -> Self {
-        let mut events: Vec<(u128, usize, &str)> = Vec::new();
+        let mut trace = Self::default();
+        let mut waits: Vec<(u128, usize, &str)> = Vec::new();
         for words in output.lines().filter_map(|line| Some(line.split_once("@viva ")?.1)) {
             if let [line, worker, time] = words.split(' ').collect::<Vec<_>>()[..]
                 && let (Ok(line), Ok(time)) = (line.parse(), time.parse())
             {
-                events.push((time, line, worker));
+                *trace.counts.entry(line).or_default() += 1;
+                waits.extend((time > 0).then_some((time, line, worker)));
             }
         }
-        events.sort();
-        let mut trace = Self::default();
-        for (index, (time, line, worker)) in events.iter().enumerate() {
-            *trace.counts.entry(*line).or_default() += 1;
-            let meanwhile = events[index..].iter().take_while(|(later, ..)| *later < time + PAUSE);
+        waits.sort();
+        for (index, (time, line, worker)) in waits.iter().enumerate() {
+            let meanwhile = waits[index..].iter().take_while(|(later, ..)| *later < time + PAUSE);
             for (_, other, _) in meanwhile.filter(|(.., by)| by != worker) {
                 trace.together.entry(*line).or_default().insert(*other);
             }
@@ -104,10 +111,9 @@ mod tests {
     fn lines_of_different_workers_within_a_pause_are_together() {
         let event =
             |line: u8, worker: &str, time: u128| format!("x @viva {line} {worker} {time}\n");
-        let output =
-            event(1, "a", 0) + &event(2, "b", PAUSE - 1) + "@viva 3\n" + &event(1, "a", PAUSE);
-        let trace = Trace::read(&output);
-        assert_eq!(trace.counts, [(1, 2), (2, 1)].into());
+        let waited = event(1, "a", 7) + &event(2, "b", PAUSE + 6) + &event(1, "a", PAUSE + 7);
+        let trace = Trace::read(&(waited + "@viva 3\n" + &event(1, "b", 0)));
+        assert_eq!(trace.counts, [(1, 3), (2, 1)].into());
         assert_eq!(trace.together, [(1, [2].into()), (2, [1].into())].into());
     }
 }
