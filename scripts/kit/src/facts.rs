@@ -66,6 +66,9 @@ pub struct Facts {
     pub scaling: Option<Timed>,
     /// Points for the time relative to the solution's; `None` if it is not graded.
     pub speed: Option<Timed>,
+    /// Points for an entry in the contest, in addition to the tasks' points.
+    #[serde(default, rename = "goal")]
+    pub goals: Vec<Goal>,
     /// What grading does not judge, and what to do about it; `None` if it judges everything.
     pub ungraded: Option<String>,
     /// Loops that `cargo lab speed` times.
@@ -114,6 +117,16 @@ pub struct Timed {
     pub variant: String,
     /// Number of particles, or the largest number.
     pub n: usize,
+}
+
+/// Points for an entry that is better than an engine of the kit in one of the contest's rankings.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Goal {
+    /// Program of the engine, which is one of the contest's landmarks.
+    pub beats: String,
+    /// Points, in addition to those of other goals.
+    pub points: f64,
 }
 
 /// A task's loop and a reference loop, which is as fast if the task is done as the chapter says.

@@ -36,13 +36,15 @@ pub(super) struct Change {
 }
 
 /// Operators and calls that a mutation replaces.
-const SWAPS: [(&str, &str); 10] = [
+const SWAPS: [(&str, &str); 12] = [
     (" < ", " <= "),
     (" <= ", " < "),
     (" > ", " >= "),
     (" + 1", ""),
     (" + ", " - "),
     (" - ", " + "),
+    (" == ", " != "),
+    (" += ", " = "),
     (" && ", " || "),
     (".min(", ".max("),
     ("Release", "Relaxed"),

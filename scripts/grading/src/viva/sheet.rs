@@ -31,7 +31,7 @@ impl Sheet {
         let (mut questions, mut keys) = (String::new(), String::new());
         for (number, (question, key)) in (1..).zip(&self.questions) {
             questions += &format!("## {number}\n\n{question}\n\n");
-            keys += &format!("## Key to {number}\n\n{key}\n\n");
+            keys += &format!("## Key to {number}\n\n{}\n\n", key.trim_end());
         }
         format!(
             "# Lab {lab}: {name}\n\nSeed {seed}. Five minutes.\n\n{questions}\

@@ -13,6 +13,9 @@ use crate::clock::{Span, Times};
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub(crate) struct Entry {
     pub(super) program: Program,
+    /// Name on the page of a class; `None` elsewhere.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) alias: Option<String>,
     /// Rounds of each kind of scene, by its name.
     pub(super) kinds: BTreeMap<String, Vec<Round>>,
     /// Time for all kinds: the geometric mean of each round, the least and the median of the rounds.
@@ -37,8 +40,20 @@ pub(crate) struct Round {
 
 impl Entry {
     pub(super) fn new(program: Program) -> Self {
-        let kinds = BTreeMap::new();
-        Self { program, kinds, time: None, error: None, instructions: None, faults: Vec::new() }
+        Self {
+            program,
+            alias: None,
+            kinds: BTreeMap::new(),
+            time: None,
+            error: None,
+            instructions: None,
+            faults: Vec::new(),
+        }
+    }
+
+    /// Returns the alias or the program's name.
+    pub(super) fn name(&self) -> String {
+        self.alias.clone().unwrap_or_else(|| self.program.to_string())
     }
 
     /// Adds a round.

@@ -4,6 +4,7 @@
 //! all entries run it in turns, and the run that is timed is also the run whose error is measured.
 //! So a program that is fast when timed and exact when checked gains nothing.
 
+mod class;
 mod entry;
 mod racing;
 mod ranking;
@@ -11,6 +12,7 @@ mod show;
 mod trial;
 
 use std::hash::{BuildHasher, RandomState};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -42,6 +44,9 @@ const LANDMARKS: &str = "book/data/lab14-landmarks.json";
 /// multiple of the official step's error. A time or error for all kinds is the geometric mean. An
 /// entry that loses a particle, leaves the box, needs more memory with every step, or ends elsewhere in
 /// a second run is shown with the reason and is not ranked.
+///
+/// With `--class` nothing is measured. The command reads results that it wrote with `--json`, and writes a
+/// page for the class with the plane, in which entries have numbers, and a list of points.
 #[derive(Args)]
 pub struct Options {
     /// The programs, such as lab14 or solution10 [default: lab14]
@@ -62,6 +67,9 @@ pub struct Options {
     /// Greatest time of a run in seconds
     #[arg(long, default_value_t = 60, value_name = "SECONDS")]
     limit: u64,
+    /// Make the page of a class from the files NAME.json in this folder (for instructors)
+    #[arg(long, value_name = "FOLDER", exclusive = true)]
+    class: Option<PathBuf>,
     #[command(flatten)]
     caches: Caches,
     #[command(flatten)]
@@ -87,6 +95,10 @@ impl Options {
 
 /// Measures, and prints and writes the results.
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+    if let Some(folder) = &options.class {
+        class::write(kit, folder)?;
+        return Ok(ExitCode::SUCCESS);
+    }
     if options.quick {
         options.rounds = 1;
     }

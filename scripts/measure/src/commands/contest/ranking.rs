@@ -59,10 +59,13 @@ impl Ranking {
     /// Returns the place of an entry among all: one more than the number of entries that are
     /// certainly better. `None` if it is not ranked.
     pub(super) fn place(self, entry: &Entry, all: &[&Entry]) -> Option<usize> {
-        let own = self.of(entry)?;
-        let others = all.iter().filter_map(|other| self.of(other));
-        let better = others.filter(|other| other.median < own.min).count();
-        Some(better + 1)
+        self.of(entry)?;
+        Some(all.iter().filter(|other| self.is_better(other, entry)).count() + 1)
+    }
+
+    /// Whether an entry is certainly better than another one. Both must be ranked.
+    pub(super) fn is_better(self, entry: &Entry, other: &Entry) -> bool {
+        self.of(entry).zip(self.of(other)).is_some_and(|(own, other)| own.median < other.min)
     }
 }
 

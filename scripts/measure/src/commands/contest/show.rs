@@ -24,7 +24,7 @@ pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
     for (at, entry) in all.iter().enumerate() {
         let star = if at < entries.len() { "" } else { " *" };
         let places = Ranking::ALL.iter().map(|ranking| place(*ranking, entry, &all)).collect();
-        rows.push(Row { name: format!("{}{star}", entry.program), entry, places });
+        rows.push(Row { name: entry.name() + star, entry, places });
     }
     let mut places = Columns::of("all kinds", |row: &Row| row.name.clone())
         .perhaps("time", |row| row.entry.time.map(range))
@@ -47,7 +47,7 @@ pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
     let mut text = format!("{}\n{}", places.table(&rows), kinds.table(&rows));
     for entry in &all {
         if let Some(fault) = entry.faults.first() {
-            text += &format!("\nnot ranked: {}: {fault}", entry.program);
+            text += &format!("\nnot ranked: {}: {fault}", entry.name());
         }
     }
     text + "\n1 is the time of solution2:sorted, and the error of the official step. A place with = is shared.\n\
@@ -95,7 +95,7 @@ fn point(entry: &Entry) -> Option<(f64, f64)> {
 
 /// Makes the mark of an entry. The kit's engines are named without their lab.
 fn series(look: Look, entry: &Entry) -> Series {
-    let program = entry.program.to_string();
+    let program = entry.name();
     let short = program.split_once(':').filter(|_| entry.program.solution);
     let out = if entry.faults.is_empty() { "" } else { " (out)" };
     let name = format!("{}{out}", short.map_or(&*program, |(_, variant)| variant));
