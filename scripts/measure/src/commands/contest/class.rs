@@ -45,9 +45,9 @@ pub(super) fn write(kit: &Kit, folder: &Path) -> Result<()> {
     let mut points = String::new();
     for (number, student) in (1..).zip(&mut students) {
         let Student { name, entry, points: earned } = student;
-        entry.alias = Some(format!("entry {number}"));
+        entry.alias = Some(format!("no. {number}"));
         writeln!(list, "{name},{number},{earned}")?;
-        writeln!(points, "entry {number:<4} {earned:>4}")?;
+        writeln!(points, "no. {number:<4} {earned:>4}")?;
     }
     let entries: Vec<Entry> = students.into_iter().map(|student| student.entry).collect();
     let tables = show::tables(&entries, &landmarks);
@@ -142,8 +142,8 @@ fn page(lab: Lab, text: &str) -> String {
          <meta name=\"viewport\" content=\"width=device-width\">\n<title>Lab {lab}: the contest</title>\n\
          <style>body {{ max-width: 60rem; margin: auto; padding: 1rem; font-family: sans-serif }} \
          img {{ max-width: 100% }} pre {{ overflow-x: auto }}</style>\n\
-         <h1>Lab {lab}: the contest</h1>\n<img src=\"plane.svg\" alt=\"The entries and the kit's engines in the \
-         plane of error and run time. To the left is more accurate, and down is faster.\">\n<pre>{text}</pre>\n</html>\n"
+         <h1>Lab {lab}: the contest</h1>\n<a href=\"plane.svg\"><img src=\"plane.svg\" alt=\"The entries and the kit's engines in the \
+         plane of error and run time. To the left is more accurate, and down is faster.\"></a>\n<pre>{text}</pre>\n</html>\n"
     )
 }
 
