@@ -6,7 +6,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 use lab_kit::facts::Goal;
-use lab_kit::files::{digest, write_file};
+use lab_kit::files::{digest, read_bytes, write_file};
 use lab_kit::{Kit, Lab};
 use serde::Deserialize;
 
@@ -28,10 +28,9 @@ struct Student {
 
 /// Writes the page of the files `NAME.json` in `folder`, the plane, and the points.
 ///
-/// The page names nobody: each entry has a number, which follows from the student's name and the
-/// scenes' seed. `points.csv` lists names, numbers and points.
+/// The page names nobody: each entry has a number. `points.csv` lists names, numbers and points.
 pub(super) fn write(kit: &Kit, folder: &Path) -> Result<()> {
-    let (files, seed) = read(folder)?;
+    let files = read(folder)?;
     let lab = files[0].1[0].program.lab;
     let goals = kit.facts(lab)?.goals;
     let landmarks = landmarks(kit, &[]);
@@ -39,8 +38,6 @@ pub(super) fn write(kit: &Kit, folder: &Path) -> Result<()> {
     for (name, entries) in files {
         students.extend(best(name, entries, &goals, &landmarks)?);
     }
-    // The order of names would give the numbers away.
-    students.sort_by_cached_key(|student| digest(format!("{seed} {}", student.name).as_bytes()));
     let mut list = String::from("name,entry,points\n");
     let mut points = String::new();
     for (number, student) in (1..).zip(&mut students) {
@@ -63,8 +60,11 @@ pub(super) fn write(kit: &Kit, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Reads the entries of all students, by name, and the seed that they share.
-fn read(folder: &Path) -> Result<(Vec<(String, Vec<Entry>)>, u32)> {
+/// Reads the entries of all students, by name. The order of the files reveals no name.
+///
+/// # Errors
+/// If two files have different scenes, or if a file is not of a contest.
+fn read(folder: &Path) -> Result<Vec<(String, Vec<Entry>)>> {
     let unread = || format!("cannot read {}", folder.display());
     let mut files = Vec::new();
     let mut seed = None;
@@ -78,15 +78,18 @@ fn read(folder: &Path) -> Result<(Vec<(String, Vec<Entry>)>, u32)> {
         let first = *seed.get_or_insert(results.seed);
         ensure!(
             first == results.seed,
-            "{} has the scenes of seed {}, and other files have those of seed {first}: measure all with one --seed",
+            "{} has the scenes of seed {}, and other files those of seed {first}: use one --seed",
             path.display(),
             results.seed
         );
         ensure!(!results.entries.is_empty(), "{}: no entry", path.display());
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        files.push((name, results.entries));
+        files.push((digest(&read_bytes(&path)?), name, results.entries));
     }
-    Ok((files, seed.with_context(|| format!("{} has no file NAME.json", folder.display()))?))
+    ensure!(!files.is_empty(), "{} has no file NAME.json", folder.display());
+    // Nobody but the instructor knows the measured times, on which the digests depend.
+    files.sort_by(|(a, ..), (b, ..)| a.cmp(b));
+    Ok(files.into_iter().map(|(_, name, entries)| (name, entries)).collect())
 }
 
 /// Returns a student's entry with the most points, and the fastest of several such entries.
@@ -139,11 +142,14 @@ fn page(lab: Lab, text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;");
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width\">\n<title>Lab {lab}: the contest</title>\n\
+         <meta name=\"viewport\" content=\"width=device-width\">\n\
+         <title>Lab {lab}: the contest</title>\n\
          <style>body {{ max-width: 60rem; margin: auto; padding: 1rem; font-family: sans-serif }} \
          img {{ max-width: 100% }} pre {{ overflow-x: auto }}</style>\n\
-         <h1>Lab {lab}: the contest</h1>\n<a href=\"plane.svg\"><img src=\"plane.svg\" alt=\"The entries and the kit's engines in the \
-         plane of error and run time. To the left is more accurate, and down is faster.\"></a>\n<pre>{text}</pre>\n</html>\n"
+         <h1>Lab {lab}: the contest</h1>\n\
+         <a href=\"plane.svg\"><img src=\"plane.svg\" alt=\"The entries and the kit's engines in \
+         the plane of error and run time. To the left is more accurate, and down is faster.\"></a>\n\
+         <pre>{text}</pre>\n</html>\n"
     )
 }
 
