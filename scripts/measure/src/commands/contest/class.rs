@@ -1,4 +1,4 @@
-//! `cargo lab contest --class`: the page of a class, from files that the command wrote with `--json`.
+//! `cargo lab contest --class`: the page of a class, from files that `--json` wrote.
 
 use std::fmt::Write;
 use std::fs;
@@ -148,7 +148,8 @@ fn page(lab: Lab, text: &str) -> String {
          img {{ max-width: 100% }} pre {{ overflow-x: auto }}</style>\n\
          <h1>Lab {lab}: the contest</h1>\n\
          <a href=\"plane.svg\"><img src=\"plane.svg\" alt=\"The entries and the kit's engines in \
-         the plane of error and run time. To the left is more accurate, and down is faster.\"></a>\n\
+         the plane of error and run time. To the left is more accurate, and down is \
+         faster.\"></a>\n\
          <pre>{text}</pre>\n</html>\n"
     )
 }
