@@ -9,7 +9,7 @@ use super::outliers::{Outlier, Outliers};
 use crate::kernels::Primitives;
 use crate::particles::{Bodies, Sample};
 
-/// A new list may be too slow for one particle in this number of particles.
+/// A new list is made for a speed that one particle in this number of particles exceeds.
 const PARTICLES_PER_FAST_PARTICLE: usize = 1000;
 /// Number of particles whose speeds are sampled.
 const SAMPLE: usize = 1024;
@@ -140,9 +140,9 @@ impl Limits {
         fast: impl Iterator<Item = u32>,
         workers: &Workers,
     ) -> u64 {
-        // The steps that are left are divided into equal periods, so that the last inner list is
-        // not built for a step or two. A list is first used before any particle has moved, so it
-        // has one step more.
+        // The steps that are left are divided into equal periods, so that no inner list is built
+        // for the last one or two steps only. A list is first used before any particle has moved,
+        // so it lasts one step longer.
         let left = 0.5 * list.budget.skin - list.budget.displacement;
         let steps_left = 1.0 + left / self.displacement;
         let periods = (steps_left / self.steps.unwrap_or(1.0)).round().max(1.0);
