@@ -17,8 +17,8 @@ pub(super) struct Groups {
 impl Groups {
     /// Returns the groups of particles at positions `at` for the next `dt`.
     ///
-    /// Each particle is no faster than its entry of `fastest`. So it stays within this speed times
-    /// `dt`, reflected or not.
+    /// Each particle is no faster than its entry of `fastest`. So it stays within the distance of
+    /// this speed times `dt` from its position, even if a wall reflects it.
     pub(super) fn new(at: &[Vec2], fastest: &[f64], dt: f64) -> Self {
         let n = at.len();
         let discs = at.iter().zip(fastest).zip(0..).map(|((at, fastest), index)| Disc {
