@@ -68,8 +68,8 @@ const TOLD_INSIDE: [Kind; 15] = [
     ("never gets above zero", |d| [-d.gap - d.s * d.s, 2.0 * d.s, -1.0]),
 ];
 
-/// A number that changes along a parabola, in any units. A bend moves everything but both ends to
-/// earlier times, so that the curve is not a parabola.
+/// A number that changes along a parabola, in any units. If the number is bent, all times except
+/// for both ends are earlier, so that its curve is not a parabola.
 struct Number {
     kind: &'static str,
     parabola: [f64; 3],
