@@ -15,8 +15,8 @@ const DIALECT: Options = Options::ENABLE_TABLES
     .union(Options::ENABLE_TASKLISTS)
     .union(Options::ENABLE_HEADING_ATTRIBUTES);
 
-/// Punctuation that stays on the line of the formula behind it; `CLOSING` is for the formula before
-/// it.
+/// Punctuation that stays on the line of the next formula; `CLOSING` stays on the line of the
+/// previous formula.
 const OPENING: [char; 2] = ['(', '“'];
 const CLOSING: [char; 7] = [',', '.', ';', ':', '?', ')', '”'];
 

@@ -14,8 +14,8 @@ const BYTES: u64 = MOST as u64 * 2 * 8;
 
 /// The time that each kernel ran, by *timestamp queries*.
 ///
-/// The device reads its clock before and after a launch. The host's clock would include the way to
-/// the device and back.
+/// The device reads its clock before and after a launch. The host's clock would also measure the
+/// communication with the device.
 pub struct Stopwatch {
     queries: QuerySet,
     resolved: Buffer,

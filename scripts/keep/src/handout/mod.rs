@@ -43,7 +43,7 @@ pub struct Options {
     own: bool,
 }
 
-/// What the labs of a tree build on.
+/// The earlier work that the labs of a tree build on.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Earlier {
     /// The solutions of earlier labs.

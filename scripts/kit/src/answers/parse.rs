@@ -34,7 +34,7 @@ impl Part {
 pub struct Region {
     /// The task and its letter.
     pub id: RegionId,
-    /// Title behind the colon of the opening mark.
+    /// Title after the colon of the opening mark.
     pub title: String,
     /// Line of the opening mark, from 1.
     pub line: usize,

@@ -23,7 +23,8 @@ const LEAST: f64 = 1e-7 * CUTOFF;
 /// Greatest distance (rms) between the ends of two runs, as a share of the official step's error.
 const ROUNDING: f64 = 0.01;
 
-/// Greatest growth of memory in the steps between two runs, in bytes, and the numbers of steps.
+/// Greatest growth of memory between a run and a longer run, in bytes, and the numbers of steps of
+/// the two runs.
 const GROWTH: u64 = 4 << 20;
 const SHORT: u64 = 100;
 const LONG: u64 = 3000;
@@ -83,8 +84,8 @@ impl Contest {
         Ok(())
     }
 
-    /// Runs the first scene again, and runs it for longer. A second end that differs by more than
-    /// rounding is a fault, and so is memory that grows with the steps.
+    /// Runs the first scene again, and runs it for longer. Two faults are possible: the second run
+    /// ends differently, by more than rounding, or the memory grows with the steps.
     pub(super) fn repeat(&self, runner: &Runner, drawn: &Drawn, entry: &mut Entry) -> Result<()> {
         if !entry.faults.is_empty() {
             return Ok(());

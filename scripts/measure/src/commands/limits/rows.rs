@@ -46,7 +46,7 @@ pub(super) struct Row {
 #[derive(Deserialize, Serialize)]
 pub(super) struct Shared {
     pub(super) time: f64,
-    /// An equal share of one worker's time, as a share of the time.
+    /// The time of one worker, divided by the number of workers and by the time of this run.
     reached: f64,
     /// Shares of the time, as means of the workers; `None` if they are not counted.
     waiting: Option<f64>,
