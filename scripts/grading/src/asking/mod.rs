@@ -24,13 +24,13 @@ use lab_kit::process::Finished;
 use table::Question;
 
 /// Message for a program that was killed, by the grader or by the system.
-const KILLED: &str = "it was ended: it needed more memory than it may have";
+const KILLED: &str = "it was ended, because it needed more memory than a submission is allowed";
 
 /// Number of printed bytes that explains why a program has no answer, and the message about it.
 ///
 /// Such a program has spent its time printing.
 const MUCH: usize = 1 << 19;
-const PRINTS: &str = "it prints too much: take out what prints for each particle or pair";
+const PRINTS: &str = "it prints too much: remove the output for each particle or pair";
 
 /// Message for a task whose questions all need another task that is wrong.
 const UNASKED: &str = "not asked, because each of its questions needs a task that is wrong";

@@ -162,7 +162,7 @@ impl Sandbox {
             sandbox.keeps = false;
             sandbox.as_nobody = nobody::can_build(&sandbox.sysroot, &sandbox.cargo_home);
             let rights = if sandbox.as_nobody { "as nobody" } else { "with all your rights" };
-            eprintln!("NO SANDBOX: what was handed in runs {rights}");
+            eprintln!("NO SANDBOX: submissions run {rights}");
         }
         Ok(sandbox)
     }
@@ -260,8 +260,8 @@ impl Sandbox {
     /// The program may write only the file `written`.
     fn inside(&self, folder: &Path, written: Option<&Path>) -> Command {
         // Processes are counted by user. The limit is set inside, where only this sandbox's
-        // processes count. Set outside, one fork bomb would keep every other submission from
-        // starting.
+        // processes count. If the limit were set outside, one fork bomb would keep every other
+        // submission from starting.
         let mut command = if getuid().is_root() {
             let mut command = launcher("setpriv");
             command.args(["--reuid", NOBODY, "--regid", NOBODY, "--clear-groups", SHELL]);

@@ -73,7 +73,7 @@ fn scene(random: &mut Random) -> u32 {
 
 /// Whether every measure is graded that can be graded on a machine with this many cores.
 pub(crate) fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool {
-    // With one core scaling is never graded.
+    // On a machine with one core, scaling is never graded.
     let cannot_be = |measure: &Measure| measure.kind == Kind::Scaling && cores == 1;
     let is_judged = |measure: &Measure| measure.counts() || cannot_be(measure);
     record.timed && judge(record, rubric).iter().all(is_judged)

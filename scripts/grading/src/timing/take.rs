@@ -102,7 +102,7 @@ pub(crate) fn take(
         Ok(Reply::State(end, state)) => (end, state),
         Ok(Reply::TooMuch) => {
             return wrong(
-                "it prints too much while it is timed: take out what prints in each step",
+                "it prints too much while it is timed: remove the output in each step",
             );
         }
         Ok(_) => return wrong("it talks nonsense"),
