@@ -144,8 +144,8 @@ oracle::questions! {
             => "Two members, of which member 1 is late in each part: the parts that both have ended when a member \
                 begins a part.",
         rehearsals = barriers::rehearsals
-            => "Three members, one of which is delayed in each part: the members that have ended the part before when \
-                a part begins. All three must have ended it.",
+            => "Three members, one of which is delayed in each part: the number of members that have ended the \
+                previous part when a part begins. All three must have ended it.",
         three_barriers = barriers::meetings
             => "One member: the number of its parts and of its barriers in few and in many steps.",
     }

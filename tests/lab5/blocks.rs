@@ -94,7 +94,7 @@ impl Blocks {
         owners.filter(|owner| *owner != self.owner(row)).collect()
     }
 
-    /// Returns whether another rank than the owner of `block` sees a row.
+    /// Returns whether any rank other than the owner of `block` sees a row.
     pub(crate) fn is_seen(&self, row: usize, block: &Range<usize>) -> bool {
         let others =
             self.blocks.iter().filter(|other| !other.is_empty() && other.start != block.start);

@@ -10,6 +10,7 @@ use crate::device::Gpu;
 
 /// Greatest number of launches that are timed in one piece of work.
 const MOST: u32 = 256;
+/// Bytes of the timestamps of these launches, two for each.
 const BYTES: u64 = MOST as u64 * 2 * 8;
 
 /// The time that each kernel ran, by *timestamp queries*.

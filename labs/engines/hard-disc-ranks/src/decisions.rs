@@ -83,8 +83,8 @@ impl Decisions {
         discs.map(|number| self.slot(number?)).into_iter().flatten()
     }
 
-    /// Returns a candidate, which this rank has found, with slots instead of numbers: the form in
-    /// `queues`.
+    /// Returns a candidate in the form of `queues`: its discs are slots, not numbers. This rank
+    /// must have found the candidate.
     pub fn local(&self, candidate: &Candidate) -> Candidate {
         renamed(candidate, |number| self.slot(number).expect("its discs are here") as u32)
     }

@@ -31,8 +31,9 @@ const FIRST: Duration = Duration::from_secs(900);
 /// Beginning of the message about a build that exceeded its time limit.
 const LATE: &str = "no build within";
 
-/// Name of the package whose programs call a submission, and its folder in a tree.
+/// Name of the package whose programs call a submission.
 const PROBE: &str = "probe";
+/// Folder of this package in a tree.
 const PACKAGE: &str = "labs/lab-probe";
 
 /// A tree for building submissions, one after another.

@@ -30,8 +30,9 @@ use judge::is_noisy;
 pub(crate) use judge::{judge, seconds_of};
 pub(crate) use take::PROGRAM;
 
-/// Smallest and largest number of rounds.
+/// Smallest number of rounds.
 const LEAST: usize = 5;
+/// Largest number of rounds.
 const MOST: usize = 15;
 
 /// Time after which no further round begins.

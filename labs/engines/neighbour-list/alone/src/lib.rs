@@ -72,8 +72,8 @@ struct Loop {
     /// Zero accelerations.
     zeros: Vec<f64>,
     pairs: Vec<Pair>,
-    /// Whether near pairs are random: the near particles of a particle, and the number of particles
-    /// that it is compared with.
+    /// Whether chance decides which particles are near, and how many particles each is compared
+    /// with.
     drawn: bool,
     passes: usize,
     /// Number of near pairs and of chunks with a particle outside. The compiler cannot omit work
@@ -91,7 +91,7 @@ struct Plain<'a>(&'a mut Loop);
 /// Calls [`collect`](Primitives::collect) for nearly all particles, each with the next three
 /// particles.
 ///
-/// If near pairs are random, each has the next zero to six particles instead.
+/// If near pairs are random, a particle is compared with the next zero to six particles instead.
 struct Collect<'a, P>(&'a mut Loop, PhantomData<P>);
 
 /// Calls [`filter`](Primitives::filter) with a pair for nearly each particle: the particle and the

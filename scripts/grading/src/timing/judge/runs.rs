@@ -13,11 +13,9 @@ const QUIET: f64 = 1.06;
 /// program is 25 times as fast as the slowest program that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// Bounds that define waiting: the share of the time spent working, and the seconds of waiting.
-///
-/// A program with a processor has waited if it worked for less than this share, and waited for more
-/// than these seconds in each take. Shorter waits are errors of the clock.
+/// Share of its time that a program with a processor works, unless it waits.
 const MOSTLY: f64 = 0.7;
+/// Seconds in a take above which a pause counts as waiting. Shorter pauses are errors of the clock.
 const LONG: f64 = 0.01;
 
 /// All runs of a record, and the measure that they are for.

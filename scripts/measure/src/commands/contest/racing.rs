@@ -23,10 +23,11 @@ const LEAST: f64 = 1e-7 * CUTOFF;
 /// Greatest distance (rms) between the ends of two runs, as a share of the official step's error.
 const ROUNDING: f64 = 0.01;
 
-/// Greatest growth of memory between a run and a longer run, in bytes, and the numbers of steps of
-/// the two runs.
+/// Greatest growth of memory between a short run and a long run, in bytes.
 const GROWTH: u64 = 4 << 20;
+/// Number of steps of the short run.
 const SHORT: u64 = 100;
+/// Number of steps of the long run.
 const LONG: u64 = 3000;
 
 /// Settings that all runs share.

@@ -29,8 +29,9 @@ use super::table::{Cells, Kind};
 use crate::particles::{Bodies, make_room};
 use crate::threads::{cut, pieces};
 
-/// Approximate number of particles in a band, and the greatest number of bands.
+/// Approximate number of particles in a band.
 const BAND: usize = 4096;
+/// Greatest number of bands.
 const BANDS: usize = 256;
 
 /// The memory of a sort, kept for the next one.
