@@ -125,7 +125,9 @@ fn judged(found: &[f64], scene: &Scene, steps: u64, right: &[Particle]) -> Resul
     if own <= ALLOWED * official + LEAST {
         return Ok(());
     }
-    Err(format!("the error (rms) is {own:.3e}, and the error of the official step is {official:.3e}"))
+    Err(format!(
+        "the error (rms) is {own:.3e}, and the error of the official step is {official:.3e}"
+    ))
 }
 
 /// Returns the root of the mean squared distance from the right positions.

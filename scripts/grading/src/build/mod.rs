@@ -135,7 +135,8 @@ impl Tree {
         clean(root, &[PROBE], sandbox)?;
         // Short messages quote no line of the questions, which a student must not read.
         if let Some(why) = compile(root, sandbox, order, until, "short")? {
-            let what = "it compiles alone, but the grader cannot call it (was a signature changed?)";
+            let what =
+                "it compiles alone, but the grader cannot call it (was a signature changed?)";
             return Ok(Err(format!("{what}:\n{why}")));
         }
         let folder = sandbox.folder()?;

@@ -37,8 +37,7 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     } else if let Some(trouble) = trouble(record.status) {
         out += &format!("The submission {trouble}.\n\n{}\n", fenced(&record.message));
         if record.status == Status::NotBuilt {
-            out +=
-                "`cargo lab check` compiles a lab as the grader does; hand in a version that \
+            out += "`cargo lab check` compiles a lab as the grader does; hand in a version that \
                  passes this check.\n\n";
         }
     } else {
