@@ -69,7 +69,8 @@ pub struct Facts {
     /// Points for an entry in the contest, in addition to the tasks' points.
     #[serde(default, rename = "goal")]
     pub goals: Vec<Goal>,
-    /// What grading does not judge, and what to do about it; `None` if it judges everything.
+    /// Text about the work that grading does not judge, with advice for the instructor; `None` if
+    /// it judges everything.
     pub ungraded: Option<String>,
     /// Loops that `cargo lab speed` times.
     #[serde(default, rename = "race")]

@@ -113,8 +113,8 @@ pub(crate) fn held(_: &mut Random, ask: &mut impl Ask) {
     );
 }
 
-/// Takes a lock that another thread holds until this thread requests it for the second time, or for
-/// two seconds.
+/// Takes a lock, which another thread holds at first. The other thread releases it when the meter
+/// has requested it twice, or after two seconds.
 fn wait_for_it(meter: &mut Meter) {
     let mut lock = Lock::new(0, ());
     let requests = Arc::<Requests>::default();
@@ -127,7 +127,7 @@ fn wait_for_it(meter: &mut Meter) {
             let _guard = lock.lock();
             held.send(()).expect("the meter waits");
             let end = Instant::now() + Duration::from_secs(2);
-            // The first request is made by this thread.
+            // The first of the counted requests is this thread's own.
             while requests.0.load(Ordering::SeqCst) < 3 && Instant::now() < end {
                 thread::yield_now();
             }

@@ -23,9 +23,11 @@ const PAUSE: u128 = 1_000_000;
 /// take minutes.
 const PAUSES: u32 = 10;
 
-/// Size of a traced run, and its time limit.
+/// Number of particles of a traced run.
 pub(super) const PARTICLES: usize = 60;
+/// Number of steps of a traced run.
 pub(super) const STEPS: usize = 3;
+/// Time limit of a traced run.
 const LIMIT: Duration = Duration::from_secs(60);
 
 /// Executions of a program's lines.
