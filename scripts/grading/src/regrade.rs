@@ -9,7 +9,7 @@ use clap::Args;
 use crate::escape::line;
 use crate::record::{self, Record};
 use crate::report;
-use crate::roll::Roll;
+use crate::roster::ClassFile;
 use crate::score::score;
 use lab_kit::Kit;
 use lab_kit::rubric;
@@ -48,11 +48,11 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let rubric = rubric::read(kit, lab)?;
     rubric.warn(lab);
     let mut after = before.clone();
-    let roll = Roll::read(folder, &rubric)?;
-    let rubric = roll.rubric(&rubric);
-    roll.tell(&mut after);
+    let class = ClassFile::read(folder, &rubric)?;
+    let rubric = class.rubric(&rubric);
+    class.tell(&mut after);
     after.iter_mut().try_for_each(|record| score(record, &rubric))?;
-    let attendance = roll.attendance(&mut after);
+    let attendance = class.attendance(&mut after);
     if let Some(folder) = since {
         before = record::read_all(folder)?;
     }
@@ -60,7 +60,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     say_changes(&before, &after, verb);
     if !dry_run {
         after.iter().try_for_each(|record| record.write(folder))?;
-        report::write(kit, lab, &after, (&roll, &attendance), folder)?;
+        report::write(kit, lab, &after, (&class, &attendance), folder)?;
         attendance.say(&after);
         println!("The class: {}", folder.join("index.html").display());
     }

@@ -8,11 +8,11 @@ use anyhow::{Result, ensure};
 use clap::Args;
 
 use crate::escape::line;
-use crate::intake;
-use crate::intake::names::named;
+use crate::submission;
+use crate::submission::names::named;
 use lab_kit::files::write_file;
+use lab_kit::sources::{Sources, of_solution};
 use lab_kit::starter;
-use lab_kit::submission::{Sources, of_solution};
 use lab_kit::{Kit, Lab};
 
 /// Write a class in the form that Dolos compares (for instructors)
@@ -45,10 +45,10 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     for (label, folders) in [("now", &[options.folder][..]), ("before", &options.before)] {
         let mut paths = Vec::new();
         for folder in folders {
-            paths.extend(intake::submissions(kit, folder)?);
+            paths.extend(submission::list(kit, folder)?);
         }
         for (name, path) in named(paths) {
-            let handed_in = match intake::read(&path) {
+            let handed_in = match submission::read(&path) {
                 Ok(handed_in) => handed_in,
                 Err(error) => {
                     eprintln!("passed over: {}", line(&format!("{error:#}")));
@@ -107,7 +107,7 @@ mod tests {
 
     use super::{Options, run};
     use lab_kit::Kit;
-    use lab_kit::submission::{Sources, pack};
+    use lab_kit::sources::{Sources, pack};
 
     #[test]
     fn each_submission_is_a_file_and_the_starter_is_ignored() {

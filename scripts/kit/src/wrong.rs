@@ -34,8 +34,8 @@ use crate::answers::{self, MarkedFile, Part, RegionId, Task};
 use crate::files::read_text;
 use crate::kit::Kit;
 use crate::lab::Lab;
+use crate::sources::{Sources, of_solution};
 use crate::starter::rename;
-use crate::submission::{Sources, of_solution};
 
 /// A wrong answer to a task, or an unusual right one.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,7 +11,7 @@ use crate::test::expect_task;
 use lab_kit::Kit;
 use lab_kit::answers::Task;
 use lab_kit::hints::{self, Hints, TIERS};
-use lab_kit::page::folded;
+use lab_kit::terminal::folded;
 
 /// Get a hint for a task: first a nudge, then the idea, then nearly the answer
 ///

@@ -7,7 +7,7 @@ use crate::tasks::{self, Progress, State, passes, print_tasks};
 use crate::test::What;
 use lab_kit::answers::Task;
 use lab_kit::harness::{Outcome, Verdict};
-use lab_kit::page::folded;
+use lab_kit::terminal::folded;
 use lab_kit::{Kit, Lab};
 
 /// Maximal number of lines shown of a test's message.

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use anyhow::{Context, Result, ensure};
 
-use super::table::Question;
+use super::question_list::Question;
 use lab_kit::process::run;
 use lab_kit::{Kit, Lab};
 

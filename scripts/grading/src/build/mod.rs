@@ -21,7 +21,7 @@ use lab_keep::handout;
 use lab_kit::files::{read_bytes, write_file};
 use lab_kit::process::run as run_process;
 use lab_kit::rubric;
-use lab_kit::submission::{Sources, of_solution};
+use lab_kit::sources::{Sources, of_solution};
 use lab_kit::{Kit, Lab, files_below};
 use programs::{NAMES, Programs};
 

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, ensure};
 use crate::{asking, timing};
 use lab_kit::Facts;
 use lab_kit::files::{read_bytes, write_file};
-use lab_kit::submission::Sources;
+use lab_kit::sources::Sources;
 use lab_kit::{Kit, Lab, files_below};
 
 /// Manifest and sources of the package, by their paths in it.

@@ -18,8 +18,8 @@ use super::{Named, Options, finish};
 use crate::build::Tree;
 use crate::escape::line;
 use crate::record::{self, FORMAT, Record, Status};
-use crate::roll::Roll;
-use crate::sandbox::memory::Guard;
+use crate::roster::ClassFile;
+use crate::sandbox::memory_guard::Guard;
 use crate::sandbox::{BUILD_QUOTA, Limits, Sandbox, room};
 use crate::timing;
 use lab_kit::machine::{cores, on_all_cores};
@@ -44,7 +44,7 @@ pub(crate) fn grade(
     room::make_for_records(into)?;
     let grader = Grader::new(kit, lab, options, sandbox, into)?;
     // A mistake in `class.toml` is better reported before grading than after it.
-    Roll::read(into, &grader.rubric)?;
+    ClassFile::read(into, &grader.rubric)?;
     let left = Left::of(&grader, submissions, into, options);
     if options.seed.is_some() && left.open.iter().any(|(name, _)| !record_of(into, name).exists()) {
         eprintln!(
@@ -187,8 +187,8 @@ fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>)
         Err(error) => {
             record.status == Status::Unreadable && record.message == grader.message_of(&error, path)
         }
-        Ok(intake) if intake.files.is_empty() => record.status == Status::Empty,
-        Ok(intake) => record.hash == hash(&intake.files),
+        Ok(submission) if submission.files.is_empty() => record.status == Status::Empty,
+        Ok(submission) => record.hash == hash(&submission.files),
     };
     let asked = |task: &String| record.tasks.iter().any(|asked| asked.id == *task);
     same && record.format == FORMAT

@@ -12,11 +12,11 @@ use super::batch::{bar, done};
 use super::grader::{Grader, Reference};
 use crate::build::Tree;
 use crate::escape::line;
-use crate::intake::known_wrong;
 use crate::record::{self, Record, Status, scale};
-use crate::roll::Roll;
-use crate::roll::late::file_time;
+use crate::roster::ClassFile;
+use crate::roster::late::file_time;
 use crate::score::score;
+use crate::submission::known_wrong;
 use crate::{report, timing};
 
 /// Times one submission after another. Returns whether all could be timed.
@@ -69,13 +69,13 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
         let own = records.iter_mut().find(|record| record.name == *name);
         own.into_iter().for_each(|record| record.handed_in = file_time(path, grader.lab));
     }
-    let roll = Roll::read(into, &grader.rubric)?;
-    let rubric = roll.rubric(&grader.rubric);
-    roll.tell(&mut records);
+    let class = ClassFile::read(into, &grader.rubric)?;
+    let rubric = class.rubric(&grader.rubric);
+    class.tell(&mut records);
     records.iter_mut().try_for_each(|record| score(record, &rubric))?;
-    let attendance = roll.attendance(&mut records);
+    let attendance = class.attendance(&mut records);
     records.iter().try_for_each(|record| record.write(into))?;
-    report::write(grader.kit, grader.lab, &records, (&roll, &attendance), into)?;
+    report::write(grader.kit, grader.lab, &records, (&class, &attendance), into)?;
     let full = scale(&records);
     let mut ended = ExitCode::SUCCESS;
     for (name, path) in submissions {
@@ -92,12 +92,12 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
         }
     }
     attendance.say(&records);
-    if let Some(deadline) = roll.deadline() {
+    if let Some(deadline) = class.deadline() {
         println!("The deadline was {}.", line(&deadline));
     }
     let unpacked = submissions.iter().filter(|(_, path)| path.is_dir());
     let unpacked: Vec<&str> = unpacked.map(|(name, _)| name.as_str()).collect();
-    if !unpacked.is_empty() && roll.trusts_files() {
+    if !unpacked.is_empty() && class.trusts_files() {
         println!(
             "A folder's hand-in time is that of the files in it, which its student can set: name a file of times \
              in class.toml. Folders: {}",
@@ -113,8 +113,8 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
 
 /// Builds the programs of a submission that was graded before.
 fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<TempDir> {
-    let intake = grader.take(path)?;
-    let built = tree.build(grader.sandbox, &intake.files)?;
+    let submission = grader.take(path)?;
+    let built = tree.build(grader.sandbox, &submission.files)?;
     built.map_err(|why| anyhow!("it was graded, and cannot be built now: {why}"))
 }
 

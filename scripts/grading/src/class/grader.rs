@@ -11,15 +11,15 @@ use super::Options;
 use crate::asking::{JUDGE, Judge, Questions};
 use crate::build::{Tree, graded_by};
 use crate::escape::{cut, plain};
-use crate::intake::{self, Intake, forbidden};
 use crate::record::{FORMAT, Record, Status, Task};
 use crate::sandbox::Sandbox;
+use crate::submission::{self, Submission, forbidden};
 use crate::timing::whole_program;
 use lab_kit::Facts;
 use lab_kit::files::{digest, write_file};
 use lab_kit::machine::machine;
 use lab_kit::rubric;
-use lab_kit::submission::Sources;
+use lab_kit::sources::Sources;
 use lab_kit::{Given, Kit, Lab};
 
 /// Maximal number of characters kept of a message about a submission or a task.
@@ -65,8 +65,8 @@ impl<'a> Grader<'a> {
     }
 
     /// Reads one submission.
-    pub(crate) fn take(&self, path: &Path) -> Result<Intake> {
-        intake::take(self.kit, self.lab, &self.given, path)
+    pub(crate) fn take(&self, path: &Path) -> Result<Submission> {
+        submission::take(self.kit, self.lab, &self.given, path)
     }
 
     /// Returns a random seed, so that knowing one submission's questions does not help another.
@@ -138,25 +138,25 @@ impl<'a> Grader<'a> {
                 (status, cut(&self.shown(&message, path), MESSAGE_LENGTH));
             Ok((record, None))
         };
-        let intake = match self.take(path) {
-            Ok(intake) => intake,
+        let submission = match self.take(path) {
+            Ok(submission) => submission,
             // The system cannot read the submission, which does not mean that its contents are
             // wrong.
             Err(error) if is_of_the_system(&error) => return Err(error),
             Err(error) => return ended(record, Status::Unreadable, format!("{error:#}")),
         };
-        (record.left_out, record.changed) = (intake.left_out, intake.changed);
-        if intake.files.is_empty() {
-            let message = intake::nothing(self.lab, &record.left_out);
+        (record.left_out, record.changed) = (submission.left_out, submission.changed);
+        if submission.files.is_empty() {
+            let message = submission::nothing(self.lab, &record.left_out);
             return ended(record, Status::Empty, message);
         }
-        record.hash = hash(&intake.files);
+        record.hash = hash(&submission.files);
         record.files =
-            intake.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
-        if let Some(why) = forbidden::find(&intake.files) {
+            submission.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
+        if let Some(why) = forbidden::find(&submission.files) {
             return ended(record, Status::Refused, why);
         }
-        let folder = match tree.build(self.sandbox, &intake.files)? {
+        let folder = match tree.build(self.sandbox, &submission.files)? {
             Ok(folder) => folder,
             Err(why) => return ended(record, Status::NotBuilt, why),
         };

@@ -14,10 +14,10 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 use clap::Args;
 
-use crate::intake;
-use crate::intake::names::{composed, name, named};
 use crate::record;
-use crate::roll;
+use crate::roster;
+use crate::submission;
+use crate::submission::names::{composed, name, named};
 use lab_kit::process::kill_all_on_interrupt;
 use lab_kit::rubric;
 use lab_kit::system;
@@ -71,20 +71,20 @@ pub(crate) struct Options {
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut submissions = Vec::new();
     for path in &options.paths {
-        submissions.extend(intake::submissions(kit, path)?);
+        submissions.extend(submission::list(kit, path)?);
     }
     submissions.retain(|path| {
         options.only.as_ref().is_none_or(|only| name(path).contains(&composed(only)))
     });
     ensure!(!submissions.is_empty(), "there is nothing to grade");
     let submissions = named(submissions);
-    let beside = roll::FILES.iter().filter_map(|name| {
+    let beside = roster::FILES.iter().filter_map(|name| {
         options.paths.iter().map(|path| path.join(name)).find(|path| path.is_file())
     });
     let beside: Vec<PathBuf> = beside.collect();
     let grade = |lab, submissions: &[Named], into: &Path| {
         record::expect_lab(into, lab)?;
-        beside.iter().try_for_each(|file| roll::link(file, into))?;
+        beside.iter().try_for_each(|file| roster::link(file, into))?;
         batch::grade(kit, lab, submissions, into, &options)
     };
     kill_all_on_interrupt();
@@ -99,7 +99,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let (mut graded, mut all_well) = (false, true);
     for lab in rubric::all(kit)?.into_keys() {
         // A submission that cannot be read may be for any lab. It appears in the first.
-        let handed_in = |path: &PathBuf| intake::holds(kit, lab, path).unwrap_or(!graded);
+        let handed_in = |path: &PathBuf| submission::holds(kit, lab, path).unwrap_or(!graded);
         let of_lab = submissions.iter().filter(|(_, path)| handed_in(path));
         let of_lab: Vec<_> = of_lab.cloned().collect();
         if of_lab.is_empty() {

@@ -6,7 +6,7 @@
 
 use serde_json::{Value, json};
 
-use super::{Words, letter, words};
+use super::{Words, letter, sentences};
 use crate::escape::line;
 use crate::record::Record;
 
@@ -17,7 +17,7 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
         if let Some(reading) = words.reading(&task.id).filter(|_| !task.passed) {
             output = format!("{output}\nRead {reading}.").trim_start().to_owned();
         }
-        for sentence in words::by_hand(record, Some(&task.id)) {
+        for sentence in sentences::by_hand(record, Some(&task.id)) {
             output = format!("{output}\n{}", line(&sentence)).trim_start().to_owned();
         }
         json!({
@@ -30,8 +30,8 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
         let (score, most) =
             if measure.counts() { (measure.points, measure.out_of) } else { (0.0, 0.0) };
         json!({
-            "name": line(&words::heading(measure)), "score": score, "max_score": most,
-            "output": line(&words::measured(measure)),
+            "name": line(&sentences::heading(measure)), "score": score, "max_score": most,
+            "output": line(&sentences::measured(measure)),
         })
     });
     let tests: Vec<Value> = tasks.chain(measures).collect();

@@ -1,6 +1,6 @@
 //! `feedback/NAME.md`: the letter to a student.
 
-use super::{Words, points, trouble, words};
+use super::{Words, points, sentences, trouble};
 use crate::escape::{fenced, line, markdown};
 use crate::record::{Attempt, Record, Status, Task};
 
@@ -26,7 +26,7 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
             " {open} points are open: they hang on times that were not graded (see below)."
         );
     }
-    for sentence in words::by_hand(record, None) {
+    for sentence in sentences::by_hand(record, None) {
         out += &format!(" {}", markdown(&sentence));
     }
     out += "\n\n";
@@ -97,7 +97,7 @@ fn tasks(record: &Record, words: &Words) -> String {
     }
     out.push('\n');
     for task in &record.tasks {
-        for sentence in words::by_hand(record, Some(&task.id)) {
+        for sentence in sentences::by_hand(record, Some(&task.id)) {
             out += &format!("Task {}: {}\n\n", task.id, markdown(&sentence));
         }
     }
@@ -129,14 +129,15 @@ fn speed(record: &Record, words: &Words) -> String {
     }
     let mut out = String::from("## Speed\n\n");
     for measure in &record.measures {
-        let (head, sentences) = (words::heading(measure), markdown(&words::measured(measure)));
+        let (head, sentences) =
+            (sentences::heading(measure), markdown(&sentences::measured(measure)));
         out += &format!("- **{head}.** {sentences}");
-        for sentence in words::by_hand(record, Some(measure.kind.name())) {
+        for sentence in sentences::by_hand(record, Some(measure.kind.name())) {
             out += &format!(" {}", markdown(&sentence));
         }
         out.push('\n');
     }
-    for sentence in words::speed(record, words) {
+    for sentence in sentences::speed(record, words) {
         out += &format!("- {sentence}\n");
     }
     out + "\n"

@@ -1,13 +1,13 @@
 //! Reports about a class: a page, a table, a letter to each student, and Gradescope's file.
 
-mod changes;
+mod changed_marks;
 mod csv;
 mod gradescope;
 mod letter;
 mod page;
-mod words;
+mod sentences;
 
-pub(crate) use changes::changes;
+pub(crate) use changed_marks::changes;
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -15,7 +15,7 @@ use std::path::Path;
 use anyhow::Result;
 
 use crate::record::{self, Record, Status, points, scale};
-use crate::roll::{Attendance, Roll};
+use crate::roster::{Attendance, ClassFile};
 use lab_kit::files::write_file;
 use lab_kit::hints;
 use lab_kit::{Facts, Kit, Lab};
@@ -43,7 +43,7 @@ pub(crate) fn write(
     kit: &Kit,
     lab: Lab,
     records: &[Record],
-    (roll, attendance): (&Roll, &Attendance),
+    (class, attendance): (&ClassFile, &Attendance),
     folder: &Path,
 ) -> Result<()> {
     let words = Words { full: scale(records), ..Words::of(kit, lab)? };
@@ -55,7 +55,7 @@ pub(crate) fn write(
     }
     write_file(&folder.join("index.html"), page::page(&shown, &to_see_to, &words))?;
     write_file(&folder.join("class.csv"), &csv::csv(records)?)?;
-    if let Some(marks) = roll.marks(records, attendance)? {
+    if let Some(marks) = class.marks(records, attendance)? {
         write_file(&folder.join("marks.csv"), &marks)?;
     }
     for record in records {

@@ -5,7 +5,7 @@
 //! checked by its result. All measurements go into the record unchanged, and [`judge`] computes
 //! grades from them. [`whole`] checks results only.
 
-mod check;
+mod correctness;
 mod judge;
 mod plan;
 mod processors;

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use anyhow::{Result, anyhow};
 
-use super::check::difference;
+use super::correctness::difference;
 use super::scene;
 use super::take::{Taken, Trouble, is_doubtful, take};
 use crate::record::{Run, Task, Whose, number};

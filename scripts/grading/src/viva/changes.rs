@@ -6,8 +6,8 @@ use anyhow::Result;
 use similar::{DiffTag, TextDiff};
 
 use lab_kit::answers::{self, Task};
+use lab_kit::sources::Sources;
 use lab_kit::starter::{self, todo};
-use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab, wrong};
 
 /// A line that a student wrote.
@@ -142,7 +142,7 @@ mod tests {
     use exam::bank::{each, rows};
     use lab_kit::Kit;
     use lab_kit::files::read_text;
-    use lab_kit::submission::{Sources, of_solution};
+    use lab_kit::sources::{Sources, of_solution};
 
     #[test]
     fn a_known_mistake_of_one_line_is_found() {

@@ -22,12 +22,12 @@ use self::trace::{PARTICLES, STEPS, Trace, probe};
 use crate::asking::{JUDGE, Judge, Questions, TaskResult};
 use crate::build::Tree;
 use crate::escape::line;
-use crate::intake::names::named;
-use crate::intake::{self, forbidden};
 use crate::sandbox::{Limits, Sandbox};
+use crate::submission::names::named;
+use crate::submission::{self, forbidden};
 use lab_kit::files::write_file;
 use lab_kit::process::kill_all_on_interrupt;
-use lab_kit::submission::Sources;
+use lab_kit::sources::Sources;
 use lab_kit::{Facts, Given, Kit, Lab, Workers, rubric};
 use oracle::Random;
 
@@ -76,7 +76,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let into = into.unwrap_or_else(|| kit.memory().join(format!("viva/lab{lab}")));
     let mut submissions = Vec::new();
     for path in &options.paths {
-        submissions.extend(intake::submissions(kit, path)?);
+        submissions.extend(submission::list(kit, path)?);
     }
     kill_all_on_interrupt();
     eprintln!("Building the solution");
@@ -120,7 +120,7 @@ struct Examiner<'a> {
 impl Examiner<'_> {
     /// Returns the sheet of the submission at `path`.
     fn sheet(&self, path: &Path, seed: u64) -> Result<Sheet> {
-        let sources = intake::take(self.kit, self.lab, &self.given, path)?.files;
+        let sources = submission::take(self.kit, self.lab, &self.given, path)?.files;
         ensure!(!sources.is_empty(), "it has no file with a task of lab {}", self.lab);
         if let Some(why) = forbidden::find(&sources) {
             bail!("{why}");

@@ -2,7 +2,7 @@
 
 use super::changes::Line;
 use lab_kit::Lab;
-use lab_kit::submission::Sources;
+use lab_kit::sources::Sources;
 
 /// Questions about a submission, with their keys.
 #[derive(Debug, Default)]

@@ -11,7 +11,7 @@ use tempfile::TempDir;
 
 use crate::cheats::{QUICK, TASK, TIMED};
 use crate::expected::{EMPTY, Expected, Times, UNREADABLE};
-use crate::sources::{Files, kit, solution, starter, tasks, with, wrong};
+use crate::solution::{Files, kit, solution, starter, tasks, with, wrong};
 use crate::{archives, cheats};
 
 /// Attacks that must fail. A successful attack reports itself and loses the marks.

@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use crate::cheats::QUICK;
 use crate::class::Class;
-use crate::command::{NO_SANDBOX, TASKS, grade, program, record, records, run, script};
+use crate::grade_command::{NO_SANDBOX, TASKS, grade, program, record, records, run, script};
 
 /// Runs a command without a terminal. Returns whether it succeeded, and its stderr.
 fn message(mut command: Command) -> (bool, String) {

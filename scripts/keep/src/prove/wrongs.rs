@@ -6,7 +6,7 @@ use anyhow::Result;
 
 use super::copy::Copy;
 use super::mutate::{environment, mutate};
-use super::report::Row;
+use super::proofs::Row;
 use super::{Bench, first_lines};
 use lab_kit::answers;
 use lab_kit::harness::{Outcome, Verdict};

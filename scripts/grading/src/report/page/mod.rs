@@ -2,7 +2,7 @@
 //! elsewhere.
 
 mod bars;
-mod table;
+mod submissions;
 
 use std::collections::BTreeSet;
 
@@ -39,7 +39,7 @@ pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> 
                 }
                 (bars::histogram(&counting, scale(records)))
                 (bars::tasks(&counting, words))
-                (table::table(records))
+                (submissions::table(records))
                 (details(records, words))
                 (provenance(records))
             }

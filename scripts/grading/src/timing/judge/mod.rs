@@ -1,10 +1,10 @@
 //! Computes grades from times.
 
 mod complexity;
+#[cfg(test)]
+mod grade_tests;
 mod runs;
 mod scaling;
-#[cfg(test)]
-mod tests;
 
 use crate::record::{Kind, Measure, Outcome, Record, Run, Status, Verdict, Whose};
 use crate::timing::plan::drawn;

@@ -5,7 +5,7 @@ use std::path::{Component, Path, PathBuf};
 use unicode_normalization::UnicodeNormalization;
 
 use lab_kit::Lab;
-use lab_kit::submission::{NOT_UTF8, refused};
+use lab_kit::sources::{NOT_UTF8, refused};
 
 /// Maximal number of bytes of a name, because files have it in their names and pages show it.
 const MOST: usize = 150;

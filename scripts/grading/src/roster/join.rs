@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::export::{Export, Member};
-use super::roster::{Roster, Student, key};
+use super::students::{Roster, Student, key};
 use crate::escape::line;
-use crate::intake::names::{bare, composed};
 use crate::record::{Attempt, Record};
+use crate::submission::names::{bare, composed};
 
 /// Rule for the submission that counts if a student has several.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::bars::bar;
 use crate::escape::line;
 use crate::record::{Attempt, Measure, Record, Task, Verdict};
-use crate::report::{points, scale, trouble, words};
+use crate::report::{points, scale, sentences, trouble};
 
 /// Writes the table.
 pub(crate) fn table(records: &[Record]) -> Markup {
@@ -47,7 +47,7 @@ fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
                 }
                 @if record.attempt != Attempt::Counts { span.soft { " does not count" } }
             }
-            td.points title=(words::by_hand(record, None).join(" ")) {
+            td.points title=(sentences::by_hand(record, None).join(" ")) {
                 @if record.has_mark() { (given(record, full)) }
             }
             @if let Some(trouble) = trouble(record.status) {
@@ -82,7 +82,7 @@ fn given(record: &Record, full: f64) -> Markup {
 
 /// Writes points that a person gave, with the reason; `None` if no person did.
 fn hand(record: &Record, task: &str, given: f64) -> Option<Markup> {
-    let why = words::by_hand(record, Some(task)).join(" ");
+    let why = sentences::by_hand(record, Some(task)).join(" ");
     record.is_by_hand(task).then(|| html! { span.hand title=(line(&why)) { (points(given)) } })
 }
 

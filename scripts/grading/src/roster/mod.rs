@@ -1,15 +1,15 @@
 //! `class.toml` in the folder of records: an instructor's information about a class.
 //!
-//! It contains the students ([`roster`], joined with submissions by [`join`], written with marks by
+//! It contains the students ([`students`], joined with submissions by [`join`], written with marks by
 //! [`marks`]), the penalties for lateness ([`late`]), and a person's decisions ([`Decision`]).
-//! [`Roll::tell`] writes this information into the records. Points are computed from the records
+//! [`ClassFile::tell`] writes this information into the records. Points are computed from the records
 //! alone, so it is kept when marks are computed again.
 
 pub(crate) mod export;
 mod join;
 pub(crate) mod late;
 mod marks;
-mod roster;
+mod students;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -22,14 +22,14 @@ use hmac_sha256::HMAC;
 use serde::Deserialize;
 
 use crate::escape::line;
-use crate::intake::names::composed;
 use crate::record::{Decision, Record, scale};
+use crate::submission::names::composed;
 use export::Export;
 pub(crate) use join::Attendance;
 use join::{Attempts, Join, Members};
 use lab_kit::Facts;
 use late::Late;
-use roster::Roster;
+use students::Roster;
 
 /// Name of the file.
 pub(crate) const FILE: &str = "class.toml";
@@ -40,7 +40,7 @@ const DIGITS: usize = 6;
 /// Information about a class; empty if there is no `class.toml`.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub(crate) struct Roll {
+pub(crate) struct ClassFile {
     /// Path of the roster.
     roster: Option<PathBuf>,
     /// Contents of the roster.
@@ -78,7 +78,7 @@ pub(crate) fn link(beside: &Path, folder: &Path) -> Result<()> {
     symlink(&beside, &own).with_context(|| format!("cannot write {}", own.display()))
 }
 
-impl Roll {
+impl ClassFile {
     /// Reads `class.toml` in a folder of records, and the files that it names.
     ///
     /// # Errors
@@ -104,22 +104,22 @@ impl Roll {
     }
 
     fn parse(folder: &Path, text: &str, rubric: &Facts) -> Result<Self> {
-        let mut roll: Self = basic_toml::from_str(text).map_err(|error| {
+        let mut class: Self = basic_toml::from_str(text).map_err(|error| {
             // In a well-formed file, the parser's location of a wrong entry is not reliable.
             let is_toml = basic_toml::from_str::<serde_json::Value>(text).is_ok();
             let message = error.to_string();
             let end = message.rfind(" at line ").filter(|_| is_toml).unwrap_or(message.len());
             Error::msg(message[..end].to_owned())
         })?;
-        let names = std::mem::take(&mut roll.names).into_iter();
-        roll.names = names.map(|(name, members)| (composed(&name), members)).collect();
-        for (number, decided) in (1..).zip(&roll.overrides) {
+        let names = std::mem::take(&mut class.names).into_iter();
+        class.names = names.map(|(name, members)| (composed(&name), members)).collect();
+        for (number, decided) in (1..).zip(&class.overrides) {
             decided.check(rubric).with_context(|| format!("override {number}"))?;
         }
-        let roster = roll.roster.as_ref().map(|path| Roster::read(&folder.join(path)));
-        roll.students = roster.transpose()?;
-        roll.late.as_mut().map_or(Ok(()), |late| late.read(folder))?;
-        Ok(roll)
+        let roster = class.roster.as_ref().map(|path| Roster::read(&folder.join(path)));
+        class.students = roster.transpose()?;
+        class.late.as_mut().map_or(Ok(()), |late| late.read(folder))?;
+        Ok(class)
     }
 
     /// Writes into each record its student, lateness and decisions.
@@ -215,4 +215,4 @@ impl Roll {
 }
 
 #[cfg(test)]
-mod tests;
+mod class_tests;

@@ -6,7 +6,7 @@ use std::fs;
 
 use tempfile::TempDir;
 
-use super::Roll;
+use super::ClassFile;
 use crate::record::{Attempt, Record, Status};
 use crate::score::score;
 use lab_kit::Facts;
@@ -43,7 +43,7 @@ fn folder(files: &[(&str, &str)]) -> TempDir {
 /// Returns the error of an invalid class.
 fn error(files: &[(&str, &str)]) -> String {
     let folder = folder(files);
-    let error = Roll::read(folder.path(), &rubric()).unwrap_err();
+    let error = ClassFile::read(folder.path(), &rubric()).unwrap_err();
     format!("{error:#}").replace(&format!("{}/", folder.path().display()), "")
 }
 
@@ -53,7 +53,7 @@ fn marked(
     names: &[&str],
 ) -> (Vec<Record>, super::Attendance, Option<String>) {
     let folder = folder(files);
-    let roll = Roll::read(folder.path(), &rubric()).unwrap();
+    let class = ClassFile::read(folder.path(), &rubric()).unwrap();
     let mut records: Vec<Record> = names
         .iter()
         .map(|name| Record {
@@ -62,10 +62,10 @@ fn marked(
             ..Record::sample()
         })
         .collect();
-    roll.tell(&mut records);
+    class.tell(&mut records);
     records.iter_mut().for_each(|record| score(record, &rubric()).unwrap());
-    let attendance = roll.attendance(&mut records);
-    let marks = roll.marks(&records, &attendance).unwrap();
+    let attendance = class.attendance(&mut records);
+    let marks = class.marks(&records, &attendance).unwrap();
     (records, attendance, marks)
 }
 
@@ -145,11 +145,11 @@ fn a_pair_shares_one_submission_and_the_latest_or_the_best_counts() {
 #[test]
 fn who_cannot_be_read_has_no_mark() {
     let folder = folder(&[("class.toml", "roster = \"r.csv\""), ("r.csv", GRADEBOOK)]);
-    let roll = Roll::read(folder.path(), &rubric()).unwrap();
+    let class = ClassFile::read(folder.path(), &rubric()).unwrap();
     let record = Record { name: "7".into(), status: Status::Unreadable, ..Record::sample() };
     let mut records = [record];
-    let attendance = roll.attendance(&mut records);
-    let marks = roll.marks(&records, &attendance).unwrap().unwrap();
+    let attendance = class.attendance(&mut records);
+    let marks = class.marks(&records, &attendance).unwrap().unwrap();
     assert!(marks.contains("ada@example.org,\n"), "{marks}");
     assert_eq!(attendance.unmarked, [0]);
 }
@@ -158,11 +158,11 @@ fn who_cannot_be_read_has_no_mark() {
 fn names_of_nobody_are_pointed_out() {
     let class_toml = "roster = \"r.csv\"\n[names]\npear = [\"7\", \"9\"]\npair = \"8\"";
     let folder = folder(&[("class.toml", class_toml), ("r.csv", GRADEBOOK)]);
-    let roll = Roll::read(folder.path(), &rubric()).unwrap();
+    let class = ClassFile::read(folder.path(), &rubric()).unwrap();
     let records = [Record { name: "pair".into(), ..Record::sample() }];
-    let join = super::Join::new(roll.students.as_ref(), &roll.names, &roll.export, &records);
+    let join = super::Join::new(class.students.as_ref(), &class.names, &class.export, &records);
     assert_eq!(
-        join.wrong(&roll.names, &records),
+        join.wrong(&class.names, &records),
         ["no submission is called 'pear'", "'9' is not one student of the roster"]
     );
 }
@@ -172,13 +172,13 @@ fn a_broken_attempt_leaves_the_mark_of_an_older_one() {
     let attempts = |class_toml: &str, is_graded: [bool; 2]| {
         let class = format!("{class_toml}\nroster = \"r.csv\"");
         let folder = folder(&[("class.toml", &class), ("r.csv", GRADEBOOK)]);
-        let roll = Roll::read(folder.path(), &rubric()).unwrap();
+        let class = ClassFile::read(folder.path(), &rubric()).unwrap();
         let mut records =
             ["7_1", "7_2"].map(|name| Record { name: name.into(), ..Record::sample() });
         for (record, is_graded) in records.iter_mut().zip(is_graded) {
             record.status = if is_graded { Status::Graded } else { Status::Unreadable };
         }
-        let attendance = roll.attendance(&mut records);
+        let attendance = class.attendance(&mut records);
         let words = attendance.words(&records).into_iter().flat_map(|(_, who)| who);
         let words = words.collect::<Vec<_>>().join("; ");
         (records.map(|record| record.attempt), attendance.unmarked, words)
@@ -200,7 +200,7 @@ fn a_class_toml_may_lie_beside_the_submissions() {
     let path = beside.path().join("class.toml");
     super::link(&path, records.path()).unwrap();
     super::link(&path, records.path()).unwrap();
-    assert!(Roll::read(records.path(), &rubric()).unwrap().students.is_some());
+    assert!(ClassFile::read(records.path(), &rubric()).unwrap().students.is_some());
     let other = folder(&[("class.toml", "")]);
     let error = super::link(&path, other.path()).unwrap_err().to_string();
     assert!(error.contains("keep one"), "{error}");
@@ -266,7 +266,7 @@ fn a_deadline_is_said_with_its_zone() {
     let class_toml = |late: &str| format!("[late]\npenalty = 1\n{late}");
     let words = |late: &str| {
         let folder = folder(&[("class.toml", &class_toml(late))]);
-        Roll::read(folder.path(), &rubric()).unwrap().deadline().unwrap()
+        ClassFile::read(folder.path(), &rubric()).unwrap().deadline().unwrap()
     };
     let berlin = "deadline = \"2026-10-24 23:59\"\nzone = \"Europe/Berlin\"";
     assert_eq!(words(berlin), "2026-10-24 23:59, UTC+02:00 (Europe/Berlin)");
@@ -439,7 +439,7 @@ fn optional_tasks_are_worth_nothing_where_only_the_core_counts() {
     rubric.tasks.get_mut("1.2").unwrap().optional = true;
     for (class, points, times) in [("", [60.0, 40.0], 1), ("core = true", [100.0, 0.0], 0)] {
         let folder = folder(&[("class.toml", class)]);
-        let own = Roll::read(folder.path(), &rubric).unwrap().rubric(&rubric);
+        let own = ClassFile::read(folder.path(), &rubric).unwrap().rubric(&rubric);
         assert!(own.tasks.values().map(|task| task.points).eq(points), "{class}");
         assert_eq!(own.timed().count(), times, "{class}");
     }

@@ -7,7 +7,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::process::Command;
 
 use crate::class::Class;
-use crate::command::{NO_SANDBOX, TASKS, grade, program, record, script};
+use crate::grade_command::{NO_SANDBOX, TASKS, grade, program, record, script};
 
 /// Faults: a phase, and the shell commands that run instead.
 ///

@@ -16,10 +16,10 @@ use anyhow::{Context, Result, bail, ensure};
 
 use crate::escape::{cut, line};
 use crate::record::LeftOut;
-use crate::roll;
+use crate::roster;
 pub(crate) use folder::read;
 use folder::unpacker;
-use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
+use lab_kit::sources::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
 use lab_kit::{Given, Kit, Lab};
 use loose::Loose;
 use names::{ELSEWHERE, is_macos, resolve};
@@ -92,7 +92,7 @@ impl HandedIn {
 
 /// Part of a submission that is graded.
 #[derive(Default)]
-pub(crate) struct Intake {
+pub(crate) struct Submission {
     /// Sources by path below the lab's folder; empty if there is no file with a task.
     ///
     /// They include the kit's given files.
@@ -107,7 +107,7 @@ pub(crate) struct Intake {
 const SHOWN: usize = 200;
 
 /// Lists the submissions at a path, which is a submission or a folder of submissions.
-pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
+pub(crate) fn list(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     ensure!(path.exists(), "there is no {}", path.display());
     let known_wrong = known_wrong::on_page(kit, path)?;
     if !known_wrong.is_empty() {
@@ -145,7 +145,7 @@ fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
     let entries = fs::read_dir(path).with_context(|| format!("cannot read {}", path.display()))?;
     let mut found = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
     let is_about = |path: &Path| {
-        roll::FILES.iter().any(|name| path.ends_with(name))
+        roster::FILES.iter().any(|name| path.ends_with(name))
             || path.extension().is_some_and(|end| end == "csv")
     };
     found.retain(|path| !is_about(path));
@@ -160,12 +160,12 @@ fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
 ///
 /// # Errors
 /// If it is damaged or is not a submission.
-pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<Intake> {
+pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<Submission> {
     if own_solutions(kit, path) {
-        return Ok(Intake { files: of_solution(kit, lab)?, ..Intake::default() });
+        return Ok(Submission { files: of_solution(kit, lab)?, ..Submission::default() });
     }
     if let Some(wrong) = known_wrong::at(kit, lab, path)? {
-        return Ok(Intake { files: wrong.in_solution(kit, lab)?, ..Intake::default() });
+        return Ok(Submission { files: wrong.in_solution(kit, lab)?, ..Submission::default() });
     }
     let mut handed_in = read(path)?;
     let mut files = handed_in.labs.remove(&lab).unwrap_or_default();
@@ -184,7 +184,7 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
     });
     let left_out = left_out.collect();
     if !given.tasks.iter().any(|task| files.contains_key(task)) {
-        return Ok(Intake { left_out, ..Intake::default() });
+        return Ok(Submission { left_out, ..Submission::default() });
     }
     let changed = given.put(&mut files);
     let is_folder_too = |path: &&String| {
@@ -194,7 +194,7 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
     if let Some(path) = files.keys().find(is_folder_too) {
         bail!("{path} in it is a file and a folder");
     }
-    Ok(Intake { files, left_out, changed })
+    Ok(Submission { files, left_out, changed })
 }
 
 /// Whether a file outside labs/ has the name of a file with a task.
@@ -236,6 +236,6 @@ fn own_solutions(kit: &Kit, path: &Path) -> bool {
 }
 
 #[cfg(test)]
-mod packed;
+mod archive_tests;
 #[cfg(test)]
-mod tests;
+mod packed;
