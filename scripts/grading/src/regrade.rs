@@ -10,7 +10,6 @@ use crate::escape::line;
 use crate::record::{self, Record};
 use crate::report;
 use crate::roster::ClassFile;
-use crate::score::score;
 use lab_kit::Kit;
 use lab_kit::rubric;
 
@@ -38,21 +37,22 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let Options { folder, dry_run, since } = options;
     let mut before = record::read_all(folder)?;
     ensure!(!before.is_empty(), "{} holds no records", folder.display());
-    let (first, lab) = (&before[0].name, before[0].lab);
-    if let Some(Record { name, lab: other, .. }) = before.iter().find(|r| r.lab != lab) {
-        let [first, name] = [first, name].map(|name| line(name));
+    let first = &before[0].found;
+    let lab = first.lab;
+    if let Some(record) = before.iter().find(|record| record.found.lab != lab) {
+        let other = &record.found;
         bail!(
-            "the records are of several labs: {first}.json of lab {lab}, {name}.json of lab {other}"
+            "the records are of several labs: {}.json of lab {lab}, {}.json of lab {}",
+            line(&first.name),
+            line(&other.name),
+            other.lab
         );
     }
     let rubric = rubric::read(kit, lab)?;
     rubric.warn(lab);
     let mut after = before.clone();
     let class = ClassFile::read(folder, &rubric)?;
-    let rubric = class.rubric(&rubric);
-    class.tell(&mut after);
-    after.iter_mut().try_for_each(|record| score(record, &rubric))?;
-    let attendance = class.attendance(&mut after);
+    let attendance = class.mark(&mut after, &rubric)?;
     if let Some(folder) = since {
         before = record::read_all(folder)?;
     }
@@ -69,11 +69,11 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
 
 /// Prints a paragraph for each submission that has changed, and the number of changes.
 fn say_changes(before: &[Record], after: &[Record], verb: &str) {
-    let find = |all: &[Record], name: &str| all.iter().position(|record| record.name == name);
+    let find = |all: &[Record], name: &str| all.iter().position(|record| record.found.name == name);
     let mut changed = 0;
     for record in after {
-        let Some(at) = find(before, &record.name) else {
-            println!("{}: it was not there", line(&record.name));
+        let Some(at) = find(before, &record.found.name) else {
+            println!("{}: it was not there", line(&record.found.name));
             continue;
         };
         if let Some(words) = report::changes(&before[at], record) {
@@ -81,8 +81,8 @@ fn say_changes(before: &[Record], after: &[Record], verb: &str) {
             changed += 1;
         }
     }
-    for gone in before.iter().filter(|record| find(after, &record.name).is_none()) {
-        println!("{}: it is no longer there", line(&gone.name));
+    for gone in before.iter().filter(|record| find(after, &record.found.name).is_none()) {
+        println!("{}: it is no longer there", line(&gone.found.name));
     }
     println!("{changed} of {} {verb}.", after.len());
 }

@@ -37,9 +37,11 @@ pub(crate) fn grade(
     into: &Path,
     options: &Options,
 ) -> Result<ExitCode> {
-    let [run, build] = [options.limit, options.build_limit].map(Duration::from_secs);
-    let loopback = kit.facts(lab)?.workers == Workers::Ranks;
-    let limits = Limits { run, build, loopback };
+    let limits = Limits {
+        run: Duration::from_secs(options.limit),
+        build: Duration::from_secs(options.build_limit),
+        loopback: kit.facts(lab)?.workers == Workers::Ranks,
+    };
     let sandbox = &Sandbox::find(kit, options.trusted, limits)?;
     room::make_for_records(into)?;
     let grader = Grader::new(kit, lab, options, sandbox, into)?;
@@ -175,7 +177,7 @@ pub(crate) fn done(bar: &ProgressBar, name: &str, outcome: impl Display) {
 /// Whether nothing is left to be timed.
 fn is_timed(grader: &Grader<'_>, record: &Path) -> bool {
     let record = record::read(record);
-    record.is_ok_and(|record| timing::is_done_on(cores(), &record, &grader.rubric))
+    record.is_ok_and(|record| timing::is_done_on(cores(), &record.found, &grader.rubric))
 }
 
 /// Whether judging this submission again would give the same record.
@@ -185,16 +187,16 @@ fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>)
     let Some(record) = record else { return false };
     let same = match grader.take(path) {
         Err(error) => {
-            record.status == Status::Unreadable && record.message == grader.message_of(&error, path)
+            record.found.status == Status::Unreadable
+                && record.found.message == grader.message_of(&error, path)
         }
-        Ok(submission) if submission.files.is_empty() => record.status == Status::Empty,
-        Ok(submission) => record.hash == hash(&submission.files),
+        Ok(submission) if submission.files.is_empty() => record.found.status == Status::Empty,
+        Ok(submission) => record.found.hash == hash(&submission.files),
     };
-    let asked = |task: &String| record.tasks.iter().any(|asked| asked.id == *task);
-    same && record.format == FORMAT
-        && record.status != Status::Failed
-        && grader.rubric.tasks.keys().all(asked)
-        && record.grader == grader.hash
-        && record.sandboxed == grader.sandbox.keeps
-        && seed.is_none_or(|seed| seed == record.seed)
+    same && record.found.format == FORMAT
+        && record.found.status != Status::Failed
+        && grader.rubric.tasks.keys().all(|id| record.tasks.iter().any(|task| task.id == *id))
+        && record.found.grader == grader.hash
+        && record.found.sandboxed == grader.sandbox.keeps
+        && seed.is_none_or(|seed| seed == record.found.seed)
 }

@@ -25,7 +25,7 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
             "score": task.points, "max_score": task.out_of, "output": output,
         })
     });
-    let measures = record.measures.iter().map(|measure| {
+    let measures = record.marked.measures.iter().map(|measure| {
         // An open measure must not lower the total.
         let (score, most) =
             if measure.counts() { (measure.points, measure.out_of) } else { (0.0, 0.0) };
@@ -36,17 +36,17 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
     });
     let tests: Vec<Value> = tasks.chain(measures).collect();
     let mut output = letter::around(record, words, "");
-    if !record.sandboxed {
+    if !record.found.sandboxed {
         output += "It ran without a sandbox: none can be made here.\n";
     }
     json!({
-        "score": record.points,
+        "score": record.marked.points,
         "output": output,
         "output_format": "md",
         "stdout_visibility": "hidden",
         "extra_data": {
-            "sources": record.hash, "grader": record.grader, "seed": record.seed,
-            "toolchain": record.toolchain, "machine": record.machine, "sandboxed": record.sandboxed,
+            "sources": record.found.hash, "grader": record.found.grader, "seed": record.found.seed,
+            "toolchain": record.found.toolchain, "machine": record.found.machine, "sandboxed": record.found.sandboxed,
         },
         "tests": tests,
     })
@@ -77,8 +77,10 @@ mod tests {
             ["score", "max_score"].map(|key| test[key].as_f64().unwrap())
         });
         let tests: Vec<[f64; 2]> = tests.collect();
-        assert_eq!(results["score"].as_f64(), Some(record.points));
-        assert!((tests.iter().map(|test| test[0]).sum::<f64>() - record.points).abs() < 1e-9);
+        assert_eq!(results["score"].as_f64(), Some(record.marked.points));
+        assert!(
+            (tests.iter().map(|test| test[0]).sum::<f64>() - record.marked.points).abs() < 1e-9
+        );
         assert!(tests.iter().all(|[score, most]| score <= most), "{tests:?}");
         (results["output"].as_str().unwrap().to_owned(), tests)
     }
@@ -95,8 +97,9 @@ mod tests {
     #[test]
     fn a_broken_submission_has_it_too() {
         let mut record = Record::sample();
-        (record.status, record.message) = (Status::Unreadable, "\u{1b}[2Jnot an archive".into());
-        record.points = 0.0;
+        (record.found.status, record.found.message) =
+            (Status::Unreadable, "\u{1b}[2Jnot an archive".into());
+        record.marked.points = 0.0;
         record.tasks.iter_mut().for_each(|task| task.points = 0.0);
         let (output, _) = check(&record);
         assert!(output.contains("could not be read") && !output.contains('\u{1b}'), "{output}");

@@ -49,7 +49,7 @@ pub(crate) fn write(
     let words = Words { full: scale(records), ..Words::of(kit, lab)? };
     let shown = shown(records);
     let mut to_see_to = attendance.words(records);
-    if records.iter().any(|record| record.pseudonym.is_some()) {
+    if records.iter().any(|record| record.marked.pseudonym.is_some()) {
         // A page with pseudonyms contains no names.
         to_see_to.iter_mut().for_each(|(_, who)| *who = vec![who.len().to_string()]);
     }
@@ -59,11 +59,12 @@ pub(crate) fn write(
         write_file(&folder.join("marks.csv"), &marks)?;
     }
     for record in records {
-        let of =
-            |kind: &str, ending: &str| folder.join(kind).join(format!("{}.{ending}", record.name));
+        let of = |kind: &str, ending: &str| {
+            folder.join(kind).join(format!("{}.{ending}", record.found.name))
+        };
         write_file(&of("feedback", "md"), letter::letter(record, &words))?;
         // If the grader failed, the submission must not be uploaded with 0 points.
-        if record.status != Status::Failed {
+        if record.found.status != Status::Failed {
             let results = serde_json::to_string_pretty(&gradescope::results(record, &words))?;
             write_file(&of("gradescope", "json"), &results)?;
         }
@@ -76,10 +77,10 @@ pub(crate) fn write(
 fn shown(records: &[Record]) -> Vec<Record> {
     let mut shown: Vec<Record> = records.iter().map(Record::shown).collect();
     let mut many: BTreeMap<String, usize> = BTreeMap::new();
-    shown.iter().for_each(|record| *many.entry(record.name.clone()).or_default() += 1);
+    shown.iter().for_each(|record| *many.entry(record.found.name.clone()).or_default() += 1);
     for (shown, record) in shown.iter_mut().zip(records) {
-        if many[&shown.name] > 1 && shown.pseudonym.is_none() {
-            shown.name = format!("{} ({})", shown.name, record.name);
+        if many[&shown.found.name] > 1 && shown.marked.pseudonym.is_none() {
+            shown.found.name = format!("{} ({})", shown.found.name, record.found.name);
         }
     }
     record::sort(&mut shown);
@@ -146,10 +147,9 @@ mod tests {
 
     #[test]
     fn attempts_that_do_not_count_are_told_apart_and_not_counted() {
-        let mut records =
-            ["7_1", "7_2"].map(|name| Record { name: name.into(), ..Record::sample() });
-        records.iter_mut().for_each(|record| record.student = Some("Ada".into()));
-        records[1].attempt = Attempt::Another;
+        let mut records = ["7_1", "7_2"].map(Record::sample_called);
+        records.iter_mut().for_each(|record| record.marked.student = Some("Ada".into()));
+        records[1].marked.attempt = Attempt::Another;
         let text = super::page::page(&super::shown(&records), &[], &super::Words::default());
         assert!(text.contains(">Ada (7_1)</a>") && text.contains(">Ada (7_2)</a>"), "{text}");
         assert_eq!(text.matches("<tr class=\"aside\">").count(), 1, "{text}");

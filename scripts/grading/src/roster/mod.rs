@@ -23,6 +23,7 @@ use serde::Deserialize;
 
 use crate::escape::line;
 use crate::record::{Decision, Record, scale};
+use crate::score::score;
 use crate::submission::names::composed;
 use export::Export;
 pub(crate) use join::Attendance;
@@ -125,10 +126,10 @@ impl ClassFile {
     /// Writes into each record its student, lateness and decisions.
     ///
     /// Entries that match no submission are reported on stderr.
-    pub(crate) fn tell(&self, records: &mut [Record]) {
+    fn tell(&self, records: &mut [Record]) {
         for record in &mut *records {
-            record.pseudonym = self.pseudonyms.as_ref().map(|key| {
-                let mac = HMAC::mac(record.name.as_bytes(), key.as_bytes());
+            record.marked.pseudonym = self.pseudonyms.as_ref().map(|key| {
+                let mac = HMAC::mac(record.found.name.as_bytes(), key.as_bytes());
                 mac.iter().map(|byte| format!("{byte:02x}")).collect::<String>()[..DIGITS].into()
             });
         }
@@ -156,28 +157,41 @@ impl ClassFile {
             }
         }
         for (at, record) in records.iter_mut().enumerate() {
-            let exported = self.export.of(&record.name);
-            record.student = join.student(at).or_else(|| Some(exported?.names()));
+            let exported = self.export.of(&record.found.name);
+            record.marked.student = join.student(at).or_else(|| Some(exported?.names()));
             times[at] = times[at].or_else(|| exported?.time);
-            record.by_hand = decided[at].iter().copied().cloned().collect();
+            record.marked.by_hand = decided[at].iter().copied().cloned().collect();
             let excused = decided[at].iter().rev().find_map(|one| one.days);
-            let time = times[at].or(record.handed_in);
-            record.late = self.late.as_ref().and_then(|late| late.lateness(time, excused));
+            let time = times[at].or(record.marked.handed_in);
+            record.marked.late = self.late.as_ref().and_then(|late| late.lateness(time, excused));
         }
     }
 
+    /// Marks a class: writes its decisions into the records, and computes their points.
+    ///
+    /// # Errors
+    /// If the rubric has a task that a record does not have.
+    pub(crate) fn mark(&self, records: &mut [Record], rubric: &Facts) -> Result<Attendance> {
+        let rubric = self.rubric(rubric);
+        self.tell(records);
+        for record in &mut *records {
+            score(record, &rubric)?;
+        }
+        Ok(self.attendance(records))
+    }
+
     /// Returns the lab's rubric, or the rubric of its core tasks if the class does only these.
-    pub(crate) fn rubric(&self, rubric: &Facts) -> Facts {
+    fn rubric(&self, rubric: &Facts) -> Facts {
         if self.core { rubric.clone().core() } else { rubric.clone() }
     }
 
     /// Finds out who handed in, from records with points. Writes into each record whether it
     /// counts.
-    pub(crate) fn attendance(&self, records: &mut [Record]) -> Attendance {
+    fn attendance(&self, records: &mut [Record]) -> Attendance {
         let join = Join::new(self.students.as_ref(), &self.names, &self.export, records);
         let attendance = join.attendance(self.attempts, records);
         for at in 0..records.len() {
-            records[at].attempt = join.attempt(at, &attendance, records);
+            records[at].marked.attempt = join.attempt(at, &attendance, records);
         }
         attendance
     }
@@ -206,10 +220,11 @@ impl ClassFile {
         let (Some(roster), Some(first)) = (&self.students, records.first()) else {
             return Ok(None);
         };
-        let own = format!("Lab {}", first.lab);
+        let own = format!("Lab {}", first.found.lab);
         let column = self.column.as_deref().unwrap_or(&own);
         let full = scale(records);
-        let shares = attendance.present.iter().map(|(row, at)| (*row, records[*at].points / full));
+        let shares =
+            attendance.present.iter().map(|(row, at)| (*row, records[*at].marked.points / full));
         Ok(Some(roster.with_marks(column, full, &shares.collect())?))
     }
 }

@@ -49,8 +49,8 @@ fn page_at(kit: &Kit, path: &Path) -> Result<Option<(Lab, Vec<Wrong>)>> {
 
 /// Describes how the marks differ from the manifest's; `None` if they are equal.
 pub(crate) fn complaint(wrong: &Wrong, record: &Record) -> Option<String> {
-    if record.status != Status::Graded {
-        return Some(format!("WRONG MARKS: it must be graded: {}", record.message));
+    if record.found.status != Status::Graded {
+        return Some(format!("WRONG MARKS: it must be graded: {}", record.found.message));
     }
     let own = (!wrong.fails.is_empty()).then_some(wrong.region.task);
     let must = own.into_iter().chain(wrong.loses.iter().copied());

@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::Result;
 
-use crate::record::{Kind, Measure, Record};
+use crate::record::{Findings, Kind, Measure};
 use crate::sandbox::Sandbox;
 use lab_kit::{Discs, Facts, Workers};
 use oracle::Random;
@@ -47,18 +47,18 @@ const BUDGET: Duration = Duration::from_secs(90);
 pub(crate) fn time(
     sandbox: &Sandbox,
     folders: (&Path, &Path),
-    record: &mut Record,
+    findings: &mut Findings,
     rubric: &Facts,
 ) -> Result<()> {
-    let mut runs = plan(rubric, record.seed, lab_kit::machine::cores());
+    let mut runs = plan(rubric, findings.seed, lab_kit::machine::cores());
     let start = Instant::now();
-    (record.timed, record.runs) = (true, Vec::new());
+    (findings.timed, findings.runs) = (true, Vec::new());
     // The scene is random: no program has seen it before, and no letter names its seed.
     let mut random = Random::new(RandomState::new().hash_one(()));
     for round in 0..MOST {
         one_round(sandbox, folders, &mut runs, round, scene(&mut random))?;
-        record.runs.clone_from(&runs);
-        if round + 1 >= LEAST && !is_noisy(record, rubric) || start.elapsed() > BUDGET {
+        findings.runs.clone_from(&runs);
+        if round + 1 >= LEAST && !is_noisy(findings, rubric) || start.elapsed() > BUDGET {
             break;
         }
     }
@@ -72,11 +72,11 @@ fn scene(random: &mut Random) -> u32 {
 }
 
 /// Whether every measure is graded that can be graded on a machine with this many cores.
-pub(crate) fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool {
+pub(crate) fn is_done_on(cores: usize, findings: &Findings, rubric: &Facts) -> bool {
     // With one core scaling is never graded.
     let cannot_be = |measure: &Measure| measure.kind == Kind::Scaling && cores == 1;
     let is_judged = |measure: &Measure| measure.counts() || cannot_be(measure);
-    record.timed && judge(record, rubric).iter().all(is_judged)
+    findings.timed && judge(findings, rubric).iter().all(is_judged)
 }
 
 /// Returns the kinds of discs that a lab's programs simulate.

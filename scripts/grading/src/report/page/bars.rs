@@ -18,7 +18,7 @@ const BARS: usize = 10;
 pub(crate) fn histogram(records: &[Record], full: f64) -> Markup {
     let mut counts = [0_usize; BARS];
     for record in records {
-        counts[((record.points / full * BARS as f64) as usize).min(BARS - 1)] += 1;
+        counts[((record.marked.points / full * BARS as f64) as usize).min(BARS - 1)] += 1;
     }
     let most = counts.iter().copied().max().unwrap_or(0).max(1) as f64;
     let number = |number: f64| format!("{number:.1}");

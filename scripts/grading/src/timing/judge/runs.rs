@@ -1,7 +1,7 @@
 //! Runs that a measure needs, and their times in seconds.
 
 use super::Without;
-use crate::record::{Outcome, Record, Run, Verdict, Whose};
+use crate::record::{Findings, Outcome, Run, Verdict, Whose};
 use lab_kit::facts::Timed;
 use lab_measure::clock::{Span, Times};
 
@@ -106,9 +106,9 @@ pub(crate) fn waited(run: &Run) -> Option<f64> {
 }
 
 /// Returns the seconds of a run's shortest take, without start and result; `None` without a take.
-pub(crate) fn seconds_of(record: &Record, run: &Run) -> Option<f64> {
+pub(crate) fn seconds_of(findings: &Findings, run: &Run) -> Option<f64> {
     let timed = run.outcome == Outcome::Timed;
-    timed.then(|| net(&record.runs, run).ok())?.map(|span| span.min)
+    timed.then(|| net(&findings.runs, run).ok())?.map(|span| span.min)
 }
 
 /// Returns the measured seconds of a run; `None` without a take.
