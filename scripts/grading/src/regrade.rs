@@ -67,16 +67,20 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// Finds the record of this name.
+fn find<'a>(records: &'a [Record], name: &str) -> Option<&'a Record> {
+    records.iter().find(|record| record.found.name == name)
+}
+
 /// Prints a paragraph for each submission that has changed, and the number of changes.
 fn say_changes(before: &[Record], after: &[Record], verb: &str) {
-    let find = |all: &[Record], name: &str| all.iter().position(|record| record.found.name == name);
     let mut changed = 0;
     for record in after {
-        let Some(at) = find(before, &record.found.name) else {
+        let Some(earlier) = find(before, &record.found.name) else {
             println!("{}: it was not there", line(&record.found.name));
             continue;
         };
-        if let Some(words) = report::changes(&before[at], record) {
+        if let Some(words) = report::changes(earlier, record) {
             println!("{words}");
             changed += 1;
         }

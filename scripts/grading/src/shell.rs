@@ -29,7 +29,8 @@ pub(crate) struct Options {
 
 /// Builds the submission, prints the possible commands, and starts the shell.
 pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
-    let (lab, limit) = (options.lab, Duration::from_secs(900));
+    let lab = options.lab;
+    let limit = Duration::from_secs(900);
     let loopback = kit.facts(lab)?.workers == Workers::Ranks;
     let sandbox = Sandbox::find(kit, false, Limits { run: limit, build: limit, loopback })?;
     let submission = submission::take(kit, lab, &Given::of(kit, lab)?, &options.path)?;

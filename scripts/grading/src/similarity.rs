@@ -75,8 +75,10 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         // The kit is public, so any student can copy this solution.
         class.push(("public/solution.rs".into(), "public", one_file(&of_solution(kit, lab)?)));
         write(kit, lab, class, &folder)?;
-        let (list, starter) = (folder.join("info.csv"), folder.join("starter.rs"));
-        let (list, starter) = (list.display(), starter.display());
+        let list = folder.join("info.csv");
+        let starter = folder.join("starter.rs");
+        let list = list.display();
+        let starter = starter.display();
         println!("dolos run --language rust --output-format web --ignore {starter} {list}");
     }
     Ok(ExitCode::SUCCESS)
@@ -111,7 +113,8 @@ mod tests {
 
     #[test]
     fn each_submission_is_a_file_and_the_starter_is_ignored() {
-        let (top, kit) = (tempfile::tempdir().unwrap(), Kit::find().unwrap());
+        let top = tempfile::tempdir().unwrap();
+        let kit = Kit::find().unwrap();
         let folder = |name: &str| top.path().join(name);
         let files = ["src/a.rs", "src/b.rs", "src/data.txt"];
         let files: Sources = files.map(|path| (path.into(), b"fn f() {}".to_vec())).into();

@@ -75,7 +75,8 @@ impl Table {
         for line in header.chain(rows) {
             let line: Vec<Option<&String>> = line;
             let cells = shown.iter().zip(line).map(|(&at, cell)| {
-                let (cell, width) = (cell.map_or("", String::as_str), widths[at]);
+                let cell = cell.map_or("", String::as_str);
+                let width = widths[at];
                 if at == 0 { format!("{cell:width$}") } else { format!("  {cell:>width$}") }
             });
             writeln!(f, "{}", cells.collect::<String>().trim_end())?;

@@ -117,7 +117,8 @@ impl Wrong {
 fn complete(lab: Lab, section: &str, files: &[MarkedFile]) -> Result<Wrong> {
     let mut wrong = parse(lab, section)?;
     if section.contains("\n```diff\n") {
-        let (name, region) = (&wrong.name, wrong.region);
+        let name = &wrong.name;
+        let region = wrong.region;
         let mut regions = files.iter().flat_map(MarkedFile::regions);
         let answer = regions.find(|answer| answer.id == region);
         let answer = answer.with_context(|| format!("'{name}': no region {region}"))?;

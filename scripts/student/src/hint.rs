@@ -73,7 +73,8 @@ mod tests {
     fn hints_come_one_after_the_other() {
         let folder = tempfile::tempdir().unwrap();
         let kit = Kit::at(folder.path());
-        let (task, other) = ("1.1".parse().unwrap(), "1.2".parse().unwrap());
+        let task = "1.1".parse().unwrap();
+        let other = "1.2".parse().unwrap();
         let tiers: Vec<_> = (0..4).map(|_| next(&kit, task).unwrap()).collect();
         assert_eq!(tiers, [1, 2, 3, 3]);
         assert_eq!(next(&kit, other).unwrap(), 1);

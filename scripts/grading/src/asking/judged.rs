@@ -55,7 +55,9 @@ impl Judge {
 fn parse(text: &str) -> Option<Judged> {
     let (first, wrong) = text.split_once('\n')?;
     let mut numbers = first.split(' ').map(|number| number.parse().ok());
-    let (asked, right, broke_off) = (numbers.next()??, numbers.next()??, numbers.next()??);
+    let asked = numbers.next()??;
+    let right = numbers.next()??;
+    let broke_off = numbers.next()??;
     Some(Judged { asked, right, broke_off: broke_off == 1, wrong: wrong.trim_end().into() })
 }
 

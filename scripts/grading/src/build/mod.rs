@@ -80,7 +80,8 @@ impl Tree {
     pub(crate) fn copy(&self, sandbox: &Sandbox) -> Result<Self> {
         let folder = sandbox.folder()?;
         cache::copy(self.folder.path(), folder.path()).context("cannot copy a tree for builds")?;
-        let (programs, solution) = (self.programs.clone(), self.solution.clone());
+        let programs = self.programs.clone();
+        let solution = self.solution.clone();
         Ok(Self { folder, lab: self.lab, programs, solution })
     }
 
@@ -117,7 +118,8 @@ impl Tree {
     /// The first pass compiles the submission, without the grader's programs in the tree. The
     /// second compiles the grader's programs, with the submission's compiled library only.
     fn build_once(&self, sandbox: &Sandbox, order: &Order<'_>) -> Result<Built> {
-        let (root, until) = (self.folder.path(), Instant::now() + order.limit);
+        let root = self.folder.path();
+        let until = Instant::now() + order.limit;
         let Order { sources, names, .. } = *order;
         self.programs.hide(&root.join(PACKAGE))?;
         put(root, self.lab, sources, sandbox)?;

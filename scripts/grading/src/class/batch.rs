@@ -168,7 +168,8 @@ pub(crate) fn done(bar: &ProgressBar, name: &str, outcome: impl Display) {
     let mut lines = stderr().lock();
     bar.inc(1);
     if bar.is_hidden() {
-        let (at, of) = (bar.position(), bar.length().unwrap_or_default());
+        let at = bar.position();
+        let of = bar.length().unwrap_or_default();
         // If stderr is closed, grading continues.
         let _ = writeln!(lines, "{}, {at} of {of}: {}: {outcome}", bar.message(), line(name));
     }

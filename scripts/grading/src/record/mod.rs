@@ -152,7 +152,8 @@ pub(crate) struct Task {
 impl Task {
     /// Makes the result of a task that was not judged. The rubric sets its points later.
     pub(crate) fn unasked(id: &str) -> Self {
-        let (id, message) = (id.to_owned(), String::new());
+        let id = id.to_owned();
+        let message = String::new();
         Self { id, passed: false, share: 0.0, message, points: 0.0, out_of: 0.0 }
     }
 }
@@ -196,7 +197,8 @@ pub(crate) fn expect_lab(folder: &Path, lab: Lab) -> Result<()> {
     }
     // Records of another format are skipped, because they are graded again.
     for record in files(folder)?.iter().filter_map(|path| read(path).ok()) {
-        let (folder, other) = (folder.display(), record.found.lab);
+        let folder = folder.display();
+        let other = record.found.lab;
         ensure!(other == lab, "{folder} holds records of lab {other}: name another folder");
     }
     Ok(())
@@ -257,8 +259,10 @@ impl Record {
 
 /// Returns the points that a whole class is marked out of, including open points.
 pub(crate) fn scale(records: &[Record]) -> f64 {
-    let asked = |record: &Record| record.worth(|measure| measure.verdict != Verdict::NotTimed);
-    let most = records.iter().map(asked).fold(0.0, f64::max);
+    let mut most: f64 = 0.0;
+    for record in records {
+        most = most.max(record.worth(|measure| measure.verdict != Verdict::NotTimed));
+    }
     if most > 0.0 { most } else { 1.0 }
 }
 

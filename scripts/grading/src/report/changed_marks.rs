@@ -43,6 +43,7 @@ fn text(record: &Record) -> String {
     for (path, digest) in &record.found.files {
         out += &format!("{}: {digest}\n", line(path));
     }
-    let (toolchain, machine) = (line(&record.found.toolchain), line(&record.found.machine));
+    let toolchain = line(&record.found.toolchain);
+    let machine = line(&record.found.machine);
     out + &format!("Grader: {}\nCompiler: {toolchain}\nMachine: {machine}\n", record.found.grader)
 }

@@ -89,7 +89,8 @@ fn standing(record: &Record, words: &Words) -> String {
 fn tasks(record: &Record, words: &Words) -> String {
     let mut out = String::from("| task | points |\n|---|---|\n");
     for task in &record.tasks {
-        let (given, most) = (points(task.points), points(task.out_of));
+        let given = points(task.points);
+        let most = points(task.out_of);
         let mark = match (record.is_by_hand(&task.id), task.passed) {
             (true, _) => " **by hand**",
             (false, true) => "",

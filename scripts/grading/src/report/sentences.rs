@@ -34,7 +34,8 @@ pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
     let mut remarks = Vec::new();
     let late = record.marked.late.as_ref().filter(|_| record.has_mark());
     if let (None, Some(late)) = (task, late) {
-        let (days, lost) = (late.days(), points(100.0 * late.lost));
+        let days = late.days();
+        let lost = points(100.0 * late.lost);
         remarks.push(format!("It came {days} late, which costs {lost} % of the points."));
     }
     for Decision { points: given, reason, .. } in record.decided(task) {

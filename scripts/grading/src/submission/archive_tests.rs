@@ -118,7 +118,8 @@ fn what_does_not_belong_is_left_out_with_its_reason() {
     };
     let long = ["a".repeat(300), "a/".repeat(2100), "a".repeat(8 << 20)];
     let long = long.map(|name| format!("src/{name}.rs"));
-    let (elsewhere, unfit) = ("grading has its own", "longer than 200 bytes");
+    let elsewhere = "grading has its own";
+    let unfit = "longer than 200 bytes";
     let zeros = [("src/zeros.rs".to_owned(), vec![0; 64 << 20])];
     let zeros: Sources = own().into_iter().chain(zeros).collect();
     let cases: [(Archive, &[&str]); 12] = [
@@ -212,7 +213,8 @@ fn hidden_submissions_are_told_apart() {
 
 #[test]
 fn archives_beside_a_folder_labs_are_not_passed_over() {
-    let (class, kit) = (tempfile::tempdir().unwrap(), Kit::find().unwrap());
+    let class = tempfile::tempdir().unwrap();
+    let kit = Kit::find().unwrap();
     fs::create_dir(class.path().join("labs")).unwrap();
     assert_eq!(list(&kit, class.path()).unwrap(), [class.path()]);
     fs::write(class.path().join("ada.zip"), "").unwrap();
@@ -222,7 +224,8 @@ fn archives_beside_a_folder_labs_are_not_passed_over() {
 
 #[test]
 fn a_file_that_is_no_archive_is_refused_before_anything_is_built() {
-    let (class, kit) = (tempfile::tempdir().unwrap(), Kit::find().unwrap());
+    let class = tempfile::tempdir().unwrap();
+    let kit = Kit::find().unwrap();
     let path = class.path().join("essay.pdf");
     fs::write(&path, "an essay").unwrap();
     for path in [path.as_path(), "/dev/zero".as_ref()] {

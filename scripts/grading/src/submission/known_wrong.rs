@@ -57,9 +57,12 @@ pub(crate) fn complaint(wrong: &Wrong, record: &Record) -> Option<String> {
     let must: BTreeSet<String> = must.map(|task| task.to_string()).collect();
     let lost: BTreeSet<String> =
         record.tasks.iter().filter(|task| !task.passed).map(|task| task.id.clone()).collect();
-    let list = |tasks: &BTreeSet<String>| tasks.iter().cloned().collect::<Vec<_>>().join(", ");
-    let says = if must.is_empty() { "that it loses none".into() } else { list(&must) };
-    (must != lost).then(|| format!("WRONG MARKS: its section says {says}"))
+    if must == lost {
+        return None;
+    }
+    let listed = must.into_iter().collect::<Vec<_>>().join(", ");
+    let says = if listed.is_empty() { "that it loses none" } else { &listed };
+    Some(format!("WRONG MARKS: its section says {says}"))
 }
 
 #[cfg(test)]

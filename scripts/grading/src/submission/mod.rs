@@ -144,16 +144,20 @@ pub(crate) fn list(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
 fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
     let entries = fs::read_dir(path).with_context(|| format!("cannot read {}", path.display()))?;
     let mut found = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
-    let is_about = |path: &Path| {
-        roster::FILES.iter().any(|name| path.ends_with(name))
-            || path.extension().is_some_and(|end| end == "csv")
-    };
-    found.retain(|path| !is_about(path));
+    found.retain(|path| !is_about_the_class(path));
     found.sort();
-    let dotted =
-        |path: &Path| path.file_name().is_some_and(|name| name.as_encoded_bytes()[0] == b'.');
-    let hidden = |path: &PathBuf| dotted(path) || is_macos(path);
-    Ok(found.into_iter().partition(|path| !hidden(path)))
+    Ok(found.into_iter().partition(|path| !is_dotted(path) && !is_macos(path)))
+}
+
+/// Whether a file contains information about the class, and is not a submission.
+fn is_about_the_class(path: &Path) -> bool {
+    roster::FILES.iter().any(|name| path.ends_with(name))
+        || path.extension().is_some_and(|end| end == "csv")
+}
+
+/// Whether the name of a file begins with a dot.
+fn is_dotted(path: &Path) -> bool {
+    path.file_name().is_some_and(|name| name.as_encoded_bytes()[0] == b'.')
 }
 
 /// Reads a submission.
@@ -187,12 +191,11 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<Su
         return Ok(Submission { left_out, ..Submission::default() });
     }
     let changed = given.put(&mut files);
-    let is_folder_too = |path: &&String| {
-        let mut folders = files.keys().flat_map(|file| Path::new(file).ancestors().skip(1));
-        folders.any(|folder| folder == Path::new(path))
-    };
-    if let Some(path) = files.keys().find(is_folder_too) {
-        bail!("{path} in it is a file and a folder");
+    for file in files.keys() {
+        let mut folders = Path::new(file).ancestors().skip(1).filter_map(Path::to_str);
+        if let Some(path) = folders.find(|folder| files.contains_key(*folder)) {
+            bail!("{path} in it is a file and a folder");
+        }
     }
     Ok(Submission { files, left_out, changed })
 }
@@ -214,12 +217,10 @@ pub(crate) fn holds(kit: &Kit, lab: Lab, path: &Path) -> Result<bool> {
 
 /// Returns the message about a submission without any file with a task, which names a similar file.
 pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
-    let source = |left: &&LeftOut| {
-        let mut parts = left.path.split(['/', '\\']);
-        let leads = parts.any(|part| part == "src" || part == format!("lab{lab}"));
-        leads || left.reason.starts_with(MISPLACED)
-    };
-    let other = left_out.iter().find(source).map(|left| format!(", but {}", left.path));
+    let other = left_out
+        .iter()
+        .find(|left| is_similar(lab, left))
+        .map(|left| format!(", but {}", left.path));
     format!(
         "there is no task's file in a folder labs/lab{lab}/src in it{}. 'cargo lab submit {lab}' packs it as it \
          must be; or put the lab's folder into one called labs, and pack that",
@@ -227,12 +228,18 @@ pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
     )
 }
 
+/// Whether a file that is left out may be a source of the lab.
+fn is_similar(lab: Lab, left: &LeftOut) -> bool {
+    let mut parts = left.path.split(['/', '\\']);
+    let leads = parts.any(|part| part == "src" || part == format!("lab{lab}"));
+    leads || left.reason.starts_with(MISPLACED)
+}
+
 /// Whether the path leads to the kit's own solutions. A link to them does not count, because it may
 /// be in a class.
 fn own_solutions(kit: &Kit, path: &Path) -> bool {
-    let canonical = |path: &Path| path.canonicalize().ok();
-    !path.is_symlink()
-        && canonical(path).is_some_and(|path| Some(path) == canonical(&kit.path("solutions")))
+    let solutions = kit.path("solutions").canonicalize().ok();
+    !path.is_symlink() && solutions.is_some() && path.canonicalize().ok() == solutions
 }
 
 #[cfg(test)]

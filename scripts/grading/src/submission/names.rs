@@ -18,7 +18,8 @@ const ARCHIVES: [&str; 4] = [".tgz", ".gz", ".tar", ".zip"];
 pub(crate) fn named(paths: Vec<PathBuf>) -> Vec<(String, PathBuf)> {
     let mut named: Vec<(String, PathBuf)> = Vec::new();
     for path in paths {
-        let (short, full) = (name(&path), full(&path));
+        let short = name(&path);
+        let full = full(&path);
         let numbered = (2..).map(|number| format!("{full}-{number}"));
         let taken = |name: &String| named.iter().any(|(other, _)| other == name);
         let free = [short, full.clone()].into_iter().chain(numbered).find(|name| !taken(name));
@@ -60,9 +61,8 @@ pub(super) fn is_called_archive(path: &Path) -> bool {
 
 fn full(path: &Path) -> String {
     // The path `.` has no name, so the name of its folder is used.
-    let canonical = || path.canonicalize().ok();
-    let name =
-        path.file_name().map(ToOwned::to_owned).or_else(|| Some(canonical()?.file_name()?.into()));
+    let canonical = path.canonicalize().unwrap_or_default();
+    let name = path.file_name().or(canonical.file_name());
     let mut name = composed(&name.unwrap_or_default().to_string_lossy());
     name.truncate(name.floor_char_boundary(MOST));
     name

@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::Result;
 
-use crate::record::{Findings, Kind, Measure};
+use crate::record::{Findings, Kind};
 use crate::sandbox::Sandbox;
 use lab_kit::{Discs, Facts, Workers};
 use oracle::Random;
@@ -74,9 +74,12 @@ fn scene(random: &mut Random) -> u32 {
 /// Whether every measure is graded that can be graded on a machine with this many cores.
 pub(crate) fn is_done_on(cores: usize, findings: &Findings, rubric: &Facts) -> bool {
     // With one core scaling is never graded.
-    let cannot_be = |measure: &Measure| measure.kind == Kind::Scaling && cores == 1;
-    let is_judged = |measure: &Measure| measure.counts() || cannot_be(measure);
-    findings.timed && judge(findings, rubric).iter().all(is_judged)
+    let cannot_scale = cores == 1;
+    let measures = judge(findings, rubric);
+    findings.timed
+        && measures
+            .iter()
+            .all(|measure| measure.counts() || measure.kind == Kind::Scaling && cannot_scale)
 }
 
 /// Returns the kinds of discs that a lab's programs simulate.
@@ -88,9 +91,13 @@ pub(crate) fn programs(lab: &Facts) -> Vec<(&'static str, &'static str)> {
     [(own, "VARIANTS")].into_iter().chain(hard).collect()
 }
 
+/// Returns the name of a file in the timed program, and its path in the kit.
+fn timed(to: &str, from: &str) -> (String, String) {
+    (to.to_owned(), format!("tests/timed/{from}"))
+}
+
 /// Returns the files of a lab's timed program: their names, and their paths in the kit.
 pub(crate) fn sources(lab: &Facts) -> Vec<(String, String)> {
-    let timed = |to: &str, from: &str| (to.to_owned(), format!("tests/timed/{from}"));
     let team = if lab.workers == Workers::Ranks { "ranks.rs" } else { "alone.rs" };
     let mut sources = vec![timed("main.rs", "main.rs"), timed("team.rs", team)];
     let scenes = programs(lab).into_iter().map(|(discs, _)| format!("{discs}.rs"));

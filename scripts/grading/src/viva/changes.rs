@@ -156,7 +156,8 @@ mod tests {
     #[test]
     fn a_change_replaces_its_line() {
         let mut sources: Sources = [("src/a.rs".into(), b"a\n  b\nc\n".to_vec())].into();
-        let (path, text) = ("src/a.rs".into(), "b".into());
+        let path = "src/a.rs".into();
+        let text = "b".into();
         let line = Line { path, at: 1, text, task: None, begins: false };
         Change { line, new: "x".into(), story: None }.apply(&mut sources);
         assert_eq!(sources["src/a.rs"], b"a\nx\nc\n");

@@ -28,7 +28,8 @@ impl Sheet {
 
     /// Returns the page, as Markdown.
     pub(super) fn page(&self, lab: Lab, name: &str, seed: u64) -> String {
-        let (mut questions, mut keys) = (String::new(), String::new());
+        let mut questions = String::new();
+        let mut keys = String::new();
         for (number, (question, key)) in (1..).zip(&self.questions) {
             questions += &format!("## {number}\n\n{question}\n\n");
             keys += &format!("## Key to {number}\n\n{key}\n\n");

@@ -119,7 +119,8 @@ impl Class {
     /// Adds a link to all of the kit's solutions, and a folder whose sources are a link to a
     /// solution.
     fn links(&mut self) {
-        let (solutions, lab) = (kit().join("solutions"), format!("lab{}", self.lab));
+        let solutions = kit().join("solutions");
+        let lab = format!("lab{}", self.lab);
         let linked = self.folder().join("linked/labs").join(&lab);
         fs::create_dir_all(&linked).unwrap();
         symlink(solutions.join(&lab).join("src"), linked.join("src")).unwrap();

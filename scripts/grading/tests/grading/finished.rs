@@ -20,9 +20,11 @@ fn message(mut command: Command) -> (bool, String) {
 /// Returns a path with a `rustc` that names a folder without a compiler, so that nothing can be
 /// built.
 fn without_compiler(top: &Path) -> String {
-    let (own, folder) = (program("rustc").unwrap(), top.join("without-compiler"));
+    let own = program("rustc").unwrap();
+    let folder = top.join("without-compiler");
     fs::create_dir_all(&folder).unwrap();
-    let (own, shown) = (own.display(), folder.display());
+    let own = own.display();
+    let shown = folder.display();
     let text =
         format!("if [ \"$1\" = --print ]; then echo '{shown}'; else exec '{own}' \"$@\"; fi");
     script(&folder.join("rustc"), &text);

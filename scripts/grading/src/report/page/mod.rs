@@ -56,7 +56,6 @@ fn facts(records: &[Record], counting: &[Record]) -> Markup {
     let all = given.iter().filter(|points| **points >= full - 1e-9).count();
     let broken = records.iter().filter(|record| trouble(record.found.status).is_some()).count();
     let open = records.iter().filter(|record| record.open_points() > 0.0).count();
-    let fact = |value: String, what: &str| html! { div { b { (value) } span { (what) } } };
     html! {
         div.facts {
             (fact(records.len().to_string(), "submissions"))
@@ -71,11 +70,17 @@ fn facts(records: &[Record], counting: &[Record]) -> Markup {
     }
 }
 
+/// Writes a number and its meaning.
+fn fact(value: String, what: &str) -> Markup {
+    html! { div { b { (value) } span { (what) } } }
+}
+
 /// Returns a quantile of sorted numbers, interpolated linearly between neighbours.
 fn quantile(sorted: &[f64], part: f64) -> f64 {
     let at = part * sorted.len().saturating_sub(1) as f64;
     let number = |at: f64| sorted.get(at as usize).copied().unwrap_or(0.0);
-    let (below, above) = (number(at.floor()), number(at.ceil()));
+    let below = number(at.floor());
+    let above = number(at.ceil());
     below + (above - below) * at.fract()
 }
 
@@ -101,16 +106,18 @@ fn rendered(text: &str) -> PreEscaped<String> {
     PreEscaped(out)
 }
 
+/// Lists the different values of a field.
+fn distinct(records: &[Record], of: fn(&Record) -> &str) -> String {
+    let all: BTreeSet<&str> = records.iter().map(of).collect();
+    line(&all.into_iter().collect::<Vec<_>>().join("; "))
+}
+
 /// Writes the machine, the compiler and the grader that the marks depend on.
 fn provenance(records: &[Record]) -> Markup {
-    let distinct = |of: fn(&Record) -> &str| {
-        let all: BTreeSet<&str> = records.iter().map(of).collect();
-        line(&all.into_iter().collect::<Vec<_>>().join("; "))
-    };
     html! {
         p.soft {
-            "Machine: " (distinct(|record| &record.found.machine)) ". "
-            "Compiler: " (distinct(|record| &record.found.toolchain)) ". "
+            "Machine: " (distinct(records, |record| &record.found.machine)) ". "
+            "Compiler: " (distinct(records, |record| &record.found.toolchain)) ". "
             @if records.iter().all(|record| record.found.sandboxed) {
                 "All programs ran in a sandbox."
             } @else {

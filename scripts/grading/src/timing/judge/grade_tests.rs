@@ -229,7 +229,8 @@ fn only_what_can_be_graded_is_timed_again() {
             [1.0, later, later, later, later].map(|seconds| seconds / p).into()
         })
     };
-    let (quiet, noisy) = (1.0, 4.0);
+    let quiet = 1.0;
+    let noisy = 4.0;
     let done = |cores, record: Record| is_done_on(cores, &record.found, &rubric);
     assert!(done(2, of(2, quiet)) && !done(2, of(2, noisy)));
     // With one core there is no scaling. With more cores there is.

@@ -34,11 +34,10 @@ pub(crate) fn judge(findings: &Findings, rubric: &Facts) -> Vec<Measure> {
 
 /// Whether further takes may improve a grade, whatever the source of the noise.
 pub(crate) fn is_noisy(findings: &Findings, rubric: &Facts) -> bool {
-    let noisy = |found: &Result<Found, Without>| match found {
+    all(findings, &drawn(rubric, findings.seed)).iter().any(|(_, _, found)| match found {
         Ok(found) => clock::is_noisy(found.grade),
         Err((verdict, _)) => *verdict == Verdict::TooNoisy,
-    };
-    all(findings, &drawn(rubric, findings.seed)).iter().any(|(_, _, found)| noisy(found))
+    })
 }
 
 type Judged<'r> = (Kind, &'r Timed, Result<Found, Without>);
@@ -50,18 +49,18 @@ fn all<'r>(findings: &Findings, rubric: &'r Facts) -> Vec<Judged<'r>> {
         (Kind::Scaling, &rubric.scaling, scaling::scaling),
         (Kind::Speed, &rubric.speed, speed),
     ];
-    let judged = |(kind, timed, judge): (Kind, &'r Option<Timed>, Judge)| {
-        let timed = timed.as_ref()?;
-        let found = if !findings.timed {
+    let mut found = Vec::new();
+    for (kind, timed, judge) in all {
+        let Some(timed) = timed else { continue };
+        let result = if !findings.timed {
             Err((Verdict::NotTimed, "no times were taken".into()))
         } else if findings.status != Status::Graded {
             Err((Verdict::Wrong, "there is no program to time".into()))
         } else {
             judge(&Runs { all: &findings.runs, timed })
         };
-        Some((kind, timed, found))
-    };
-    let mut found: Vec<_> = all.into_iter().filter_map(judged).collect();
+        found.push((kind, timed, result));
+    }
     for (kind, _, found) in found.iter_mut().filter(|_| !rubric.races.is_empty()) {
         if let (Kind::Speed, Ok(found)) = (*kind, found) {
             let which = format!("; 'cargo lab speed {}' says which loop is slow", findings.lab);

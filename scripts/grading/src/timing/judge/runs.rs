@@ -99,7 +99,8 @@ pub(crate) fn busy(run: &Run) -> f64 {
 
 /// Returns the share of its time that a run of one worker computed; `None` unless it waited.
 pub(crate) fn waited(run: &Run) -> Option<f64> {
-    let (takes, wall) = (run.seconds.len() as f64, run.seconds.iter().sum::<f64>());
+    let takes = run.seconds.len() as f64;
+    let wall = run.seconds.iter().sum::<f64>();
     let share = busy(run);
     let waits = share < MOSTLY && wall * (1.0 - share) > LONG * takes;
     (run.outcome == Outcome::Timed && waits).then_some(share)
@@ -125,8 +126,7 @@ fn net(runs: &[Run], run: &Run) -> Result<Span, Without> {
 
 /// Returns the measured seconds of a run, or the verdict that it was not timed.
 fn taken(run: &Run) -> Result<Span, Without> {
-    let none = || (Verdict::NotTimed, "no take was finished: grade it again".into());
-    span(run).ok_or_else(none)
+    span(run).ok_or_else(|| (Verdict::NotTimed, "no take was finished: grade it again".into()))
 }
 
 /// Finds a trusted run without steps on the same number of particles. A run of the same program and
