@@ -192,15 +192,7 @@ impl<R: Rules, O: Observer> Simulation for Planned<R, O> {
     fn run(&mut self, steps: u64) {
         self.seen.replace(None);
         let workers = self.crew.workers().clone();
-        let mut left = steps;
-        // These steps are computed already and need no threads.
-        while left > 0 && self.is_computed() {
-            self.official_step(&workers);
-            left -= 1;
-        }
-        if left > 0 {
-            workers.within(|| (0..left).for_each(|_| self.official_step(&workers)));
-        }
+        (0..steps).for_each(|_| self.official_step(&workers));
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {
