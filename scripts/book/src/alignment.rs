@@ -40,7 +40,8 @@ fn with_alignment(rule: &str, rows: &[Vec<&str>]) -> String {
 /// Returns the cells of a row of a table, without the spaces around them.
 fn cells(row: &str) -> Vec<&str> {
     let mut cells = Vec::new();
-    let (mut begin, mut in_code) = (1, false);
+    let mut begin = 1;
+    let mut in_code = false;
     for (at, c) in row.char_indices().skip(1) {
         in_code ^= c == '`';
         if c == '|' && !in_code && row.as_bytes()[at - 1] != b'\\' {

@@ -8,7 +8,7 @@ use anyhow::Result;
 use lab_kit::facts::Timed;
 use lab_kit::{Facts, Kit, Lab, Workers, answers, hints, rubric, wrong};
 
-use crate::tasks::{difficulty, optional};
+use crate::chapter_tasks::{difficulty, optional};
 
 /// Returns a line with the hours that a lab takes and the tools that it needs.
 pub(crate) fn needs(facts: &Facts) -> String {

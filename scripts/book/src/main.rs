@@ -1,6 +1,7 @@
 //! The book: `cargo lab book`, and the preprocessor that mdBook calls.
 
 mod alignment;
+mod chapter_tasks;
 mod digits;
 mod drawings;
 mod ending;
@@ -20,7 +21,6 @@ mod query;
 mod reports;
 mod sections;
 mod snippets;
-mod tasks;
 mod variants;
 
 use std::process::ExitCode;

@@ -16,7 +16,7 @@ use lab_kit::Kit;
 
 use crate::ending::Page;
 use crate::entries::Data;
-use crate::{alignment, drawings, ending, markers, math, predictions, tasks};
+use crate::{alignment, chapter_tasks, drawings, ending, markers, math, predictions};
 
 /// Environment variable that makes the preprocessor omit the hints.
 pub(crate) const WITHOUT_HINTS: &str = "CUTOFF_BOOK_WITHOUT_HINTS";
@@ -60,7 +60,7 @@ fn end(chapter: &Chapter, pages: &[Page], edit: &str) -> String {
 fn page(data: &mut Data, chapter: &Chapter, with_hints: bool) -> Result<String> {
     let file = chapter.path.as_deref().unwrap_or(Path::new(""));
     let mut text = markers::fill(data, &chapter.content)?;
-    text = tasks::placed(data.kit, file, &text, with_hints)?;
+    text = chapter_tasks::placed(data.kit, file, &text, with_hints)?;
     text = alignment::aligned(&predictions::unfolded(&text)?);
     let folder = data.kit.path("book/src").join(file.parent().unwrap_or(Path::new("")));
     let text = drawings::link(&math::render(&text)?, &folder);

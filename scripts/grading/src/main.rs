@@ -1,25 +1,25 @@
 //! Grades a class: the instructors' commands of `cargo lab`.
 //!
-//! [`class`] is `cargo lab grade`. It reads submissions ([`intake`]), builds each of them beside a
+//! [`class`] is `cargo lab grade`. It reads submissions ([`submission`]), builds each of them beside a
 //! program that asks it questions ([`build`]), and runs it in a sandbox ([`sandbox`]). The answers
 //! are judged outside the sandbox ([`asking`]), and times are taken ([`timing`]). The result is a
 //! [`record`] of each submission. Points are computed from the record, the rubric and the
-//! instructor's `class.toml` ([`roll`], [`score`]), and a [`report`] shows them. [`regrade`],
+//! instructor's `class.toml` ([`roster`], [`score`]), and a [`report`] shows them. [`regrade`],
 //! [`shell`], [`similarity`] and [`viva`] are separate commands.
 
 mod asking;
 mod build;
 mod class;
 mod escape;
-mod intake;
 mod record;
 mod regrade;
 mod report;
-mod roll;
+mod roster;
 mod sandbox;
 mod score;
 mod shell;
 mod similarity;
+mod submission;
 mod timing;
 mod viva;
 

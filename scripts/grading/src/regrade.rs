@@ -9,8 +9,7 @@ use clap::Args;
 use crate::escape::line;
 use crate::record::{self, Record};
 use crate::report;
-use crate::roll::Roll;
-use crate::score::score;
+use crate::roster::ClassFile;
 use lab_kit::Kit;
 use lab_kit::rubric;
 
@@ -38,21 +37,22 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let Options { folder, dry_run, since } = options;
     let mut before = record::read_all(folder)?;
     ensure!(!before.is_empty(), "{} holds no records", folder.display());
-    let (first, lab) = (&before[0].name, before[0].lab);
-    if let Some(Record { name, lab: other, .. }) = before.iter().find(|r| r.lab != lab) {
-        let [first, name] = [first, name].map(|name| line(name));
+    let first = &before[0].found;
+    let lab = first.lab;
+    if let Some(record) = before.iter().find(|record| record.found.lab != lab) {
+        let other = &record.found;
         bail!(
-            "the records are of several labs: {first}.json of lab {lab}, {name}.json of lab {other}"
+            "the records are of several labs: {}.json of lab {lab}, {}.json of lab {}",
+            line(&first.name),
+            line(&other.name),
+            other.lab
         );
     }
     let rubric = rubric::read(kit, lab)?;
     rubric.warn(lab);
     let mut after = before.clone();
-    let roll = Roll::read(folder, &rubric)?;
-    let rubric = roll.rubric(&rubric);
-    roll.tell(&mut after);
-    after.iter_mut().try_for_each(|record| score(record, &rubric))?;
-    let attendance = roll.attendance(&mut after);
+    let class = ClassFile::read(folder, &rubric)?;
+    let attendance = class.mark(&mut after, &rubric)?;
     if let Some(folder) = since {
         before = record::read_all(folder)?;
     }
@@ -60,29 +60,33 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     say_changes(&before, &after, verb);
     if !dry_run {
         after.iter().try_for_each(|record| record.write(folder))?;
-        report::write(kit, lab, &after, (&roll, &attendance), folder)?;
+        report::write(kit, lab, &after, (&class, &attendance), folder)?;
         attendance.say(&after);
         println!("The class: {}", folder.join("index.html").display());
     }
     Ok(ExitCode::SUCCESS)
 }
 
+/// Finds the record of this name.
+fn find<'a>(records: &'a [Record], name: &str) -> Option<&'a Record> {
+    records.iter().find(|record| record.found.name == name)
+}
+
 /// Prints a paragraph for each submission that has changed, and the number of changes.
 fn say_changes(before: &[Record], after: &[Record], verb: &str) {
-    let find = |all: &[Record], name: &str| all.iter().position(|record| record.name == name);
     let mut changed = 0;
     for record in after {
-        let Some(at) = find(before, &record.name) else {
-            println!("{}: it was not there", line(&record.name));
+        let Some(earlier) = find(before, &record.found.name) else {
+            println!("{}: it was not there", line(&record.found.name));
             continue;
         };
-        if let Some(words) = report::changes(&before[at], record) {
+        if let Some(words) = report::changes(earlier, record) {
             println!("{words}");
             changed += 1;
         }
     }
-    for gone in before.iter().filter(|record| find(after, &record.name).is_none()) {
-        println!("{}: it is no longer there", line(&gone.name));
+    for gone in before.iter().filter(|record| find(after, &record.found.name).is_none()) {
+        println!("{}: it is no longer there", line(&gone.found.name));
     }
     println!("{changed} of {} {verb}.", after.len());
 }

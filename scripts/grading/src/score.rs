@@ -2,7 +2,7 @@
 
 use anyhow::{Result, ensure};
 
-use crate::record::{Decision, Measure, Record, Status, Task, Verdict, number};
+use crate::record::{Decision, Findings, Marked, Record, Status, Task, Verdict, number};
 use crate::timing;
 use lab_kit::Facts;
 use lab_kit::facts::TaskFacts;
@@ -12,57 +12,70 @@ use lab_kit::facts::TaskFacts;
 /// # Errors
 /// If the rubric has a task that the record does not have.
 pub(crate) fn score(record: &mut Record, rubric: &Facts) -> Result<()> {
-    for id in rubric.tasks.keys() {
-        if record.tasks.iter().any(|task| task.id == *id) {
-            continue;
-        }
-        ensure!(
-            record.status != Status::Graded,
-            "the record of {} knows nothing about task {id}: grade it again",
-            record.name
-        );
-        record.tasks.push(Task::unasked(id));
-    }
+    let Record { found, tasks, marked } = record;
+    add_unasked(found, tasks, rubric)?;
     // Tasks are sorted by number: 7.2 before 7.10.
-    record.tasks.sort_by_key(|task| number(&task.id));
-    for task in &mut record.tasks {
-        let TaskFacts { points, partial, .. } =
-            rubric.tasks.get(&task.id).cloned().unwrap_or_default();
-        task.out_of = points;
-        let share = if task.passed { 1.0 } else { partial * task.share };
-        // Two decimals are enough; more would only confuse.
-        task.points = (100.0 * share * task.out_of).round() / 100.0;
+    tasks.sort_by_key(|task| number(&task.id));
+    for task in &mut *tasks {
+        score_task(task, rubric);
     }
-    record.measures = timing::judge(record, rubric);
-    decide_parts(record);
+    marked.measures = timing::judge(found, rubric);
+    decide_parts(tasks, marked);
     // An open measure has no points yet, so no student gains by it.
-    let tasks = |of: fn(&Task) -> f64| record.tasks.iter().map(of).sum::<f64>();
-    let measures = |of: fn(&Measure) -> f64| record.measures.iter().map(of).sum::<f64>();
-    record.points = tasks(|task| task.points) + measures(|measure| measure.points);
-    record.out_of = tasks(|task| task.out_of) + measures(|measure| measure.out_of);
-    decide_whole(record);
+    let measures = &marked.measures;
+    marked.points = tasks.iter().map(|task| task.points).sum::<f64>()
+        + measures.iter().map(|measure| measure.points).sum::<f64>();
+    marked.out_of = tasks.iter().map(|task| task.out_of).sum::<f64>()
+        + measures.iter().map(|measure| measure.out_of).sum::<f64>();
+    decide_whole(marked);
     Ok(())
 }
 
+/// Adds the tasks of the rubric that a submission without a program was not asked.
+fn add_unasked(found: &Findings, tasks: &mut Vec<Task>, rubric: &Facts) -> Result<()> {
+    for id in rubric.tasks.keys() {
+        if tasks.iter().any(|task| task.id == *id) {
+            continue;
+        }
+        ensure!(
+            found.status != Status::Graded,
+            "the record of {} knows nothing about task {id}: grade it again",
+            found.name
+        );
+        tasks.push(Task::unasked(id));
+    }
+    Ok(())
+}
+
+/// Sets a task's points. A task that is not in the rubric is worth nothing.
+fn score_task(task: &mut Task, rubric: &Facts) {
+    let TaskFacts { points, partial, .. } = rubric.tasks.get(&task.id).cloned().unwrap_or_default();
+    task.out_of = points;
+    let share = if task.passed { 1.0 } else { partial * task.share };
+    // Two decimals are enough; more would only confuse.
+    task.points = (100.0 * share * task.out_of).round() / 100.0;
+}
+
 /// Sets the points of tasks and measures that a person decided. The last decision counts.
-fn decide_parts(record: &mut Record) {
-    for Decision { task, points, .. } in &record.by_hand {
+fn decide_parts(tasks: &mut [Task], marked: &mut Marked) {
+    for Decision { task, points, .. } in &marked.by_hand {
         let (Some(id), Some(points)) = (task, *points) else { continue };
-        for task in record.tasks.iter_mut().filter(|task| task.id == *id) {
+        for task in tasks.iter_mut().filter(|task| task.id == *id) {
             task.points = points;
         }
-        for measure in record.measures.iter_mut().filter(|m| m.kind.name() == id) {
-            (measure.points, measure.verdict) = (points, Verdict::Graded);
+        for measure in marked.measures.iter_mut().filter(|m| m.kind.name() == id) {
+            measure.points = points;
+            measure.verdict = Verdict::Graded;
         }
     }
 }
 
 /// Sets the total: the points that a person decided, or else the points reduced by lateness.
-fn decide_whole(record: &mut Record) {
-    let decided = record.by_hand.iter().rev().filter(|decision| decision.task.is_none());
-    match (decided.into_iter().find_map(|decision| decision.points), &record.late) {
-        (Some(points), _) => record.points = points,
-        (None, Some(late)) => record.points *= 1.0 - late.lost,
+fn decide_whole(marked: &mut Marked) {
+    let decided = marked.by_hand.iter().rev().filter(|decision| decision.task.is_none());
+    match (decided.into_iter().find_map(|decision| decision.points), &marked.late) {
+        (Some(points), _) => marked.points = points,
+        (None, Some(late)) => marked.points *= 1.0 - late.lost,
         (None, None) => {}
     }
 }
@@ -84,9 +97,9 @@ mod tests {
     fn points_follow_the_rubric_and_what_passed() {
         let mut record = Record::sample();
         score(&mut record, &rubric(&[("1.1", 30.0), ("1.2", 70.0)])).unwrap();
-        assert_eq!((record.points, record.out_of), (30.0, 100.0));
+        assert_eq!((record.marked.points, record.marked.out_of), (30.0, 100.0));
         score(&mut record, &rubric(&[("1.2", 100.0)])).unwrap();
-        assert_eq!((record.points, record.out_of), (0.0, 100.0));
+        assert_eq!((record.marked.points, record.marked.out_of), (0.0, 100.0));
     }
 
     #[test]
@@ -95,10 +108,10 @@ mod tests {
         record.tasks[1].share = 0.75;
         let mut rubric = rubric(&[("1.1", 60.0), ("1.2", 40.0)]);
         score(&mut record, &rubric).unwrap();
-        assert_eq!(record.points, 60.0, "nothing if it says nothing");
+        assert_eq!(record.marked.points, 60.0, "nothing if it says nothing");
         rubric.tasks.get_mut("1.2").unwrap().partial = 0.5;
         score(&mut record, &rubric).unwrap();
-        assert_eq!(record.points, 75.0);
+        assert_eq!(record.marked.points, 75.0);
     }
 
     #[test]
@@ -106,9 +119,9 @@ mod tests {
         let mut record = Record::sample();
         let error = score(&mut record, &rubric(&[("1.9", 1.0)])).unwrap_err().to_string();
         assert!(error.contains("task 1.9: grade it again"), "{error}");
-        record.status = Status::NotBuilt;
+        record.found.status = Status::NotBuilt;
         score(&mut record, &rubric(&[("1.9", 1.0)])).unwrap();
-        assert_eq!(record.out_of, 1.0);
+        assert_eq!(record.marked.out_of, 1.0);
     }
 
     #[test]
@@ -117,7 +130,10 @@ mod tests {
         let mut rubric = rubric(&[("1.1", 100.0)]);
         rubric.speed = Some(Timed { points: 20.0, variant: "all-pairs".into(), n: 1000 });
         score(&mut record, &rubric).unwrap();
-        assert_eq!(record.measures[0].verdict, Verdict::NotTimed);
-        assert_eq!((record.points, record.out_of, record.open_points()), (100.0, 120.0, 20.0));
+        assert_eq!(record.marked.measures[0].verdict, Verdict::NotTimed);
+        assert_eq!(
+            (record.marked.points, record.marked.out_of, record.open_points()),
+            (100.0, 120.0, 20.0)
+        );
     }
 }

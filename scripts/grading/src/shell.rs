@@ -8,8 +8,8 @@ use anyhow::{Result, anyhow, bail, ensure};
 use clap::Args;
 
 use crate::build::Tree;
-use crate::intake::{self, forbidden};
 use crate::sandbox::{Limits, Sandbox};
+use crate::submission::{self, forbidden};
 use lab_kit::files::write_file;
 use lab_kit::process::kill_all_on_interrupt;
 use lab_kit::{Given, Kit, Lab, Workers};
@@ -29,19 +29,20 @@ pub(crate) struct Options {
 
 /// Builds the submission, prints the possible commands, and starts the shell.
 pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
-    let (lab, limit) = (options.lab, Duration::from_secs(900));
+    let lab = options.lab;
+    let limit = Duration::from_secs(900);
     let loopback = kit.facts(lab)?.workers == Workers::Ranks;
     let sandbox = Sandbox::find(kit, false, Limits { run: limit, build: limit, loopback })?;
-    let intake = intake::take(kit, lab, &Given::of(kit, lab)?, &options.path)?;
-    ensure!(!intake.files.is_empty(), "{}", intake::nothing(lab, &intake.left_out));
-    if let Some(why) = forbidden::find(&intake.files) {
+    let submission = submission::take(kit, lab, &Given::of(kit, lab)?, &options.path)?;
+    ensure!(!submission.files.is_empty(), "{}", submission::nothing(lab, &submission.left_out));
+    if let Some(why) = forbidden::find(&submission.files) {
         bail!("{why}");
     }
     kill_all_on_interrupt();
     eprintln!("Building it");
     let tree = Tree::lay(kit, lab, &sandbox)?;
-    let folder = tree.build(&sandbox, &intake.files)?.map_err(|why| anyhow!("{why}"))?;
-    for (path, bytes) in &intake.files {
+    let folder = tree.build(&sandbox, &submission.files)?.map_err(|why| anyhow!("{why}"))?;
+    for (path, bytes) in &submission.files {
         write_file(&folder.path().join(path), bytes)?;
     }
     println!(

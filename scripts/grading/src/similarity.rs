@@ -8,11 +8,11 @@ use anyhow::{Result, ensure};
 use clap::Args;
 
 use crate::escape::line;
-use crate::intake;
-use crate::intake::names::named;
+use crate::submission;
+use crate::submission::names::named;
 use lab_kit::files::write_file;
+use lab_kit::sources::{Sources, of_solution};
 use lab_kit::starter;
-use lab_kit::submission::{Sources, of_solution};
 use lab_kit::{Kit, Lab};
 
 /// Write a class in the form that Dolos compares (for instructors)
@@ -45,10 +45,10 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     for (label, folders) in [("now", &[options.folder][..]), ("before", &options.before)] {
         let mut paths = Vec::new();
         for folder in folders {
-            paths.extend(intake::submissions(kit, folder)?);
+            paths.extend(submission::list(kit, folder)?);
         }
         for (name, path) in named(paths) {
-            let handed_in = match intake::read(&path) {
+            let handed_in = match submission::read(&path) {
                 Ok(handed_in) => handed_in,
                 Err(error) => {
                     eprintln!("passed over: {}", line(&format!("{error:#}")));
@@ -75,8 +75,10 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         // The kit is public, so any student can copy this solution.
         class.push(("public/solution.rs".into(), "public", one_file(&of_solution(kit, lab)?)));
         write(kit, lab, class, &folder)?;
-        let (list, starter) = (folder.join("info.csv"), folder.join("starter.rs"));
-        let (list, starter) = (list.display(), starter.display());
+        let list = folder.join("info.csv");
+        let starter = folder.join("starter.rs");
+        let list = list.display();
+        let starter = starter.display();
         println!("dolos run --language rust --output-format web --ignore {starter} {list}");
     }
     Ok(ExitCode::SUCCESS)
@@ -107,11 +109,12 @@ mod tests {
 
     use super::{Options, run};
     use lab_kit::Kit;
-    use lab_kit::submission::{Sources, pack};
+    use lab_kit::sources::{Sources, pack};
 
     #[test]
     fn each_submission_is_a_file_and_the_starter_is_ignored() {
-        let (top, kit) = (tempfile::tempdir().unwrap(), Kit::find().unwrap());
+        let top = tempfile::tempdir().unwrap();
+        let kit = Kit::find().unwrap();
         let folder = |name: &str| top.path().join(name);
         let files = ["src/a.rs", "src/b.rs", "src/data.txt"];
         let files: Sources = files.map(|path| (path.into(), b"fn f() {}".to_vec())).into();

@@ -22,7 +22,7 @@ use serde_json::Value;
 
 use crate::files::read_toml_at;
 use crate::kit::Kit;
-use crate::page::folded;
+use crate::terminal::folded;
 
 /// A package with commands.
 #[derive(Debug, Default, Deserialize)]

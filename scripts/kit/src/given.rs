@@ -11,8 +11,8 @@ use anyhow::Result;
 
 use crate::kit::Kit;
 use crate::lab::Lab;
+use crate::sources::Sources;
 use crate::starter::{self, todo};
-use crate::submission::Sources;
 
 /// A lab's files as the kit gives them.
 #[derive(Debug, Default)]
@@ -160,7 +160,7 @@ fn plain(path: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::Given;
-    use crate::submission::Sources;
+    use crate::sources::Sources;
 
     fn sources(files: &[(&str, &str)]) -> Sources {
         files.iter().map(|(path, text)| ((*path).into(), text.as_bytes().to_vec())).collect()

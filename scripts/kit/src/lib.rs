@@ -21,16 +21,16 @@ pub mod hints;
 pub mod kit;
 pub mod lab;
 pub mod machine;
-pub mod page;
 pub mod process;
 pub mod program;
 pub mod progress;
 pub mod quiz;
 pub mod rubric;
+pub mod sources;
 pub mod starter;
-pub mod submission;
 pub mod system;
 pub mod table;
+pub mod terminal;
 pub mod wrong;
 
 pub use facts::{Discs, Facts, Workers};

@@ -125,7 +125,8 @@ fn wait(child: &mut Child, until: Instant) -> io::Result<Option<ExitStatus>> {
 pub fn ends(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
     let (send, receive) = channel();
     thread::spawn(move || {
-        let (mut first, mut last) = (Vec::new(), Vec::new());
+        let mut first = Vec::new();
+        let mut last = Vec::new();
         if let Some(mut stream) = stream {
             // After an error, the rest of the stream counts as empty.
             let _ = stream.by_ref().take(KEPT as u64 / 2).read_to_end(&mut first);

@@ -63,7 +63,8 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Facts> {
         ensure!(possible, "{file}: points = {points}: a task has 0 to {MOST} points");
     }
     for (id, task) in &facts.tasks {
-        let (share, some) = (task.partial, (0.0..=1.0).contains(&task.partial));
+        let share = task.partial;
+        let some = (0.0..=1.0).contains(&task.partial);
         ensure!(some, "{file}: partial: task {id} cannot have a share of {share}");
     }
     Ok(facts)

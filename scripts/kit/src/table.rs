@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::page::{columns, fold};
+use crate::terminal::{columns, fold};
 
 /// A table: a header, and rows with as many cells.
 #[derive(Clone, Debug)]
@@ -75,7 +75,8 @@ impl Table {
         for line in header.chain(rows) {
             let line: Vec<Option<&String>> = line;
             let cells = shown.iter().zip(line).map(|(&at, cell)| {
-                let (cell, width) = (cell.map_or("", String::as_str), widths[at]);
+                let cell = cell.map_or("", String::as_str);
+                let width = widths[at];
                 if at == 0 { format!("{cell:width$}") } else { format!("  {cell:>width$}") }
             });
             writeln!(f, "{}", cells.collect::<String>().trim_end())?;
@@ -116,7 +117,7 @@ pub fn with_commas(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::page::PAGE;
+    use crate::terminal::WIDTH;
 
     #[test]
     fn columns_line_up() {
@@ -125,7 +126,7 @@ mod tests {
         table.row(["linked-list", "12.25"]);
         table.row(["none"]);
         let lines = ["variant         µs", "sorted         1.5", "linked-list  12.25", "none", ""];
-        assert_eq!(shown(&table, PAGE), lines.join("\n"));
+        assert_eq!(shown(&table, WIDTH), lines.join("\n"));
     }
 
     fn shown(table: &Table, page: usize) -> String {
@@ -140,7 +141,7 @@ mod tests {
         table.row(["sorted", "1.5", "2"]);
         let below = format!("name    {}\nsorted  {:>70}\n", "x".repeat(70), 2);
         let text = format!("         ms a\n        step:\nname      min\nsorted    1.5\n\n{below}");
-        assert_eq!(shown(&table, PAGE), text);
+        assert_eq!(shown(&table, WIDTH), text);
         assert_eq!(shown(&table, 12), text, "one column at least");
         let widest = shown(&table, 200).lines().map(width).max();
         assert_eq!(widest, Some("sorted".len() + 2 + "step:".len() + 2 + 70));

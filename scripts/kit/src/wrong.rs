@@ -34,8 +34,8 @@ use crate::answers::{self, MarkedFile, Part, RegionId, Task};
 use crate::files::read_text;
 use crate::kit::Kit;
 use crate::lab::Lab;
+use crate::sources::{Sources, of_solution};
 use crate::starter::rename;
-use crate::submission::{Sources, of_solution};
 
 /// A wrong answer to a task, or an unusual right one.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,7 +117,8 @@ impl Wrong {
 fn complete(lab: Lab, section: &str, files: &[MarkedFile]) -> Result<Wrong> {
     let mut wrong = parse(lab, section)?;
     if section.contains("\n```diff\n") {
-        let (name, region) = (&wrong.name, wrong.region);
+        let name = &wrong.name;
+        let region = wrong.region;
         let mut regions = files.iter().flat_map(MarkedFile::regions);
         let answer = regions.find(|answer| answer.id == region);
         let answer = answer.with_context(|| format!("'{name}': no region {region}"))?;

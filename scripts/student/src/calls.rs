@@ -52,7 +52,8 @@ impl Call {
         let mut parts = line.split('\t');
         let number = parts.next()?.parse().ok()?;
         let name = parts.next()?.trim_start_matches("MPI_").to_owned();
-        let (other, tag) = (parts.next()?.parse().ok()?, parts.next()?.parse().ok()?);
+        let other = parts.next()?.parse().ok()?;
+        let tag = parts.next()?.parse().ok()?;
         let (path, line) = parts.next()?.split_once(", line ")?;
         let file = path.rsplit('/').next()?.trim_end_matches(".rs");
         Some(Self { number, name, other, tag, location: format!("{file}:{line}") })
@@ -128,7 +129,8 @@ fn messages(calls: &[Vec<Call>]) -> BTreeMap<(usize, usize), usize> {
         all
     };
     let mut receives = all(Call::receives);
-    let (mut numbers, mut last) = (BTreeMap::new(), 0);
+    let mut numbers = BTreeMap::new();
+    let mut last = 0;
     for (rank, at, sent) in all(Call::sends) {
         let belongs = |(to, _, call): &(usize, usize, &Call)| {
             let tag = call.tag < 0 || call.tag == sent.tag;

@@ -14,11 +14,11 @@ use crate::tasks::{self, State};
 use crate::test::{run_build, run_tests};
 use lab_kit::cargo::run_visibly;
 use lab_kit::fresh;
-use lab_kit::page::folded;
 use lab_kit::process;
+use lab_kit::sources;
 use lab_kit::starter::Record;
-use lab_kit::submission;
 use lab_kit::system;
+use lab_kit::terminal::folded;
 use lab_kit::{Kit, Lab};
 
 /// Check a lab before you hand it in: format, lints, tests, and the labs before it
@@ -159,7 +159,7 @@ fn tests(kit: &Kit, lab: Lab, judge: Judge) -> Result<Result<String, String>> {
 
 /// Tests the lab as it would be handed in and graded.
 fn graded(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
-    let collected = submission::collect(&kit.starter(lab))?;
+    let collected = sources::collect(&kit.starter(lab))?;
     let graded = Graded::lay(kit, lab, &collected)?;
     let run = run_build(kit, lab, None, graded.tests())?;
     Ok(run.map_or_else(|| Err(graded.unbuilt()), |run| complete(lab, &run)))

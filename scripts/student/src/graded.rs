@@ -14,7 +14,7 @@ use anyhow::{Context, Result};
 
 use lab_kit::files::{read_text, write_file};
 use lab_kit::harness::{Build, BuildError, build};
-use lab_kit::submission::{Collected, Sources};
+use lab_kit::sources::{Collected, Sources};
 use lab_kit::{Facts, Given, Kit, Lab};
 
 use crate::test::own_build;
@@ -146,7 +146,7 @@ fn link(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> io::Result<()>
 #[cfg(test)]
 mod tests {
     use super::Graded;
-    use lab_kit::submission::collect;
+    use lab_kit::sources::collect;
     use lab_kit::{Kit, files_below};
 
     const MANIFEST: &str = "[package]\nname = \"lab1\"\nedition = \"2024\"\n";

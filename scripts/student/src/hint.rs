@@ -11,7 +11,7 @@ use crate::test::expect_task;
 use lab_kit::Kit;
 use lab_kit::answers::Task;
 use lab_kit::hints::{self, Hints, TIERS};
-use lab_kit::page::folded;
+use lab_kit::terminal::folded;
 
 /// Get a hint for a task: first a nudge, then the idea, then nearly the answer
 ///
@@ -73,7 +73,8 @@ mod tests {
     fn hints_come_one_after_the_other() {
         let folder = tempfile::tempdir().unwrap();
         let kit = Kit::at(folder.path());
-        let (task, other) = ("1.1".parse().unwrap(), "1.2".parse().unwrap());
+        let task = "1.1".parse().unwrap();
+        let other = "1.2".parse().unwrap();
         let tiers: Vec<_> = (0..4).map(|_| next(&kit, task).unwrap()).collect();
         assert_eq!(tiers, [1, 2, 3, 3]);
         assert_eq!(next(&kit, other).unwrap(), 1);

@@ -112,7 +112,8 @@ fn current(kit: &Kit) -> Result<Lab> {
 
 fn table(overviews: &[Overview]) -> String {
     let width = |of: fn(&Overview) -> usize| overviews.iter().map(of).max().unwrap_or(0);
-    let (titles, bars) = (width(|o| o.title.chars().count()), width(|o| o.tasks.len()));
+    let titles = width(|o| o.title.chars().count());
+    let bars = width(|o| o.tasks.len());
     let mut out = String::new();
     for overview in overviews {
         let Overview { lab, title, tasks, .. } = overview;

@@ -3,13 +3,13 @@
 mod calls;
 mod check;
 mod door;
-mod facts;
 mod graded;
 mod hint;
 mod json;
 mod list;
 mod memory;
 mod movie;
+mod print_facts;
 mod report;
 mod reset;
 mod results;
@@ -62,7 +62,7 @@ fn main() -> ExitCode {
             Command::Reset(options) => reset::run(&kit, options),
             Command::Run(options) => run::run(&kit, options),
             Command::Movie(options) => movie::run(&kit, options),
-            Command::Facts => facts::run(&kit),
+            Command::Facts => print_facts::run(&kit),
         }
     }))
 }

@@ -7,7 +7,7 @@ use crate::tasks::{self, Progress, State, passes, print_tasks};
 use crate::test::What;
 use lab_kit::answers::Task;
 use lab_kit::harness::{Outcome, Verdict};
-use lab_kit::page::folded;
+use lab_kit::terminal::folded;
 use lab_kit::{Kit, Lab};
 
 /// Maximal number of lines shown of a test's message.
@@ -23,8 +23,11 @@ pub(crate) fn report(kit: &Kit, what: What, run: &Run, all: bool) -> Result<()> 
 
 /// Prints the state of a lab, the next task, and its location.
 fn report_lab(kit: &Kit, lab: Lab, run: &Run, all: bool) -> Result<()> {
-    let (progress, others) = (&run.tasks, run.other_failures());
-    let (title, done, total) = (kit.title(lab), tasks::done(progress), progress.len());
+    let progress = &run.tasks;
+    let others = run.other_failures();
+    let title = kit.title(lab);
+    let done = tasks::done(progress);
+    let total = progress.len();
     let next = progress.iter().find(|p| matches!(p.state, State::Todo | State::Failing));
     let unrun = progress.iter().any(|p| p.state == State::Untested);
     let rest = match next {

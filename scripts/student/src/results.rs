@@ -168,7 +168,8 @@ mod tests {
     #[test]
     fn tests_of_one_task_count_beside_the_others() {
         let folder = tempfile::tempdir().unwrap();
-        let (kit, lab) = (Kit::at(folder.path()), "1".parse().unwrap());
+        let kit = Kit::at(folder.path());
+        let lab = "1".parse().unwrap();
         let write = |text| Kit::of_files(folder.path(), &[("labs/lab1/src/lib.rs", text)]);
         let ran = |results: &mut Results, test: &str, verdict| {
             let outcome = Outcome { test: test.into(), verdict, message: String::new() };

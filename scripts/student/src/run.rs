@@ -6,9 +6,9 @@ use crate::calls;
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use lab_kit::binaries::Binaries;
-use lab_kit::page::folded;
 use lab_kit::program::Program;
 use lab_kit::system;
+use lab_kit::terminal::folded;
 use lab_kit::{Kit, Lab};
 
 /// Run a lab's program, built for speed

@@ -10,10 +10,10 @@ use crate::check::Seen;
 use crate::graded::Graded;
 use crate::tasks;
 use lab_kit::files::write_file;
-use lab_kit::page::folded;
+use lab_kit::sources::{self, Collected};
 use lab_kit::starter::Record;
-use lab_kit::submission::{self, Collected};
 use lab_kit::system;
+use lab_kit::terminal::folded;
 use lab_kit::{Kit, Lab};
 
 /// Pack a lab for handing in
@@ -35,9 +35,9 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let lab = options.lab;
     kit.expect_starter(lab)?;
     let output = options.output.unwrap_or_else(|| format!("lab{lab}.tar.gz").into());
-    let collected = submission::collect(&kit.starter(lab))?;
+    let collected = sources::collect(&kit.starter(lab))?;
     ensure!(!collected.files.is_empty(), "there is nothing in labs/lab{lab}/src");
-    write_file(&output, submission::pack(lab, &collected.files)?)?;
+    write_file(&output, sources::pack(lab, &collected.files)?)?;
     let graded = Graded::lay(kit, lab, &collected)?;
     let unbuilt = match system::missing(kit, lab)? {
         Some(what) => Some(format!("it was not built, because it needs {what}")),
@@ -109,8 +109,8 @@ fn account(
 mod tests {
     use super::account;
     use lab_kit::Kit;
+    use lab_kit::sources;
     use lab_kit::starter::Record;
-    use lab_kit::submission;
 
     #[test]
     fn it_says_what_goes_and_what_stays() {
@@ -126,7 +126,7 @@ mod tests {
         let given = ["src/lib.rs", "src/a.rs", "Cargo.toml"];
         let given = given.map(|path| (path.into(), b"given".to_vec())).into();
         Record::of(&given).write(&kit.starter(lab)).unwrap();
-        let collected = submission::collect(&kit.starter(lab)).unwrap();
+        let collected = sources::collect(&kit.starter(lab)).unwrap();
         assert_eq!(
             account(&kit, lab, &collected, &[], "lab1.tar.gz".as_ref()).unwrap(),
             "lab1.tar.gz holds 2 files:\n  \

@@ -15,11 +15,11 @@ use crate::results::{self, Run, Step};
 use crate::tasks;
 use lab_kit::answers::Task;
 use lab_kit::harness::{Build, BuildError, CompileError, Outcome};
-use lab_kit::page::folded;
 use lab_kit::process;
 use lab_kit::progress::can_draw;
-use lab_kit::submission;
+use lab_kit::sources;
 use lab_kit::system;
+use lab_kit::terminal::folded;
 use lab_kit::{Kit, Lab};
 
 /// Test your work on a lab, and show what to do next
@@ -157,7 +157,7 @@ pub(crate) fn run_build(
 fn name_unread(kit: &Kit, lab: Lab) -> Result<()> {
     let file = format!("unread/lab{lab}.json");
     let mut unread = Vec::new();
-    for (path, why) in submission::collect(&kit.starter(lab))?.left_out {
+    for (path, why) in sources::collect(&kit.starter(lab))?.left_out {
         unread.push(format!("labs/lab{lab}/{}: {why}", path.display()));
     }
     let named: Option<Vec<String>> = recall(kit, &file);

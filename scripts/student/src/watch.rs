@@ -108,7 +108,8 @@ mod tests {
         let lab = "1".parse().unwrap();
         let source = kit.starter(lab).join("src/lib.rs");
         let before = results::source(&kit, lab).unwrap();
-        let (kit, before) = (&kit, &before);
+        let kit = &kit;
+        let before = &before;
         thread::scope(|scope| {
             let waiting = scope.spawn(move || wait(kit, lab, before));
             for _ in 0..2 {

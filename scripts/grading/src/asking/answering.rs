@@ -9,7 +9,7 @@ use anyhow::Result;
 use tempfile::TempDir;
 
 use super::ANSWER;
-use super::table::Question;
+use super::question_list::Question;
 use crate::sandbox::Sandbox;
 use lab_kit::process::{Finished, run as run_process};
 

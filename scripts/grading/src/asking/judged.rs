@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use anyhow::{Context, Result, ensure};
 
-use super::table::Question;
+use super::question_list::Question;
 use lab_kit::process::run;
 use lab_kit::{Kit, Lab};
 
@@ -55,7 +55,9 @@ impl Judge {
 fn parse(text: &str) -> Option<Judged> {
     let (first, wrong) = text.split_once('\n')?;
     let mut numbers = first.split(' ').map(|number| number.parse().ok());
-    let (asked, right, broke_off) = (numbers.next()??, numbers.next()??, numbers.next()??);
+    let asked = numbers.next()??;
+    let right = numbers.next()??;
+    let broke_off = numbers.next()??;
     Some(Judged { asked, right, broke_off: broke_off == 1, wrong: wrong.trim_end().into() })
 }
 

@@ -5,7 +5,7 @@
 
 mod answering;
 mod judged;
-mod table;
+mod question_list;
 
 use std::collections::BTreeSet;
 use std::os::unix::process::ExitStatusExt;
@@ -21,7 +21,7 @@ pub(crate) use judged::Judge;
 use judged::Judged;
 use lab_kit::harness::located_panic;
 use lab_kit::process::Finished;
-use table::Question;
+use question_list::Question;
 
 /// Message for a program that was killed, by the grader or by the system.
 const KILLED: &str = "it was ended, because it needed more memory than a submission is allowed";
@@ -83,7 +83,7 @@ pub(crate) struct TaskResult {
 impl Questions {
     /// Asks the solution in `folder` all questions. Every answer must be right.
     pub(crate) fn of(sandbox: &Sandbox, folder: &Path, judge: Judge, seed: u64) -> Result<Self> {
-        let all = table::read(&judge.program)?;
+        let all = question_list::read(&judge.program)?;
         let mut questions = Self { judge, solution: folder.to_owned(), all: Vec::new() };
         for question in all {
             let start = Instant::now();

@@ -34,13 +34,8 @@ fn the_program_that_runs_a_submission_knows_no_answer() {
         Sandbox::find(&kit, true, Limits { run: limit, build: limit, loopback: false }).unwrap();
     let tree = Tree::lay(&kit, "1".parse().unwrap(), &sandbox).unwrap();
     let root = tree.folder.path();
-    super::put(
-        root,
-        tree.lab,
-        &lab_kit::submission::of_solution(&kit, tree.lab).unwrap(),
-        &sandbox,
-    )
-    .unwrap();
+    super::put(root, tree.lab, &lab_kit::sources::of_solution(&kit, tree.lab).unwrap(), &sandbox)
+        .unwrap();
     tree.programs.show(&root.join(super::PACKAGE)).unwrap();
     // Debugging information is left out, because it names functions that are not in the program.
     let mut cargo = Command::new("cargo");

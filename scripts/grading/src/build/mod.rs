@@ -21,7 +21,7 @@ use lab_keep::handout;
 use lab_kit::files::{read_bytes, write_file};
 use lab_kit::process::run as run_process;
 use lab_kit::rubric;
-use lab_kit::submission::{Sources, of_solution};
+use lab_kit::sources::{Sources, of_solution};
 use lab_kit::{Kit, Lab, files_below};
 use programs::{NAMES, Programs};
 
@@ -81,7 +81,8 @@ impl Tree {
     pub(crate) fn copy(&self, sandbox: &Sandbox) -> Result<Self> {
         let folder = sandbox.folder()?;
         cache::copy(self.folder.path(), folder.path()).context("cannot copy a tree for builds")?;
-        let (programs, solution) = (self.programs.clone(), self.solution.clone());
+        let programs = self.programs.clone();
+        let solution = self.solution.clone();
         Ok(Self { folder, lab: self.lab, programs, solution })
     }
 
@@ -134,7 +135,8 @@ impl Tree {
     ///
     /// So a submission cannot include the questions, and a program cannot include the submission.
     fn build_once(&self, sandbox: &Sandbox, order: &Order<'_>) -> Result<Built> {
-        let (root, until) = (self.folder.path(), Instant::now() + order.limit);
+        let root = self.folder.path();
+        let until = Instant::now() + order.limit;
         let Order { sources, names, .. } = *order;
         self.programs.hide(&root.join(PACKAGE))?;
         put(root, self.lab, sources, sandbox)?;

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, ensure};
 use crate::{asking, timing};
 use lab_kit::Facts;
 use lab_kit::files::{read_bytes, write_file};
-use lab_kit::submission::Sources;
+use lab_kit::sources::Sources;
 use lab_kit::{Kit, Lab, files_below};
 
 /// Manifest and sources of the package, by their paths in it.
@@ -55,11 +55,7 @@ impl Programs {
         if package.exists() {
             fs::remove_dir_all(package)?;
         }
-        let is_main = |path: &&String| {
-            path.ends_with("main.rs")
-                || path.matches('/').count() == 2 && path.starts_with("src/bin/")
-        };
-        for path in self.sources.keys().filter(is_main) {
+        for path in self.sources.keys().filter(|path| is_main(path)) {
             write_file(&package.join(path), b"fn main() {}")?;
         }
         write_file(&package.join("Cargo.toml"), self.manifest.as_bytes())
@@ -71,6 +67,11 @@ impl Programs {
     }
 }
 
+/// Whether a source contains the main function of a program.
+fn is_main(path: &str) -> bool {
+    path.ends_with("main.rs") || path.matches('/').count() == 2 && path.starts_with("src/bin/")
+}
+
 /// Returns the paths of a lab's questions.
 fn questions(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     let sources = kit.test_sources(lab)?;
@@ -80,7 +81,8 @@ fn questions(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
 
 /// Writes the module that runs an order, with the lab's program of that name or the serial one.
 fn scene(lab: Lab, rubric: &Facts) -> String {
-    let (mut modules, mut run) = (String::new(), String::from("None"));
+    let mut modules = String::new();
+    let mut run = String::from("None");
     for (discs, variants) in timing::programs(rubric) {
         modules += &format!("mod {discs};\n");
         run += &format!(".or_else(|| {discs}::run(order, lab{lab}::{variants}))");

@@ -18,8 +18,8 @@ use super::{Named, Options, finish};
 use crate::build::Tree;
 use crate::escape::line;
 use crate::record::{self, FORMAT, Record, Status};
-use crate::roll::Roll;
-use crate::sandbox::memory::Guard;
+use crate::roster::ClassFile;
+use crate::sandbox::memory_guard::Guard;
 use crate::sandbox::{BUILD_QUOTA, Limits, Sandbox, room};
 use crate::timing;
 use lab_kit::machine::{cores, on_all_cores};
@@ -37,14 +37,16 @@ pub(crate) fn grade(
     into: &Path,
     options: &Options,
 ) -> Result<ExitCode> {
-    let [run, build] = [options.limit, options.build_limit].map(Duration::from_secs);
-    let loopback = kit.facts(lab)?.workers == Workers::Ranks;
-    let limits = Limits { run, build, loopback };
+    let limits = Limits {
+        run: Duration::from_secs(options.limit),
+        build: Duration::from_secs(options.build_limit),
+        loopback: kit.facts(lab)?.workers == Workers::Ranks,
+    };
     let sandbox = &Sandbox::find(kit, options.trusted, limits)?;
     room::make_for_records(into)?;
     let grader = Grader::new(kit, lab, options, sandbox, into)?;
     // A mistake in `class.toml` is better reported before grading than after it.
-    Roll::read(into, &grader.rubric)?;
+    ClassFile::read(into, &grader.rubric)?;
     let left = Left::of(&grader, submissions, into, options);
     if options.seed.is_some() && left.open.iter().any(|(name, _)| !record_of(into, name).exists()) {
         eprintln!(
@@ -166,7 +168,8 @@ pub(crate) fn done(bar: &ProgressBar, name: &str, outcome: impl Display) {
     let mut lines = stderr().lock();
     bar.inc(1);
     if bar.is_hidden() {
-        let (at, of) = (bar.position(), bar.length().unwrap_or_default());
+        let at = bar.position();
+        let of = bar.length().unwrap_or_default();
         // If stderr is closed, grading continues.
         let _ = writeln!(lines, "{}, {at} of {of}: {}: {outcome}", bar.message(), line(name));
     }
@@ -175,7 +178,7 @@ pub(crate) fn done(bar: &ProgressBar, name: &str, outcome: impl Display) {
 /// Whether nothing is left to be timed.
 fn is_timed(grader: &Grader<'_>, record: &Path) -> bool {
     let record = record::read(record);
-    record.is_ok_and(|record| timing::is_done_on(cores(), &record, &grader.rubric))
+    record.is_ok_and(|record| timing::is_done_on(cores(), &record.found, &grader.rubric))
 }
 
 /// Whether judging this submission again would give the same record.
@@ -185,16 +188,16 @@ fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>)
     let Some(record) = record else { return false };
     let same = match grader.take(path) {
         Err(error) => {
-            record.status == Status::Unreadable && record.message == grader.message_of(&error, path)
+            record.found.status == Status::Unreadable
+                && record.found.message == grader.message_of(&error, path)
         }
-        Ok(intake) if intake.files.is_empty() => record.status == Status::Empty,
-        Ok(intake) => record.hash == hash(&intake.files),
+        Ok(submission) if submission.files.is_empty() => record.found.status == Status::Empty,
+        Ok(submission) => record.found.hash == hash(&submission.files),
     };
-    let asked = |task: &String| record.tasks.iter().any(|asked| asked.id == *task);
-    same && record.format == FORMAT
-        && record.status != Status::Failed
-        && grader.rubric.tasks.keys().all(asked)
-        && record.grader == grader.hash
-        && record.sandboxed == grader.sandbox.keeps
-        && seed.is_none_or(|seed| seed == record.seed)
+    same && record.found.format == FORMAT
+        && record.found.status != Status::Failed
+        && grader.rubric.tasks.keys().all(|id| record.tasks.iter().any(|task| task.id == *id))
+        && record.found.grader == grader.hash
+        && record.found.sandboxed == grader.sandbox.keeps
+        && seed.is_none_or(|seed| seed == record.found.seed)
 }

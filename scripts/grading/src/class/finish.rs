@@ -12,11 +12,11 @@ use super::batch::{bar, done};
 use super::grader::{Grader, Reference};
 use crate::build::Tree;
 use crate::escape::line;
-use crate::intake::known_wrong;
-use crate::record::{self, Record, Status, scale};
-use crate::roll::Roll;
-use crate::roll::late::file_time;
+use crate::record::{self, Findings, Record, Status, scale};
+use crate::roster::ClassFile;
+use crate::roster::late::file_time;
 use crate::score::score;
+use crate::submission::known_wrong;
 use crate::{report, timing};
 
 /// Times one submission after another. Returns whether all could be timed.
@@ -35,20 +35,12 @@ pub(crate) fn time(
     let mut all = true;
     for (name, path) in untimed {
         let mut record = record::read(&into.join(format!("{name}.json")))?;
-        let mut take = || -> Result<()> {
-            let program = match programs.remove(name) {
-                None if record.status == Status::Graded => Some(build(grader, tree, path)?),
-                program => program,
-            };
-            record.timed = true;
-            let Some(own) = program else { return Ok(()) };
-            let folders = (own.path(), reference.programs.path());
-            timing::time(grader.sandbox, folders, &mut record, &grader.rubric)
-        };
-        let taken = take();
+        let program = programs.remove(name);
+        let taken = time_one(grader, reference, tree, path, program, &mut record.found);
         if taken.is_err() {
             // The times are open, and the next grading takes them.
-            (record.timed, record.runs) = (false, Vec::new());
+            record.found.timed = false;
+            record.found.runs.clear();
             all = false;
         }
         score(&mut record, &grader.rubric)?;
@@ -59,30 +51,68 @@ pub(crate) fn time(
     Ok(all)
 }
 
-/// Computes points and writes the pages.
+/// Times a submission, whose program is built if it is not there.
+fn time_one(
+    grader: &Grader<'_>,
+    reference: &Reference,
+    tree: &Tree,
+    path: &Path,
+    program: Option<TempDir>,
+    found: &mut Findings,
+) -> Result<()> {
+    let program = match program {
+        None if found.status == Status::Graded => Some(build(grader, tree, path)?),
+        program => program,
+    };
+    found.timed = true;
+    let Some(own) = program else { return Ok(()) };
+    let folders = (own.path(), reference.programs.path());
+    timing::time(grader.sandbox, folders, found, &grader.rubric)
+}
+
+/// Computes points, writes the pages, and prints a line for each submission.
 ///
 /// Returns failure if a submission could not be graded, or if the marks of one of the kit's
 /// known-wrong solutions differ from its manifest.
 pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<ExitCode> {
     let mut records = record::read_all(into)?;
     for (name, path) in submissions {
-        let own = records.iter_mut().find(|record| record.name == *name);
-        own.into_iter().for_each(|record| record.handed_in = file_time(path, grader.lab));
+        if let Some(record) = records.iter_mut().find(|record| record.found.name == *name) {
+            record.marked.handed_in = file_time(path, grader.lab);
+        }
     }
-    let roll = Roll::read(into, &grader.rubric)?;
-    let rubric = roll.rubric(&grader.rubric);
-    roll.tell(&mut records);
-    records.iter_mut().try_for_each(|record| score(record, &rubric))?;
-    let attendance = roll.attendance(&mut records);
+    let class = ClassFile::read(into, &grader.rubric)?;
+    let attendance = class.mark(&mut records, &grader.rubric)?;
     records.iter().try_for_each(|record| record.write(into))?;
-    report::write(grader.kit, grader.lab, &records, (&roll, &attendance), into)?;
-    let full = scale(&records);
+    report::write(grader.kit, grader.lab, &records, (&class, &attendance), into)?;
+    let ended = print_submissions(grader, submissions, &records)?;
+    attendance.say(&records);
+    print_about_times(&class, submissions);
+    if let Some(ungraded) = &grader.rubric.ungraded {
+        println!("Not graded: {ungraded}");
+    }
+    println!("The class: {}", into.join("index.html").display());
+    Ok(ended)
+}
+
+/// Prints the points of the submissions. Returns failure as [`finish`] does.
+fn print_submissions(
+    grader: &Grader<'_>,
+    submissions: &[Named],
+    records: &[Record],
+) -> Result<ExitCode> {
+    let full = scale(records);
     let mut ended = ExitCode::SUCCESS;
     for (name, path) in submissions {
-        let Some(record) = records.iter().find(|record| record.name == *name) else { continue };
-        let points = if record.has_mark() { record::points(record.points) } else { "-".to_owned() };
+        let Some(record) = records.iter().find(|record| record.found.name == *name) else {
+            continue;
+        };
+        let points = match record.has_mark() {
+            true => record::points(record.marked.points),
+            false => "-".to_owned(),
+        };
         println!("{:<32} {points:>6} of {full:<5} {}", line(name), summary(record));
-        if record.status == Status::Failed {
+        if record.found.status == Status::Failed {
             ended = ExitCode::FAILURE;
         }
         let wrong = known_wrong::at(grader.kit, grader.lab, path)?;
@@ -91,40 +121,43 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
             ended = ExitCode::FAILURE;
         }
     }
-    attendance.say(&records);
-    if let Some(deadline) = roll.deadline() {
+    Ok(ended)
+}
+
+/// Prints the deadline, and the submissions whose students could have set their hand-in times.
+fn print_about_times(class: &ClassFile, submissions: &[Named]) {
+    if let Some(deadline) = class.deadline() {
         println!("The deadline was {}.", line(&deadline));
     }
-    let unpacked = submissions.iter().filter(|(_, path)| path.is_dir());
-    let unpacked: Vec<&str> = unpacked.map(|(name, _)| name.as_str()).collect();
-    if !unpacked.is_empty() && roll.trusts_files() {
+    let mut unpacked = Vec::new();
+    for (name, path) in submissions {
+        if path.is_dir() {
+            unpacked.push(name.as_str());
+        }
+    }
+    if !unpacked.is_empty() && class.trusts_files() {
         println!(
             "The hand-in time of a folder is the time of its files, and a student can change it: \
              name a file of times in class.toml. Folders: {}",
             line(&unpacked.join("; "))
         );
     }
-    if let Some(ungraded) = &grader.rubric.ungraded {
-        println!("Not graded: {ungraded}");
-    }
-    println!("The class: {}", into.join("index.html").display());
-    Ok(ended)
 }
 
 /// Builds the programs of a submission that was graded before.
 fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<TempDir> {
-    let intake = grader.take(path)?;
-    let built = tree.build(grader.sandbox, &intake.files)?;
+    let submission = grader.take(path)?;
+    let built = tree.build(grader.sandbox, &submission.files)?;
     built.map_err(|why| anyhow!("it was graded, and cannot be built now: {why}"))
 }
 
 /// Summarises the result of timing a submission in a few words.
 fn times(record: &Record) -> String {
-    let measures = record.measures.iter().map(|measure| {
+    let measures = record.marked.measures.iter().map(|measure| {
         let kind = measure.kind.name();
         measure.grade.map_or(format!("{kind} not graded"), |grade| format!("{kind} {grade:.0}"))
     });
-    match record.status {
+    match record.found.status {
         Status::Graded => measures.collect::<Vec<_>>().join(", "),
         _ => "there is no program to time".into(),
     }
@@ -132,11 +165,11 @@ fn times(record: &Record) -> String {
 
 /// Summarises a submission's tasks, open measures and lateness in a few words.
 pub(crate) fn summary(record: &Record) -> String {
-    match record.status {
+    match record.found.status {
         Status::Graded => {
             let lost = record.tasks.iter().filter(|task| !task.passed).map(|task| task.id.as_str());
             let lost: Vec<&str> = lost.collect();
-            let open = record.measures.iter().filter(|measure| !measure.counts());
+            let open = record.marked.measures.iter().filter(|measure| !measure.counts());
             let open: Vec<&str> = open.map(|measure| measure.kind.name()).collect();
             let mut parts = Vec::new();
             if !lost.is_empty() {
@@ -148,10 +181,10 @@ pub(crate) fn summary(record: &Record) -> String {
             if parts.is_empty() {
                 parts.push("all right".into());
             }
-            parts.extend(record.late.as_ref().map(|late| format!("{} late", late.days())));
+            parts.extend(record.marked.late.as_ref().map(|late| format!("{} late", late.days())));
             parts.join("; ")
         }
         Status::NotBuilt => "it does not compile".into(),
-        _ => line(record.message.lines().next().unwrap_or("")),
+        _ => line(record.found.message.lines().next().unwrap_or("")),
     }
 }

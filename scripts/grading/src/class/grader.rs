@@ -11,15 +11,15 @@ use super::Options;
 use crate::asking::{JUDGE, Judge, Questions};
 use crate::build::{Tree, graded_by};
 use crate::escape::{cut, plain};
-use crate::intake::{self, Intake, forbidden};
-use crate::record::{FORMAT, Record, Status, Task};
+use crate::record::{FORMAT, Findings, Marked, Record, Status, Task};
 use crate::sandbox::Sandbox;
+use crate::submission::{self, Submission, forbidden};
 use crate::timing::whole_program;
 use lab_kit::Facts;
 use lab_kit::files::{digest, write_file};
 use lab_kit::machine::machine;
 use lab_kit::rubric;
-use lab_kit::submission::Sources;
+use lab_kit::sources::Sources;
 use lab_kit::{Given, Kit, Lab};
 
 /// Maximal number of characters kept of a message about a submission or a task.
@@ -65,8 +65,8 @@ impl<'a> Grader<'a> {
     }
 
     /// Reads one submission.
-    pub(crate) fn take(&self, path: &Path) -> Result<Intake> {
-        intake::take(self.kit, self.lab, &self.given, path)
+    pub(crate) fn take(&self, path: &Path) -> Result<Submission> {
+        submission::take(self.kit, self.lab, &self.given, path)
     }
 
     /// Returns a random seed, so that knowing one submission's questions does not help another.
@@ -92,8 +92,9 @@ impl<'a> Grader<'a> {
         })
     }
 
+    /// Returns a record of a submission that was not read yet.
     fn blank(&self, name: &str) -> Record {
-        Record {
+        let found = Findings {
             format: FORMAT,
             name: name.to_owned(),
             lab: self.lab,
@@ -102,10 +103,11 @@ impl<'a> Grader<'a> {
             toolchain: self.toolchain.clone(),
             machine: machine(),
             sandboxed: self.sandbox.keeps,
-            tasks: self.rubric.tasks.keys().map(|id| Task::unasked(id)).collect(),
-            out_of: self.rubric.tasks.values().map(|task| task.points).sum(),
-            ..Record::default()
-        }
+            ..Findings::default()
+        };
+        let tasks = self.rubric.tasks.keys().map(|id| Task::unasked(id)).collect();
+        let out_of = self.rubric.tasks.values().map(|task| task.points).sum();
+        Record { found, tasks, marked: Marked { out_of, ..Marked::default() } }
     }
 
     /// Grades a submission without timing it. Returns its record, and its programs if they were
@@ -120,8 +122,8 @@ impl<'a> Grader<'a> {
         path: &Path,
     ) -> (Record, Option<TempDir>) {
         self.try_to_grade(tree, reference, name, path).unwrap_or_else(|error| {
-            let (status, message) = (Status::Failed, self.message_of(&error, path));
-            (Record { status, message, ..self.blank(name) }, None)
+            let message = format!("{error:#}");
+            (self.ended(self.blank(name), Status::Failed, &message, path), None)
         })
     }
 
@@ -133,48 +135,70 @@ impl<'a> Grader<'a> {
         path: &Path,
     ) -> Result<(Record, Option<TempDir>)> {
         let mut record = self.blank(name);
-        let ended = |mut record: Record, status, message: String| {
-            (record.status, record.message) =
-                (status, cut(&self.shown(&message, path), MESSAGE_LENGTH));
-            Ok((record, None))
-        };
-        let intake = match self.take(path) {
-            Ok(intake) => intake,
+        let submission = match self.take(path) {
+            Ok(submission) => submission,
             // The system cannot read the submission, which does not mean that its contents are
             // wrong.
             Err(error) if is_of_the_system(&error) => return Err(error),
-            Err(error) => return ended(record, Status::Unreadable, format!("{error:#}")),
+            Err(error) => {
+                let message = format!("{error:#}");
+                return Ok((self.ended(record, Status::Unreadable, &message, path), None));
+            }
         };
-        (record.left_out, record.changed) = (intake.left_out, intake.changed);
-        if intake.files.is_empty() {
-            let message = intake::nothing(self.lab, &record.left_out);
-            return ended(record, Status::Empty, message);
+        let found = &mut record.found;
+        found.left_out = submission.left_out;
+        found.changed = submission.changed;
+        if submission.files.is_empty() {
+            let message = submission::nothing(self.lab, &found.left_out);
+            return Ok((self.ended(record, Status::Empty, &message, path), None));
         }
-        record.hash = hash(&intake.files);
-        record.files =
-            intake.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
-        if let Some(why) = forbidden::find(&intake.files) {
-            return ended(record, Status::Refused, why);
+        found.hash = hash(&submission.files);
+        found.files =
+            submission.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
+        if let Some(why) = forbidden::find(&submission.files) {
+            return Ok((self.ended(record, Status::Refused, &why, path), None));
         }
-        let folder = match tree.build(self.sandbox, &intake.files)? {
+        let folder = match tree.build(self.sandbox, &submission.files)? {
             Ok(folder) => folder,
-            Err(why) => return ended(record, Status::NotBuilt, why),
+            Err(why) => return Ok((self.ended(record, Status::NotBuilt, &why, path), None)),
         };
-        let tasks = record.tasks.iter().map(|task| task.id.as_str());
+        self.ask(reference, folder.path(), &mut record, path)?;
+        let folders = (folder.path(), reference.programs.path());
+        let Record { found, tasks, .. } = &mut record;
+        whole_program::check(self.sandbox, folders, &self.rubric, found.seed, tasks)?;
+        Ok((record, Some(folder)))
+    }
+
+    /// Writes into a record why its submission has no results.
+    fn ended(&self, mut record: Record, status: Status, message: &str, path: &Path) -> Record {
+        record.found.status = status;
+        record.found.message = cut(&self.shown(message, path), MESSAGE_LENGTH);
+        record
+    }
+
+    /// Asks the programs in `folder` all questions, and writes the results into the record's tasks.
+    fn ask(
+        &self,
+        reference: &Reference,
+        folder: &Path,
+        record: &mut Record,
+        path: &Path,
+    ) -> Result<()> {
+        let Record { found, tasks, .. } = record;
+        let ids = tasks.iter().map(|task| task.id.as_str());
         let questions = reference.questions.as_ref().context("the solution was not asked")?;
-        let results = questions.ask(self.sandbox, folder.path(), tasks, record.seed)?;
-        for (task, result) in record.tasks.iter_mut().zip(results) {
-            (task.passed, task.share) = (result.wrong.is_none(), result.share);
+        let results = questions.ask(self.sandbox, folder, ids, found.seed)?;
+        for (task, result) in tasks.iter_mut().zip(results) {
+            task.passed = result.wrong.is_none();
+            task.share = result.share;
             task.message =
                 cut(&self.shown(&result.wrong.unwrap_or_default(), path), MESSAGE_LENGTH);
             if !result.printed.trim().is_empty() {
-                let path = self.printed.join(name).join(format!("{}.txt", task.id));
+                let path = self.printed.join(&found.name).join(format!("{}.txt", task.id));
                 write_file(&path, cut(&plain(&result.printed), PRINTED))?;
             }
         }
-        let folders = (folder.path(), reference.programs.path());
-        whole_program::check(self.sandbox, folders, &self.rubric, record.seed, &mut record.tasks)?;
-        Ok((record, Some(folder)))
+        Ok(())
     }
 }
 

@@ -14,10 +14,10 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 use clap::Args;
 
-use crate::intake;
-use crate::intake::names::{composed, name, named};
 use crate::record;
-use crate::roll;
+use crate::roster;
+use crate::submission;
+use crate::submission::names::{composed, name, named};
 use lab_kit::process::kill_all_on_interrupt;
 use lab_kit::rubric;
 use lab_kit::system;
@@ -69,39 +69,50 @@ pub(crate) struct Options {
 
 /// Grades the submissions and prints the points of each.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let submissions = chosen(kit, &options)?;
+    kill_all_on_interrupt();
+    match options.lab {
+        Some(lab) => grade_one_lab(kit, lab, &submissions, &options),
+        None => grade_all_labs(kit, &submissions, &options),
+    }
+}
+
+/// Lists the submissions at the paths of the command line, with their names.
+fn chosen(kit: &Kit, options: &Options) -> Result<Vec<Named>> {
     let mut submissions = Vec::new();
     for path in &options.paths {
-        submissions.extend(intake::submissions(kit, path)?);
+        submissions.extend(submission::list(kit, path)?);
     }
     submissions.retain(|path| {
         options.only.as_ref().is_none_or(|only| name(path).contains(&composed(only)))
     });
     ensure!(!submissions.is_empty(), "there is nothing to grade");
-    let submissions = named(submissions);
-    let beside = roll::FILES.iter().filter_map(|name| {
-        options.paths.iter().map(|path| path.join(name)).find(|path| path.is_file())
-    });
-    let beside: Vec<PathBuf> = beside.collect();
-    let grade = |lab, submissions: &[Named], into: &Path| {
-        record::expect_lab(into, lab)?;
-        beside.iter().try_for_each(|file| roll::link(file, into))?;
-        batch::grade(kit, lab, submissions, into, &options)
-    };
-    kill_all_on_interrupt();
-    if let Some(lab) = options.lab {
-        let what = system::missing(kit, lab)?.unwrap_or_default();
-        ensure!(what.is_empty(), "lab {lab} cannot be graded here: it needs {what}");
-        let into = options.into.clone();
-        let into = into.unwrap_or_else(|| kit.memory().join(format!("grade/lab{lab}")));
-        return grade(lab, &submissions, &into);
-    }
+    Ok(named(submissions))
+}
+
+/// Grades the lab of the command line.
+fn grade_one_lab(
+    kit: &Kit,
+    lab: Lab,
+    submissions: &[Named],
+    options: &Options,
+) -> Result<ExitCode> {
+    let what = system::missing(kit, lab)?.unwrap_or_default();
+    ensure!(what.is_empty(), "lab {lab} cannot be graded here: it needs {what}");
+    let into = options.into.clone();
+    let into = into.unwrap_or_else(|| kit.memory().join(format!("grade/lab{lab}")));
+    grade(kit, lab, submissions, &into, options)
+}
+
+/// Grades every lab that was handed in. Labs that cannot be graded here are named.
+fn grade_all_labs(kit: &Kit, submissions: &[Named], options: &Options) -> Result<ExitCode> {
     let top = options.into.clone().unwrap_or_else(|| kit.memory().join("grade"));
-    let (mut graded, mut all_well) = (false, true);
+    let mut graded = false;
+    let mut all_well = true;
     for lab in rubric::all(kit)?.into_keys() {
+        let mut of_lab = submissions.to_vec();
         // A submission that cannot be read may be for any lab. It appears in the first.
-        let handed_in = |path: &PathBuf| intake::holds(kit, lab, path).unwrap_or(!graded);
-        let of_lab = submissions.iter().filter(|(_, path)| handed_in(path));
-        let of_lab: Vec<_> = of_lab.cloned().collect();
+        of_lab.retain(|(_, path)| submission::holds(kit, lab, path).unwrap_or(!graded));
         if of_lab.is_empty() {
             continue;
         }
@@ -110,9 +121,28 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             continue;
         }
         println!("Lab {lab}");
-        all_well &= grade(lab, &of_lab, &top.join(format!("lab{lab}")))? == ExitCode::SUCCESS;
+        let into = top.join(format!("lab{lab}"));
+        all_well &= grade(kit, lab, &of_lab, &into, options)? == ExitCode::SUCCESS;
         graded = true;
     }
     ensure!(graded, "nothing there has labs/labN/src in it, of a lab that can be graded here");
     Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Grades a lab with the files about the class that are beside the submissions.
+fn grade(
+    kit: &Kit,
+    lab: Lab,
+    submissions: &[Named],
+    into: &Path,
+    options: &Options,
+) -> Result<ExitCode> {
+    record::expect_lab(into, lab)?;
+    for file in roster::FILES {
+        let beside = options.paths.iter().map(|path| path.join(file));
+        if let Some(path) = beside.into_iter().find(|path| path.is_file()) {
+            roster::link(&path, into)?;
+        }
+    }
+    batch::grade(kit, lab, submissions, into, options)
 }

@@ -98,18 +98,19 @@ impl Record {
         &'a self,
         task: Option<&'a str>,
     ) -> impl Iterator<Item = &'a Decision> {
-        self.by_hand.iter().filter(move |decision| decision.task.as_deref() == task)
+        self.marked.by_hand.iter().filter(move |decision| decision.task.as_deref() == task)
     }
 
     /// Whether the submission has a mark: there was anything to mark, or a person gave points.
     pub(crate) fn has_mark(&self) -> bool {
-        let nothing = matches!(self.status, Status::Unreadable | Status::Empty | Status::Failed);
+        let nothing =
+            matches!(self.found.status, Status::Unreadable | Status::Empty | Status::Failed);
         !nothing || self.decided(None).any(|decision| decision.points.is_some())
     }
 
     /// Whether the submission has a mark, and this mark is the student's.
     pub(crate) fn counts(&self) -> bool {
-        self.has_mark() && self.attempt == Attempt::Counts
+        self.has_mark() && self.marked.attempt == Attempt::Counts
     }
 
     /// Whether a person gave the points of a task or a measure.

@@ -22,10 +22,27 @@ pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 /// Number of the format of records. A record with another number is refused.
 pub(crate) const FORMAT: u8 = 1;
 
-/// Record of one graded submission, in a JSON file.
+/// Record of one graded submission, in a JSON file whose fields are those of all parts.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub(crate) struct Record {
+    /// Findings of the grading, which are final.
+    #[serde(flatten)]
+    pub(crate) found: Findings,
+    /// Results of the tasks, with their points; in a record with points, in the order of their
+    /// numbers.
+    pub(crate) tasks: Vec<Task>,
+    /// Marks, which are computed from the other parts, and can be computed again.
+    #[serde(flatten)]
+    pub(crate) marked: Marked,
+}
+
+/// Findings about a submission: its files, what its programs were asked, and its times.
+///
+/// Only asking and timing write them.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[serde(default)]
+pub(crate) struct Findings {
     /// Format of the record, which is [`FORMAT`].
     pub(crate) format: u8,
     /// Name of the submission: the name of its archive or folder.
@@ -54,12 +71,18 @@ pub(crate) struct Record {
     pub(crate) machine: String,
     /// Whether the submission ran in a sandbox.
     pub(crate) sandboxed: bool,
-    /// Results of the tasks; in a record with points, in the order of their numbers.
-    pub(crate) tasks: Vec<Task>,
     /// Whether the submission was to be timed.
     pub(crate) timed: bool,
     /// Timed runs, unchanged. Measures are computed from them and can be computed again.
     pub(crate) runs: Vec<Run>,
+}
+
+/// Marks of a submission, and the decisions that they depend on.
+///
+/// The decisions come from the class's roster, its clock and its graders.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[serde(default)]
+pub(crate) struct Marked {
     /// Grades of the times.
     pub(crate) measures: Vec<Measure>,
     /// Time of the hand-in, from the file.
@@ -129,7 +152,8 @@ pub(crate) struct Task {
 impl Task {
     /// Makes the result of a task that was not judged. The rubric sets its points later.
     pub(crate) fn unasked(id: &str) -> Self {
-        let (id, message) = (id.to_owned(), String::new());
+        let id = id.to_owned();
+        let message = String::new();
         Self { id, passed: false, share: 0.0, message, points: 0.0, out_of: 0.0 }
     }
 }
@@ -143,14 +167,14 @@ pub(crate) fn number(id: &str) -> Option<lab_kit::answers::Task> {
 pub(crate) fn read(path: &Path) -> Result<Record> {
     let record: Record = serde_json::from_slice(&read_bytes(path)?)
         .with_context(|| format!("{} is no record", path.display()))?;
-    ensure!(record.format == FORMAT, "{} is a record of another form", path.display());
+    ensure!(record.found.format == FORMAT, "{} is a record of another form", path.display());
     // The record is written under its name, which could be a path to any place.
-    let own = path.file_name().is_some_and(|name| *name == *format!("{}.json", record.name));
+    let own = path.file_name().is_some_and(|name| *name == *format!("{}.json", record.found.name));
     ensure!(
         own,
         "{} is the record of '{}': name it after that",
         path.display(),
-        line(&record.name)
+        line(&record.found.name)
     );
     Ok(record)
 }
@@ -173,7 +197,8 @@ pub(crate) fn expect_lab(folder: &Path, lab: Lab) -> Result<()> {
     }
     // Records of another format are skipped, because they are graded again.
     for record in files(folder)?.iter().filter_map(|path| read(path).ok()) {
-        let (folder, other) = (folder.display(), record.lab);
+        let folder = folder.display();
+        let other = record.found.lab;
         ensure!(other == lab, "{folder} holds records of lab {other}: name another folder");
     }
     Ok(())
@@ -191,49 +216,53 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>> {
 
 /// Sorts records by their names.
 pub(crate) fn sort(records: &mut [Record]) {
-    records.sort_by_cached_key(|record| (record.name.to_lowercase(), record.name.clone()));
+    records
+        .sort_by_cached_key(|record| (record.found.name.to_lowercase(), record.found.name.clone()));
 }
 
 impl Record {
     /// Writes the record into a folder, under its name.
     pub(crate) fn write(&self, folder: &Path) -> Result<()> {
         let text = serde_json::to_string_pretty(self)?;
-        write_file(&folder.join(format!("{}.json", self.name)), &text)
+        write_file(&folder.join(format!("{}.json", self.found.name)), &text)
     }
 
     /// Returns the record as a page shows it: under its pseudonym, or else under its student's
     /// name.
     pub(crate) fn shown(&self) -> Self {
+        let Self { found, marked, .. } = self;
         let mut shown = self.clone();
-        if let Some(pseudonym) = &self.pseudonym {
-            shown.message = self.message.replace(&self.name, pseudonym);
+        if let Some(pseudonym) = &marked.pseudonym {
+            shown.found.message = found.message.replace(&found.name, pseudonym);
         }
-        let name = self.pseudonym.as_ref().or(self.student.as_ref());
-        shown.name = name.unwrap_or(&self.name).clone();
+        let name = marked.pseudonym.as_ref().or(marked.student.as_ref());
+        shown.found.name = name.unwrap_or(&found.name).clone();
         shown
     }
 
     /// Returns the points that the tasks are worth, plus those of the measures that are `among`.
     pub(crate) fn worth(&self, among: impl Fn(&Measure) -> bool) -> f64 {
-        let measures = self.measures.iter().filter(|measure| among(measure));
+        let measures = self.marked.measures.iter().filter(|measure| among(measure));
         let measures: f64 = measures.map(|measure| measure.out_of).sum();
         self.tasks.iter().map(|task| task.out_of).sum::<f64>() + measures
     }
 
     /// Returns the points of measures that could not be judged; 0 if there is no program.
     pub(crate) fn open_points(&self) -> f64 {
-        if self.status != Status::Graded {
+        if self.found.status != Status::Graded {
             return 0.0;
         }
-        let open = self.measures.iter().filter(|measure| !measure.counts());
+        let open = self.marked.measures.iter().filter(|measure| !measure.counts());
         open.map(|measure| measure.out_of).fold(0.0, |sum, points| sum + points)
     }
 }
 
 /// Returns the points that a whole class is marked out of, including open points.
 pub(crate) fn scale(records: &[Record]) -> f64 {
-    let asked = |record: &Record| record.worth(|measure| measure.verdict != Verdict::NotTimed);
-    let most = records.iter().map(asked).fold(0.0, f64::max);
+    let mut most: f64 = 0.0;
+    for record in records {
+        most = most.max(record.worth(|measure| measure.verdict != Verdict::NotTimed));
+    }
     if most > 0.0 { most } else { 1.0 }
 }
 
@@ -250,10 +279,17 @@ impl Record {
         serde_json::from_str(include_str!("../../tests/record.json")).unwrap()
     }
 
+    /// Returns Ada's record under another name.
+    pub(crate) fn sample_called(name: &str) -> Self {
+        let mut record = Self::sample();
+        record.found.name = name.to_owned();
+        record
+    }
+
     /// Returns Ada's record with a speed measure worth 25 points. She has 0 of them.
     pub(crate) fn sample_of_speed(verdict: Verdict) -> Self {
         let mut record = Self::sample();
-        record.measures.push(Measure {
+        record.marked.measures.push(Measure {
             kind: Kind::Speed,
             variant: "sorted".into(),
             verdict,
@@ -279,6 +315,17 @@ mod tests {
         expect_lab(folder, one).unwrap();
         let error = expect_lab(folder, two).unwrap_err().to_string();
         assert!(error.ends_with("holds records of lab 1: name another folder"), "{error}");
+    }
+
+    #[test]
+    fn the_fields_of_all_parts_are_side_by_side_in_the_file() {
+        let record = Record::sample();
+        let file = serde_json::to_value(&record).unwrap();
+        for field in ["format", "name", "seed", "runs", "tasks", "measures", "by_hand", "points"] {
+            assert!(file.get(field).is_some(), "{field}");
+        }
+        assert_eq!(file.as_object().unwrap().len(), 26);
+        assert_eq!(serde_json::from_value::<Record>(file).unwrap(), record);
     }
 
     #[test]

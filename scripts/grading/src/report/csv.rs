@@ -20,21 +20,21 @@ pub(crate) fn csv(records: &[Record]) -> Result<String> {
 
 /// Returns a row with the columns of the first record: pairs of a column's name and its text.
 fn row(record: &Record, first: &Record, full: f64) -> Vec<(String, String)> {
-    let decided = record.by_hand.iter().filter_map(|one| match (one.points, one.days) {
+    let decided = record.marked.by_hand.iter().filter_map(|one| match (one.points, one.days) {
         (Some(_), _) => Some(one.task.as_deref().unwrap_or("all")),
         (None, Some(_)) => Some("days"),
         (None, None) => None,
     });
     let known = [
-        ("name", record.name.clone()),
-        ("student", record.student.clone().unwrap_or_default()),
-        ("pseudonym", record.pseudonym.clone().unwrap_or_default()),
-        ("lab", record.lab.to_string()),
-        ("state", trouble(record.status).unwrap_or("graded").into()),
-        ("points", if record.has_mark() { points(record.points) } else { String::new() }),
+        ("name", record.found.name.clone()),
+        ("student", record.marked.student.clone().unwrap_or_default()),
+        ("pseudonym", record.marked.pseudonym.clone().unwrap_or_default()),
+        ("lab", record.found.lab.to_string()),
+        ("state", trouble(record.found.status).unwrap_or("graded").into()),
+        ("points", if record.has_mark() { points(record.marked.points) } else { String::new() }),
         ("of", points(full)),
         ("open", points(record.open_points())),
-        ("days late", record.late.as_ref().map_or(0, |late| late.days).to_string()),
+        ("days late", record.marked.late.as_ref().map_or(0, |late| late.days).to_string()),
         ("by hand", decided.collect::<Vec<_>>().join(" ")),
     ];
     let mut row = known.map(|(column, text)| (column.to_owned(), text)).to_vec();
@@ -42,14 +42,17 @@ fn row(record: &Record, first: &Record, full: f64) -> Vec<(String, String)> {
         let own = record.tasks.iter().find(|own| own.id == task.id);
         row.push((task.id.clone(), own.map_or(String::new(), |task| points(task.points))));
     }
-    for measure in &first.measures {
-        let own = record.measures.iter().find(|own| own.kind == measure.kind && own.counts());
+    for measure in &first.marked.measures {
+        let own =
+            record.marked.measures.iter().find(|own| own.kind == measure.kind && own.counts());
         let given = own.map_or(String::new(), |measure| points(measure.points));
         row.push((measure.kind.name().to_owned(), given));
     }
     let lost = record.tasks.iter().find(|task| !task.passed);
     let trouble = match lost {
-        _ if !record.message.is_empty() => record.message.lines().next().unwrap_or("").to_owned(),
+        _ if !record.found.message.is_empty() => {
+            record.found.message.lines().next().unwrap_or("").to_owned()
+        }
         Some(task) => format!("{}: {}", task.id, task.message),
         None => String::new(),
     };
@@ -72,7 +75,7 @@ mod tests {
             reason: "r".into(),
         };
         let mut record = Record::sample();
-        record.by_hand = vec![
+        record.marked.by_hand = vec![
             decision(None, None, Some(0)),
             decision(None, None, None),
             decision(Some("1.2"), Some(3.0), None),
@@ -85,7 +88,7 @@ mod tests {
     #[test]
     fn a_row_for_each_and_no_formula() {
         let mut record = Record::sample();
-        record.name = "=cmd|' /C calc'!A0".into();
+        record.found.name = "=cmd|' /C calc'!A0".into();
         record.tasks[1].message = "a \"b\",\nc".into();
         let text = csv(&[record.clone(), record]).unwrap();
         let lines: Vec<&str> = text.lines().collect();
@@ -102,7 +105,9 @@ mod tests {
 
     #[test]
     fn what_is_no_mark_is_not_written_as_one() {
-        let unreadable = Record { status: Status::Unreadable, points: 0.0, ..Record::sample() };
+        let mut unreadable = Record::sample();
+        unreadable.found.status = Status::Unreadable;
+        unreadable.marked.points = 0.0;
         let text = csv(&[unreadable]).unwrap();
         assert!(text.contains(",1,could not be read,,100,"), "{text}");
     }

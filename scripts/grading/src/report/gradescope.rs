@@ -6,7 +6,7 @@
 
 use serde_json::{Value, json};
 
-use super::{Words, letter, words};
+use super::{Words, letter, sentences};
 use crate::escape::line;
 use crate::record::Record;
 
@@ -17,7 +17,7 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
         if let Some(reading) = words.reading(&task.id).filter(|_| !task.passed) {
             output = format!("{output}\nRead {reading}.").trim_start().to_owned();
         }
-        for sentence in words::by_hand(record, Some(&task.id)) {
+        for sentence in sentences::by_hand(record, Some(&task.id)) {
             output = format!("{output}\n{}", line(&sentence)).trim_start().to_owned();
         }
         json!({
@@ -25,28 +25,28 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
             "score": task.points, "max_score": task.out_of, "output": output,
         })
     });
-    let measures = record.measures.iter().map(|measure| {
+    let measures = record.marked.measures.iter().map(|measure| {
         // An open measure must not lower the total.
         let (score, most) =
             if measure.counts() { (measure.points, measure.out_of) } else { (0.0, 0.0) };
         json!({
-            "name": line(&words::heading(measure)), "score": score, "max_score": most,
-            "output": line(&words::measured(measure)),
+            "name": line(&sentences::heading(measure)), "score": score, "max_score": most,
+            "output": line(&sentences::measured(measure)),
         })
     });
     let tests: Vec<Value> = tasks.chain(measures).collect();
     let mut output = letter::around(record, words, "");
-    if !record.sandboxed {
+    if !record.found.sandboxed {
         output += "It ran without a sandbox: none can be made here.\n";
     }
     json!({
-        "score": record.points,
+        "score": record.marked.points,
         "output": output,
         "output_format": "md",
         "stdout_visibility": "hidden",
         "extra_data": {
-            "sources": record.hash, "grader": record.grader, "seed": record.seed,
-            "toolchain": record.toolchain, "machine": record.machine, "sandboxed": record.sandboxed,
+            "sources": record.found.hash, "grader": record.found.grader, "seed": record.found.seed,
+            "toolchain": record.found.toolchain, "machine": record.found.machine, "sandboxed": record.found.sandboxed,
         },
         "tests": tests,
     })
@@ -78,8 +78,10 @@ mod tests {
             ["score", "max_score"].map(|key| test[key].as_f64().unwrap())
         });
         let tests: Vec<[f64; 2]> = tests.collect();
-        assert_eq!(results["score"].as_f64(), Some(record.points));
-        assert!((tests.iter().map(|test| test[0]).sum::<f64>() - record.points).abs() < 1e-9);
+        assert_eq!(results["score"].as_f64(), Some(record.marked.points));
+        assert!(
+            (tests.iter().map(|test| test[0]).sum::<f64>() - record.marked.points).abs() < 1e-9
+        );
         assert!(tests.iter().all(|[score, most]| score <= most), "{tests:?}");
         (results["output"].as_str().unwrap().to_owned(), tests)
     }
@@ -96,8 +98,9 @@ mod tests {
     #[test]
     fn a_broken_submission_has_it_too() {
         let mut record = Record::sample();
-        (record.status, record.message) = (Status::Unreadable, "\u{1b}[2Jnot an archive".into());
-        record.points = 0.0;
+        (record.found.status, record.found.message) =
+            (Status::Unreadable, "\u{1b}[2Jnot an archive".into());
+        record.marked.points = 0.0;
         record.tasks.iter_mut().for_each(|task| task.points = 0.0);
         let (output, _) = check(&record);
         assert!(output.contains("could not be read") && !output.contains('\u{1b}'), "{output}");

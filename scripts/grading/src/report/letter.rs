@@ -1,12 +1,12 @@
 //! `feedback/NAME.md`: the letter to a student.
 
-use super::{Words, points, trouble, words};
+use super::{Words, points, sentences, trouble};
 use crate::escape::{fenced, line, markdown};
 use crate::record::{Attempt, Record, Status, Task};
 
 /// Writes the letter, in Markdown.
 pub(crate) fn letter(record: &Record, words: &Words) -> String {
-    let name = markdown(record.student.as_ref().unwrap_or(&record.name));
+    let name = markdown(record.marked.student.as_ref().unwrap_or(&record.found.name));
     format!("# {}\n\n**{name}**: {}", words.lab, body(record, words))
 }
 
@@ -26,17 +26,17 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
             " {open} points are open: they depend on times that were not graded (see below)."
         );
     }
-    for sentence in words::by_hand(record, None) {
+    for sentence in sentences::by_hand(record, None) {
         out += &format!(" {}", markdown(&sentence));
     }
     out += "\n\n";
-    if record.status == Status::Failed {
+    if record.found.status == Status::Failed {
         // The cause is for the staff only, and may name their folders.
         out += "It could not be graded yet. The cause is the grading machine, and not your \
                 submission.\n\n";
-    } else if let Some(trouble) = trouble(record.status) {
-        out += &format!("The submission {trouble}.\n\n{}\n", fenced(&record.message));
-        if record.status == Status::NotBuilt {
+    } else if let Some(trouble) = trouble(record.found.status) {
+        out += &format!("The submission {trouble}.\n\n{}\n", fenced(&record.found.message));
+        if record.found.status == Status::NotBuilt {
             out += "`cargo lab check` compiles a lab as the grader does; hand in a version that \
                  passes this check.\n\n";
         }
@@ -44,23 +44,25 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
         out += tasks;
         out += &speed(record, words);
     }
-    if !record.changed.is_empty() {
-        let changed = record.changed.iter().map(|path| file(path)).collect::<Vec<_>>().join(", ");
+    if !record.found.changed.is_empty() {
+        let changed =
+            record.found.changed.iter().map(|path| file(path)).collect::<Vec<_>>().join(", ");
         out += &format!(
             "## Given files that were changed\n\nOnly files with tasks are yours, and new ones. Of these the kit's \
              were compiled: {changed}.\n\n"
         );
     }
-    if !record.left_out.is_empty() {
+    if !record.found.left_out.is_empty() {
         out += "## Files that were not taken\n\n";
-        for left in &record.left_out {
+        for left in &record.found.left_out {
             out += &format!("- {}: {}\n", file(&left.path), markdown(&left.reason));
         }
         out.push('\n');
     }
-    let of = record.hash.get(..12).unwrap_or(&record.hash);
+    let of = record.found.hash.get(..12).unwrap_or(&record.found.hash);
     if !of.is_empty() {
-        out += &format!("*Graded from sources {of} with the inputs of seed {}.*\n", record.seed);
+        out +=
+            &format!("*Graded from sources {of} with the inputs of seed {}.*\n", record.found.seed);
     }
     out
 }
@@ -72,8 +74,9 @@ fn file(path: &str) -> String {
 
 /// Says how many points there are, and whether they are the student's mark.
 fn standing(record: &Record, words: &Words) -> String {
-    let given = format!("{} of {} points.", points(record.points), points(words.full(record)));
-    match (record.has_mark(), record.attempt) {
+    let given =
+        format!("{} of {} points.", points(record.marked.points), points(words.full(record)));
+    match (record.has_mark(), record.marked.attempt) {
         (true, Attempt::Counts) => given,
         (true, Attempt::Another) => given + " Another of your submissions counts.",
         (true, Attempt::Undecided) => {
@@ -87,7 +90,8 @@ fn standing(record: &Record, words: &Words) -> String {
 fn tasks(record: &Record, words: &Words) -> String {
     let mut out = String::from("| task | points |\n|---|---|\n");
     for task in &record.tasks {
-        let (given, most) = (points(task.points), points(task.out_of));
+        let given = points(task.points);
+        let most = points(task.out_of);
         let mark = match (record.is_by_hand(&task.id), task.passed) {
             (true, _) => " **by hand**",
             (false, true) => "",
@@ -98,7 +102,7 @@ fn tasks(record: &Record, words: &Words) -> String {
     }
     out.push('\n');
     for task in &record.tasks {
-        for sentence in words::by_hand(record, Some(&task.id)) {
+        for sentence in sentences::by_hand(record, Some(&task.id)) {
             out += &format!("Task {}: {}\n\n", task.id, markdown(&sentence));
         }
     }
@@ -125,19 +129,20 @@ fn tasks(record: &Record, words: &Words) -> String {
 }
 
 fn speed(record: &Record, words: &Words) -> String {
-    if record.measures.is_empty() {
+    if record.marked.measures.is_empty() {
         return String::new();
     }
     let mut out = String::from("## Speed\n\n");
-    for measure in &record.measures {
-        let (head, sentences) = (words::heading(measure), markdown(&words::measured(measure)));
+    for measure in &record.marked.measures {
+        let (head, sentences) =
+            (sentences::heading(measure), markdown(&sentences::measured(measure)));
         out += &format!("- **{head}.** {sentences}");
-        for sentence in words::by_hand(record, Some(measure.kind.name())) {
+        for sentence in sentences::by_hand(record, Some(measure.kind.name())) {
             out += &format!(" {}", markdown(&sentence));
         }
         out.push('\n');
     }
-    for sentence in words::speed(record, words) {
+    for sentence in sentences::speed(record, words) {
         out += &format!("- {sentence}\n");
     }
     out + "\n"
@@ -162,9 +167,9 @@ mod tests {
     #[test]
     fn a_submission_that_does_not_compile_gets_the_compilers_words() {
         let mut record = Record::sample();
-        record.status = Status::NotBuilt;
-        record.message = "error[E0425]: `x`\n --> src/lib.rs".into();
-        record.name = "[evil](http://x)<script>".into();
+        record.found.status = Status::NotBuilt;
+        record.found.message = "error[E0425]: `x`\n --> src/lib.rs".into();
+        record.found.name = "[evil](http://x)<script>".into();
         let text = letter(&record, &Words::default());
         assert!(text.contains("does not compile") && text.contains("error[E0425]: `x`"), "{text}");
         assert!(text.contains("\\[evil\\]\\(http\\://x\\)\\<script\\>"), "{text}");
@@ -175,7 +180,7 @@ mod tests {
     fn a_path_is_code() {
         let mut record = Record::sample();
         let left_out = ["a_b.rs", "`<b>`"];
-        record.left_out = left_out
+        record.found.left_out = left_out
             .map(|path| LeftOut { path: path.into(), reason: "no plain file".into() })
             .into();
         let text = letter(&record, &Words::default());
@@ -185,7 +190,8 @@ mod tests {
     #[test]
     fn a_fault_of_the_machine_is_no_news_for_a_student() {
         let mut record = Record::sample();
-        (record.status, record.message) = (Status::Failed, "cannot write /home/staff/x".into());
+        (record.found.status, record.found.message) =
+            (Status::Failed, "cannot write /home/staff/x".into());
         let text = letter(&record, &Words::default());
         assert!(text.contains("could not be graded yet") && !text.contains("/home"), "{text}");
     }
@@ -193,20 +199,20 @@ mod tests {
     #[test]
     fn what_is_no_mark_is_not_said_as_one() {
         let mut record = Record::sample();
-        record.late = Some(Lateness { days: 2, lost: 0.2 });
+        record.marked.late = Some(Lateness { days: 2, lost: 0.2 });
         let begins = |record: &Record| {
             let text = letter(record, &Words::default());
             text.lines().nth(2).unwrap().replace("**ada**: ", "")
         };
-        record.attempt = Attempt::Another;
+        record.marked.attempt = Attempt::Another;
         let sentences = begins(&record);
         assert!(
             sentences.starts_with("60 of 100 points. Another of your submissions counts. "),
             "{sentences}"
         );
-        (record.status, record.points) = (Status::Unreadable, 0.0);
+        (record.found.status, record.marked.points) = (Status::Unreadable, 0.0);
         assert_eq!(begins(&record), "Another of your submissions counts.");
-        record.attempt = Attempt::Counts;
+        record.marked.attempt = Attempt::Counts;
         assert_eq!(begins(&record), "There is no mark yet.");
     }
 }

@@ -1,14 +1,14 @@
 //! Reports about a class: a page, a table, a letter to each student, and Gradescope's file.
 
-mod changes;
+mod changed_marks;
 mod csv;
 mod gradescope;
 mod letter;
 mod moodle;
 mod page;
-mod words;
+mod sentences;
 
-pub(crate) use changes::changes;
+pub(crate) use changed_marks::changes;
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -16,7 +16,7 @@ use std::path::Path;
 use anyhow::Result;
 
 use crate::record::{self, Record, Status, points, scale};
-use crate::roll::{Attendance, Roll};
+use crate::roster::{Attendance, ClassFile};
 use lab_kit::files::write_file;
 use lab_kit::hints;
 use lab_kit::{Facts, Kit, Lab};
@@ -44,32 +44,31 @@ pub(crate) fn write(
     kit: &Kit,
     lab: Lab,
     records: &[Record],
-    (roll, attendance): (&Roll, &Attendance),
+    (class, attendance): (&ClassFile, &Attendance),
     folder: &Path,
 ) -> Result<()> {
     let words = Words { full: scale(records), ..Words::of(kit, lab)? };
     let shown = shown(records);
     let mut to_see_to = attendance.words(records);
-    if records.iter().any(|record| record.pseudonym.is_some()) {
+    if records.iter().any(|record| record.marked.pseudonym.is_some()) {
         // A page with pseudonyms contains no names.
         to_see_to.iter_mut().for_each(|(_, who)| *who = vec![who.len().to_string()]);
     }
     write_file(&folder.join("index.html"), page::page(&shown, &to_see_to, &words))?;
     write_file(&folder.join("class.csv"), &csv::csv(records)?)?;
-    if let Some(marks) = roll.marks(records, attendance)? {
+    if let Some(marks) = class.marks(records, attendance)? {
         write_file(&folder.join("marks.csv"), &marks)?;
     }
     let mut letters = Vec::new();
     for record in records {
-        let of =
-            |kind: &str, ending: &str| folder.join(kind).join(format!("{}.{ending}", record.name));
+        let name = &record.found.name;
         let letter = letter::letter(record, &words);
-        write_file(&of("feedback", "md"), &letter)?;
-        letters.push((record.name.as_str(), letter));
+        write_file(&folder.join(format!("feedback/{name}.md")), &letter)?;
+        letters.push((name.as_str(), letter));
         // If the grader failed, the submission must not be uploaded with 0 points.
-        if record.status != Status::Failed {
+        if record.found.status != Status::Failed {
             let results = serde_json::to_string_pretty(&gradescope::results(record, &words))?;
-            write_file(&of("gradescope", "json"), &results)?;
+            write_file(&folder.join(format!("gradescope/{name}.json")), &results)?;
         }
     }
     if let Some(archive) = moodle::archive(&letters)? {
@@ -83,10 +82,10 @@ pub(crate) fn write(
 fn shown(records: &[Record]) -> Vec<Record> {
     let mut shown: Vec<Record> = records.iter().map(Record::shown).collect();
     let mut many: BTreeMap<String, usize> = BTreeMap::new();
-    shown.iter().for_each(|record| *many.entry(record.name.clone()).or_default() += 1);
+    shown.iter().for_each(|record| *many.entry(record.found.name.clone()).or_default() += 1);
     for (shown, record) in shown.iter_mut().zip(records) {
-        if many[&shown.name] > 1 && shown.pseudonym.is_none() {
-            shown.name = format!("{} ({})", shown.name, record.name);
+        if many[&shown.found.name] > 1 && shown.marked.pseudonym.is_none() {
+            shown.found.name = format!("{} ({})", shown.found.name, record.found.name);
         }
     }
     record::sort(&mut shown);
@@ -153,10 +152,9 @@ mod tests {
 
     #[test]
     fn attempts_that_do_not_count_are_told_apart_and_not_counted() {
-        let mut records =
-            ["7_1", "7_2"].map(|name| Record { name: name.into(), ..Record::sample() });
-        records.iter_mut().for_each(|record| record.student = Some("Ada".into()));
-        records[1].attempt = Attempt::Another;
+        let mut records = ["7_1", "7_2"].map(Record::sample_called);
+        records.iter_mut().for_each(|record| record.marked.student = Some("Ada".into()));
+        records[1].marked.attempt = Attempt::Another;
         let text = super::page::page(&super::shown(&records), &[], &super::Words::default());
         assert!(text.contains(">Ada (7_1)</a>") && text.contains(">Ada (7_2)</a>"), "{text}");
         assert_eq!(text.matches("<tr class=\"aside\">").count(), 1, "{text}");

@@ -120,7 +120,8 @@ mod tests {
 
     #[test]
     fn a_doubtful_end_counts_only_on_a_machine_that_works() {
-        let (runs, controls) = (Cell::new(0), Cell::new(0));
+        let runs = Cell::new(0);
+        let controls = Cell::new(0);
         believed(|| count(&runs), |()| false, || count(&controls)).unwrap();
         assert_eq!((runs.take(), controls.take()), (1, 0));
         believed(|| count(&runs), |()| true, || count(&controls)).unwrap();

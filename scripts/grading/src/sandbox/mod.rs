@@ -8,7 +8,7 @@
 mod beside;
 pub(crate) mod faults;
 mod filter;
-pub(crate) mod memory;
+pub(crate) mod memory_guard;
 mod nobody;
 pub(crate) mod processes;
 mod registry;

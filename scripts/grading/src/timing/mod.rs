@@ -5,7 +5,7 @@
 //! checked by its result. All measurements go into the record unchanged, and [`judge`] computes
 //! grades from them. [`whole`] checks results only.
 
-mod check;
+mod correctness;
 mod judge;
 mod plan;
 mod processors;
@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::Result;
 
-use crate::record::{Kind, Measure, Record};
+use crate::record::{Findings, Kind};
 use crate::sandbox::Sandbox;
 use lab_kit::{Discs, Facts, Workers};
 use oracle::Random;
@@ -48,18 +48,18 @@ const BUDGET: Duration = Duration::from_secs(90);
 pub(crate) fn time(
     sandbox: &Sandbox,
     folders: (&Path, &Path),
-    record: &mut Record,
+    findings: &mut Findings,
     rubric: &Facts,
 ) -> Result<()> {
-    let mut runs = plan(rubric, record.seed, lab_kit::machine::cores());
+    let mut runs = plan(rubric, findings.seed, lab_kit::machine::cores());
     let start = Instant::now();
-    (record.timed, record.runs) = (true, Vec::new());
+    (findings.timed, findings.runs) = (true, Vec::new());
     // The scene is random: no program has seen it before, and no letter names its seed.
     let mut random = Random::new(RandomState::new().hash_one(()));
     for round in 0..MOST {
         one_round(sandbox, folders, &mut runs, round, scene(&mut random))?;
-        record.runs.clone_from(&runs);
-        if round + 1 >= LEAST && !is_noisy(record, rubric) || start.elapsed() > BUDGET {
+        findings.runs.clone_from(&runs);
+        if round + 1 >= LEAST && !is_noisy(findings, rubric) || start.elapsed() > BUDGET {
             break;
         }
     }
@@ -73,11 +73,14 @@ fn scene(random: &mut Random) -> u32 {
 }
 
 /// Whether every measure is graded that can be graded on a machine with this many cores.
-pub(crate) fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool {
+pub(crate) fn is_done_on(cores: usize, findings: &Findings, rubric: &Facts) -> bool {
     // On a machine with one core, scaling is never graded.
-    let cannot_be = |measure: &Measure| measure.kind == Kind::Scaling && cores == 1;
-    let is_judged = |measure: &Measure| measure.counts() || cannot_be(measure);
-    record.timed && judge(record, rubric).iter().all(is_judged)
+    let cannot_scale = cores == 1;
+    let measures = judge(findings, rubric);
+    findings.timed
+        && measures
+            .iter()
+            .all(|measure| measure.counts() || measure.kind == Kind::Scaling && cannot_scale)
 }
 
 /// Returns the kinds of discs that a lab's programs simulate.
@@ -89,9 +92,13 @@ pub(crate) fn programs(lab: &Facts) -> Vec<(&'static str, &'static str)> {
     [(own, "VARIANTS")].into_iter().chain(hard).collect()
 }
 
+/// Returns the name of a file in the timed program, and its path in the kit.
+fn timed(to: &str, from: &str) -> (String, String) {
+    (to.to_owned(), format!("tests/timed/{from}"))
+}
+
 /// Returns the files of a lab's timed program: their names, and their paths in the kit.
 pub(crate) fn sources(lab: &Facts) -> Vec<(String, String)> {
-    let timed = |to: &str, from: &str| (to.to_owned(), format!("tests/timed/{from}"));
     let team = if lab.workers == Workers::Ranks { "ranks.rs" } else { "alone.rs" };
     let mut sources = vec![timed("main.rs", "main.rs"), timed("team.rs", team)];
     let scenes = programs(lab).into_iter().map(|(discs, _)| format!("{discs}.rs"));

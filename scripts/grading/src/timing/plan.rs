@@ -37,7 +37,8 @@ pub(crate) fn drawn(rubric: &Facts, seed: u64) -> Facts {
 /// without steps, which shows the time for making and sending a scene. With ranks, that time also
 /// depends on the number of ranks, so each number of ranks has its own run without steps.
 pub(crate) fn plan(rubric: &Facts, seed: u64, cores: usize) -> Vec<Run> {
-    let (rubric, steps) = (drawn(rubric, seed), 40 + seed % 21);
+    let rubric = drawn(rubric, seed);
+    let steps = 40 + seed % 21;
     let mut runs: Vec<Run> = Vec::new();
     let mut add = |whose, variant: &str, n, workers, steps| {
         let run = Run::planned(whose, variant, n, workers, steps);
@@ -111,7 +112,8 @@ mod tests {
             };
             assert!(trusted(own.steps) && trusted(0), "{own:?}");
         }
-        let (count, own) = (jobs.len(), jobs.iter().filter(|job| job.whose == Whose::Own).count());
+        let count = jobs.len();
+        let own = jobs.iter().filter(|job| job.whose == Whose::Own).count();
         // 7 sizes; 2 and 3 workers on all particles and on a third each.
         assert!(own == 7 + 4 && count < 40, "{own} of {count}");
     }

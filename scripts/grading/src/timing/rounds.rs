@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use anyhow::{Result, ensure};
 
-use super::check::{STRAY, difference, is_another};
+use super::correctness::{STRAY, difference, is_another};
 use super::plan::SERIAL;
 use super::take::{Taken, is_doubtful, take};
 use crate::record::{Outcome, Run, Whose};

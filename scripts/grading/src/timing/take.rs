@@ -78,7 +78,8 @@ pub(crate) fn take(
     let mut process = confined(processors, || start_process(&mut command))
         .context("a timed program does not start")?;
     let child = &mut process.child;
-    let (stdin, stdout) = (child.stdin.take(), child.stdout.take());
+    let stdin = child.stdin.take();
+    let stdout = child.stdout.take();
     let (mut stdin, stdout) = stdin.zip(stdout).context("it has no pipes")?;
     let complaints = ends(child.stderr.take());
     let root = child.id();
@@ -86,10 +87,9 @@ pub(crate) fn take(
     let most = 32 * run.n;
     thread::spawn(move || listen(stdout, &nonce, most, &send));
 
-    let wrong = |why: &str| Ok(Err((Outcome::Wrong, why.into())));
     match receive.recv_timeout(START) {
         Ok(Reply::Ready) => {}
-        Ok(_) => return wrong("it talks before it is asked"),
+        Ok(_) => return Ok(wrong("it talks before it is asked")),
         Err(error) => return Ok(Err(ended(error, START, &complaints))),
     }
     let before = seconds(root);
@@ -101,9 +101,11 @@ pub(crate) fn take(
     let (end, state) = match receive.recv_timeout(limit) {
         Ok(Reply::State(end, state)) => (end, state),
         Ok(Reply::TooMuch) => {
-            return wrong("it prints too much while it is timed: remove the output in each step");
+            return Ok(wrong(
+                "it prints too much while it is timed: remove the output in each step",
+            ));
         }
-        Ok(_) => return wrong("it talks nonsense"),
+        Ok(_) => return Ok(wrong("it talks nonsense")),
         Err(error) => return Ok(Err(ended(error, limit, &complaints))),
     };
     let after = seconds(root);
@@ -114,14 +116,19 @@ pub(crate) fn take(
     }))
 }
 
+/// Returns the trouble with a program that breaks the rules of a timed run.
+fn wrong(why: &str) -> Result<Taken, Trouble> {
+    Err((Outcome::Wrong, why.into()))
+}
+
 /// Explains why a run has no result: the time was up, or the program crashed with an error message.
 fn ended(error: RecvTimeoutError, limit: Duration, complaints: &Receiver<String>) -> Trouble {
     if error == RecvTimeoutError::Timeout {
         return (Outcome::TooSlow, format!("no result within {:.0} s", limit.as_secs_f64()));
     }
     let complaint = complaints.recv_timeout(REST).unwrap_or_default();
-    let first = || complaint.lines().find(|line| !line.trim().is_empty());
-    let line = panic_in(&complaint).or_else(first).unwrap_or(SILENT);
+    let first = complaint.lines().find(|line| !line.trim().is_empty());
+    let line = panic_in(&complaint).or(first).unwrap_or(SILENT);
     (Outcome::Wrong, line.chars().take(300).collect())
 }
 

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use anyhow::{Result, anyhow};
 
-use super::check::difference;
+use super::correctness::difference;
 use super::scene;
 use super::take::{Taken, Trouble, is_doubtful, take};
 use crate::record::{Run, Task, Whose, number};
@@ -56,7 +56,8 @@ fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
         let large = large.map(|timed| [timed.n as f64, 1.1 * timed.n as f64]);
         for [low, high] in [[40.0, 900.0]].into_iter().chain(large) {
             let n = random.magnitude(low, high) as usize;
-            let (workers, steps) = (2 + random.below(3), 20 + random.below(60) as u64);
+            let workers = 2 + random.below(3);
+            let steps = 20 + random.below(60) as u64;
             let run = Run::planned(Whose::Own, &variant.name, n, workers, steps);
             runs.push((task.clone(), run));
         }

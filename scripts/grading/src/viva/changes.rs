@@ -6,8 +6,8 @@ use anyhow::Result;
 use similar::{DiffTag, TextDiff};
 
 use lab_kit::answers::{self, Task};
+use lab_kit::sources::Sources;
 use lab_kit::starter::{self, todo};
-use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab, wrong};
 
 /// A line that a student wrote.
@@ -155,7 +155,7 @@ mod tests {
     use exam::bank::{each, rows};
     use lab_kit::Kit;
     use lab_kit::files::read_text;
-    use lab_kit::submission::{Sources, of_solution};
+    use lab_kit::sources::{Sources, of_solution};
 
     #[test]
     fn a_known_mistake_of_one_line_is_found() {
@@ -169,7 +169,8 @@ mod tests {
     #[test]
     fn a_change_replaces_its_line() {
         let mut sources: Sources = [("src/a.rs".into(), b"a\n  b\nc\n".to_vec())].into();
-        let (path, text) = ("src/a.rs".into(), "b".into());
+        let path = "src/a.rs".into();
+        let text = "b".into();
         let line = Line { path, at: 1, text, task: None, begins: false };
         Change { line, new: "x".into(), story: None }.apply(&mut sources);
         assert_eq!(sources["src/a.rs"], b"a\nx\nc\n");

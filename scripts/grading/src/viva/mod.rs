@@ -22,13 +22,13 @@ use self::trace::{PARTICLES, STEPS, Trace, probe};
 use crate::asking::{ANSWER, JUDGE, Judge, Questions, TaskResult};
 use crate::build::Tree;
 use crate::escape::line;
-use crate::intake::names::named;
-use crate::intake::{self, forbidden};
 use crate::sandbox::{Limits, Sandbox};
+use crate::submission::names::named;
+use crate::submission::{self, forbidden};
 use crate::timing::PROGRAM;
 use lab_kit::files::write_file;
 use lab_kit::process::kill_all_on_interrupt;
-use lab_kit::submission::Sources;
+use lab_kit::sources::Sources;
 use lab_kit::{Facts, Given, Kit, Lab, Workers, rubric};
 use oracle::Random;
 
@@ -73,7 +73,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let into = into.unwrap_or_else(|| kit.memory().join(format!("viva/lab{lab}")));
     let mut submissions = Vec::new();
     for path in &options.paths {
-        submissions.extend(intake::submissions(kit, path)?);
+        submissions.extend(submission::list(kit, path)?);
     }
     kill_all_on_interrupt();
     eprintln!("Building the solution");
@@ -117,7 +117,7 @@ struct Examiner<'a> {
 impl Examiner<'_> {
     /// Returns the sheet of the submission at `path`.
     fn sheet(&self, path: &Path, seed: u64) -> Result<Sheet> {
-        let sources = intake::take(self.kit, self.lab, &self.given, path)?.files;
+        let sources = submission::take(self.kit, self.lab, &self.given, path)?.files;
         ensure!(!sources.is_empty(), "it has no file with a task of lab {}", self.lab);
         if let Some(why) = forbidden::find(&sources) {
             bail!("{why}");

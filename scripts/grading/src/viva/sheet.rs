@@ -2,7 +2,7 @@
 
 use super::changes::{Line, is_head};
 use lab_kit::Lab;
-use lab_kit::submission::Sources;
+use lab_kit::sources::Sources;
 
 /// Questions about a submission, with their keys.
 #[derive(Debug, Default)]
@@ -28,7 +28,8 @@ impl Sheet {
 
     /// Returns the page, as Markdown.
     pub(super) fn page(&self, lab: Lab, name: &str, seed: u64) -> String {
-        let (mut questions, mut keys) = (String::new(), String::new());
+        let mut questions = String::new();
+        let mut keys = String::new();
         for (number, (question, key)) in (1..).zip(&self.questions) {
             questions += &format!("## {number}\n\n{question}\n\n");
             keys += &format!("## Key to {number}\n\n{}\n\n", key.trim_end());

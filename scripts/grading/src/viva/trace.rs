@@ -12,7 +12,7 @@ use super::changes::{Change, Line};
 use crate::sandbox::Sandbox;
 use crate::timing::PROGRAM;
 use lab_kit::process::{ends, start};
-use lab_kit::submission::Sources;
+use lab_kit::sources::Sources;
 
 /// Nanoseconds that a probe waits, so that different workers reach their lines during this time.
 const PAUSE: u128 = 1_000_000;

@@ -1,12 +1,12 @@
-//! Archives as students hand them in. `src/intake/tests.rs` tests damaged and unusual archives.
+//! Archives as students hand them in. `src/submission/archive_tests.rs` tests damaged and unusual archives.
 
 use std::io::{Cursor, Write};
 
-use lab_kit::submission::pack;
+use lab_kit::sources::pack;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
 use crate::expected::{EMPTY, Expected, UNREADABLE};
-use crate::sources::Files;
+use crate::solution::Files;
 
 /// Returns unusual archives: their names, their bytes, and the expected results.
 pub(crate) fn all(lab: u8) -> Vec<(&'static str, Vec<u8>, Expected)> {

@@ -10,7 +10,7 @@ use crate::code::{
     WORKS_WHEN_ANSWERING, WORKS_WHEN_ASKED,
 };
 use crate::expected::{Expected, NOT_BUILT, REFUSED, Times};
-use crate::sources::{Files, kit, with, wrong};
+use crate::solution::{Files, kit, with, wrong};
 
 /// Lab of the quick tests, which compiles fastest. It is not timed.
 pub(crate) const QUICK: u8 = 1;

@@ -11,7 +11,7 @@ use tempfile::TempDir;
 
 use crate::cheats::{QUICK, TASK, TIMED};
 use crate::expected::{EMPTY, Expected, Times, UNREADABLE};
-use crate::sources::{Files, kit, solution, starter, tasks, with, wrong};
+use crate::solution::{Files, kit, solution, starter, tasks, with, wrong};
 use crate::{archives, cheats};
 
 /// Attacks that must fail. A successful attack reports itself and loses the marks.
@@ -119,7 +119,8 @@ impl Class {
     /// Adds a link to all of the kit's solutions, and a folder whose sources are a link to a
     /// solution.
     fn links(&mut self) {
-        let (solutions, lab) = (kit().join("solutions"), format!("lab{}", self.lab));
+        let solutions = kit().join("solutions");
+        let lab = format!("lab{}", self.lab);
         let linked = self.folder().join("linked/labs").join(&lab);
         fs::create_dir_all(&linked).unwrap();
         symlink(solutions.join(&lab).join("src"), linked.join("src")).unwrap();

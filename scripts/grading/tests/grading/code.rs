@@ -112,7 +112,7 @@ pub(crate) const SLOW_UNLESS_TIMED: &str = r#"
         std::thread::sleep(std::time::Duration::from_millis(1));
     }"#;
 
-/// Code that would run before `main`. `src/intake/forbidden.rs` tests all refused forms.
+/// Code that would run before `main`. `src/submission/forbidden.rs` tests all refused forms.
 pub(crate) const BEFORE_MAIN: &str = r#"
     extern "C" fn early() { std::process::exit(0); }
     #[unsafe(link_section = ".init_array")] #[used]

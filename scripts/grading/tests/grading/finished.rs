@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use crate::cheats::QUICK;
 use crate::class::Class;
-use crate::command::{NO_SANDBOX, TASKS, grade, program, record, records, run, script};
+use crate::grade_command::{NO_SANDBOX, TASKS, grade, program, record, records, run, script};
 
 /// Runs a command without a terminal. Returns whether it succeeded, and its stderr.
 fn message(mut command: Command) -> (bool, String) {
@@ -20,9 +20,11 @@ fn message(mut command: Command) -> (bool, String) {
 /// Returns a path with a `rustc` that names a folder without a compiler, so that nothing can be
 /// built.
 fn without_compiler(top: &Path) -> String {
-    let (own, folder) = (program("rustc").unwrap(), top.join("without-compiler"));
+    let own = program("rustc").unwrap();
+    let folder = top.join("without-compiler");
     fs::create_dir_all(&folder).unwrap();
-    let (own, shown) = (own.display(), folder.display());
+    let own = own.display();
+    let shown = folder.display();
     let text =
         format!("if [ \"$1\" = --print ]; then echo '{shown}'; else exec '{own}' \"$@\"; fi");
     script(&folder.join("rustc"), &text);

@@ -10,20 +10,20 @@ mod archives;
 mod cheats;
 mod class;
 mod code;
-mod command;
 mod expected;
-mod faults;
 mod finished;
-mod gradescope;
+mod grade_command;
+mod machine_faults;
 mod mixed;
 mod refusal;
-mod regrade;
-mod sources;
+mod regraded;
+mod run_autograder;
+mod solution;
 
 use std::fs;
 
 use class::Class;
-use command::{TASKS, complaints, grade, kill_when, records, run};
+use grade_command::{TASKS, complaints, grade, kill_when, records, run};
 
 #[test]
 fn cheats_gain_nothing_and_a_killed_class_goes_on() {

@@ -5,7 +5,7 @@ use std::fs;
 use std::time::Instant;
 
 use crate::class::Class;
-use crate::command::{complaints, grade, kill_when, record, records, run};
+use crate::grade_command::{complaints, grade, kill_when, record, records, run};
 
 /// Folder for records and pages, below the kit's target folder.
 const KEPT: &str = "target/lab/mixed-class";
@@ -20,7 +20,7 @@ fn a_mixed_class_can_be_made() {
 #[ignore = "takes many minutes; run it by hand"]
 fn a_mixed_class_with_times_is_graded_in_one_go() {
     let class = Class::mixed();
-    let into = crate::sources::kit().join(KEPT);
+    let into = crate::solution::kit().join(KEPT);
     let _ = fs::remove_dir_all(&into);
     let start = Instant::now();
     let all = class.members.len();

@@ -138,7 +138,8 @@ fn uncounted() {
         must_not_run("ipcmk", kind);
     }
     let page = [0; 4096];
-    let (mut ends, mut held) = (Vec::new(), 0);
+    let mut ends = Vec::new();
+    let mut held = 0;
     while let Ok((near, far)) = UnixStream::pair() {
         near.set_nonblocking(true).expect("it is ours");
         held += from_fn(|| (&near).write(&page).ok()).sum::<usize>();

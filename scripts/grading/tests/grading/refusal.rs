@@ -7,7 +7,7 @@ use std::process::Command;
 
 use crate::cheats::QUICK;
 use crate::class::Class;
-use crate::command::{TASKS, grade, program, record, script};
+use crate::grade_command::{TASKS, grade, program, record, script};
 
 /// Programs that grading needs in addition to the sandbox.
 const NEEDED: [&str; 9] =

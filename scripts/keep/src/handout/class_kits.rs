@@ -139,7 +139,8 @@ const LONG: usize = 30;
 #[test]
 fn no_line_of_an_answer_is_in_a_class_s_tree() {
     let whole = Kit::find().unwrap();
-    let (mut public, mut answers) = (String::new(), BTreeSet::new());
+    let mut public = String::new();
+    let mut answers = BTreeSet::new();
     for number in whole.solutions() {
         let due = number < lab("3");
         for file in answers::read_solution(&whole, number).unwrap() {

@@ -93,7 +93,8 @@ impl Copy {
 /// These are starters, wrong solutions, right variants, and the output of builds.
 fn is_left_out(relative: &Path) -> bool {
     let mut parts = relative.iter().filter_map(|part| part.to_str());
-    let (top, second) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
+    let top = parts.next().unwrap_or_default();
+    let second = parts.next().unwrap_or_default();
     let is_starter =
         top == "labs" && second.strip_prefix("lab").is_some_and(|n| n.parse::<Lab>().is_ok());
     is_starter

@@ -5,8 +5,8 @@
 
 mod copy;
 mod mutate;
-mod report;
-mod starter;
+mod proofs;
+mod starter_faults;
 mod wrongs;
 
 use std::process::ExitCode;
@@ -17,7 +17,7 @@ use clap::Args;
 use indicatif::ProgressBar;
 
 use self::copy::Copy;
-use self::report::{Proof, Row};
+use self::proofs::{Proof, Row};
 use lab_kit::answers;
 use lab_kit::harness::{self, Build, BuildError, Outcome, TestProgram, Verdict};
 use lab_kit::machine::on_all_cores;
@@ -78,7 +78,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         bench.bar.finish_and_clear();
     }
     rows.sort_by_key(|row| row.lab);
-    report::print(&rows);
+    proofs::print(&rows);
     let faulty = rows.iter().any(|row| row.result == Proof::Faulty);
     Ok(if faulty { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
@@ -165,7 +165,7 @@ impl Bench<'_> {
             Err(why) => return Ok(row(0, vec![why])),
         };
         let tasks = answers::tasks(self.kit, self.lab)?;
-        Ok(row(outcomes.len(), starter::faults(&outcomes, &tasks)))
+        Ok(row(outcomes.len(), starter_faults::faults(&outcomes, &tasks)))
     }
 }
 

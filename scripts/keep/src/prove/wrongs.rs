@@ -6,7 +6,7 @@ use anyhow::Result;
 
 use super::copy::Copy;
 use super::mutate::{environment, mutate};
-use super::report::Row;
+use super::proofs::Row;
 use super::{Bench, first_lines};
 use lab_kit::answers;
 use lab_kit::harness::{Outcome, Verdict};
@@ -32,7 +32,8 @@ impl Bench<'_> {
             }
         };
         let tests = program.tests()?;
-        let (mut runs, mut faults) = (Vec::new(), vec![Vec::new(); wrongs.len()]);
+        let mut runs = Vec::new();
+        let mut faults = vec![Vec::new(); wrongs.len()];
         for (index, wrong) in wrongs.iter().enumerate() {
             let named = || wrong.fails.iter().chain(&wrong.passes);
             let unknown = named().filter(|test| !tests.contains(test));

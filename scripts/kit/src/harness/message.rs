@@ -90,7 +90,8 @@ fn in_a_lab(location: &str) -> Option<String> {
         return Some(format!("{PANIC}the standard library, in a function that the lab calls:"));
     }
     let mut parts = location.rsplitn(3, ':').skip(1);
-    let (line, file) = (parts.next()?, parts.next()?);
+    let line = parts.next()?;
+    let file = parts.next()?;
     let (lab, _) = file.strip_prefix("labs/lab")?.split_once("/src/")?;
     lab.bytes().all(|b| b.is_ascii_digit()).then(|| format!("{PANIC}{file}, line {line}:"))
 }

@@ -24,7 +24,8 @@ pub(crate) fn of_a_failure(message: &str) -> String {
             Some(rest) => rest.strip_prefix(": ").unwrap_or("the two should be equal"),
             None => line,
         };
-        let (left, right) = (line.strip_prefix("  left: "), line.strip_prefix(" right: "));
+        let left = line.strip_prefix("  left: ");
+        let right = line.strip_prefix(" right: ");
         match (line, left, right) {
             ("-old snapshot", ..) => lines.push("- expected".to_owned()),
             ("+new results", ..) => lines.push("+ found".to_owned()),

@@ -122,12 +122,14 @@ fn documented(text: &str) -> String {
 
 /// Replaces the name of the solution's crate by the name of the starter's crate.
 pub(crate) fn rename(text: &str, lab: Lab) -> String {
-    let (old, new) = (format!("solution{lab}"), format!("lab{lab}"));
+    let old = format!("solution{lab}");
+    let new = format!("lab{lab}");
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let mut renamed = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(at) = rest.find(&old) {
-        let (before, after) = (&rest[..at], &rest[at + old.len()..]);
+        let before = &rest[..at];
+        let after = &rest[at + old.len()..];
         let is_full_name = !before.ends_with(is_name) && !after.starts_with(is_name);
         renamed.push_str(before);
         renamed.push_str(if is_full_name { &new } else { &old });

@@ -78,7 +78,8 @@ fn entries(chart: &Chart, layout: Layout, legend: &Area<'_>) -> Drawn {
 
 /// Draws an entry of the legend: a piece of the line, and the name.
 fn entry(series: &Series, look: &Look, legend: &Area<'_>, layout: Layout, at: usize) -> Drawn {
-    let (across, down) = (at % layout.columns(), at / layout.columns());
+    let across = at % layout.columns();
+    let down = at / layout.columns();
     let left = if layout.columns() == 1 { 12 } else { 82 };
     let width = legend.dim_in_pixel().0 as usize;
     let x = left + (across * (width - 80) / layout.columns()) as i32;

@@ -1,7 +1,7 @@
 //! Sizes of a chart and of its parts, for a medium.
 
 use super::figure::{Chart, Form};
-use lab_kit::page::fold;
+use lab_kit::terminal::fold;
 
 const BAR_ROW: u32 = 22;
 /// The width of a character, as a multiple of the text size.

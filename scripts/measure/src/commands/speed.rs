@@ -5,8 +5,8 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 use clap::Args;
 use lab_kit::facts::Race;
-use lab_kit::page::folded;
 use lab_kit::program::Program;
+use lab_kit::terminal::folded;
 use lab_kit::{Kit, Lab};
 
 use super::count::{per, profile};

@@ -140,7 +140,8 @@ impl Options {
 
     /// Returns the title of the page: lab, variant, ranks, and `the solution` if it is shown.
     fn title(&self, kit: &Kit, variant: &str, ranks: Option<u16>) -> String {
-        let (lab, whose) = (self.lab, if self.solution { ", the solution" } else { "" });
+        let lab = self.lab;
+        let whose = if self.solution { ", the solution" } else { "" };
         let on_ranks = ranks.map(|ranks| format!(" on {ranks} ranks")).unwrap_or_default();
         format!("Lab {lab}, {}: {variant}{on_ranks}{whose}", kit.title(lab))
     }

@@ -96,7 +96,9 @@ pub(super) fn write(kit: &Kit, run: &Run, movie: &Movie) -> Result<String> {
 fn says(run: &Run, movie: &Movie) -> String {
     let frames = movie.energy.len();
     let last = run.first + run.between * (frames as u32 - 1);
-    let (n, time, energy) = (movie.n, f64::from(last) * run.dt, movie.energy[frames - 1]);
+    let n = movie.n;
+    let time = f64::from(last) * run.dt;
+    let energy = movie.energy[frames - 1];
     let circles = match run.discs {
         Discs::Soft => format!(
             "Circles have the diameter c = {}, so two that overlap are within the cutoff; they are orange, and \
@@ -120,7 +122,8 @@ fn picture(run: &Run, movie: &Movie) -> String {
     let scale = SIDE / movie.size;
     let mut paths = [String::new(), String::new()];
     for (disc, touches) in &movie.still {
-        let (x, y) = (disc.x * scale, SIDE - disc.y * scale);
+        let x = disc.x * scale;
+        let y = SIDE - disc.y * scale;
         write!(paths[usize::from(*touches)], "M{x:.0} {y:.0}h0").expect("a string grows");
     }
     let [apart, touching] = paths;
@@ -158,7 +161,8 @@ mod tests {
         let mut text = format!("{n} 0.5\n");
         for frame in 0..frames {
             for i in 0..n {
-                let (x, y) = (0.0009 * frame as f64, 0.5 * i as f64 / n as f64);
+                let x = 0.0009 * frame as f64;
+                let y = 0.5 * i as f64 / n as f64;
                 writeln!(text, "{x} {y} 1.23456 -0.9").unwrap();
             }
             text += "\n";

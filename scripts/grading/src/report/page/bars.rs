@@ -18,7 +18,7 @@ const BARS: usize = 10;
 pub(crate) fn histogram(records: &[Record], full: f64) -> Markup {
     let mut counts = [0_usize; BARS];
     for record in records {
-        counts[((record.points / full * BARS as f64) as usize).min(BARS - 1)] += 1;
+        counts[((record.marked.points / full * BARS as f64) as usize).min(BARS - 1)] += 1;
     }
     let most = counts.iter().copied().max().unwrap_or(0).max(1) as f64;
     let number = |number: f64| format!("{number:.1}");
@@ -43,14 +43,11 @@ pub(crate) fn histogram(records: &[Record], full: f64) -> Markup {
 /// Draws how many submissions have each task, with the most frequent message of the others.
 pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
     let tasks = records.first().map_or(&[][..], |first| &first.tasks);
-    let count = |id: &str| {
-        let has = |record: &&Record| record.tasks.iter().any(|own| own.id == id && own.passed);
-        records.iter().filter(has).count()
-    };
     html! {
         h2 { "Tasks" }
         ul.bars {
-            @for (task, have) in tasks.iter().map(|task| (task, count(&task.id))) {
+            @for task in tasks {
+                @let have = having(records, &task.id);
                 li {
                     span { (words.task(&task.id)) }
                     (bar(have as f64 / records.len() as f64))
@@ -62,6 +59,12 @@ pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
             }
         }
     }
+}
+
+/// Returns the number of records with a right answer to a task.
+fn having(records: &[Record], id: &str) -> usize {
+    let tasks = records.iter().flat_map(|record| &record.tasks);
+    tasks.filter(|task| task.id == id && task.passed).count()
 }
 
 /// Returns the most frequent message about a task, and its number; `None` if no message occurs

@@ -2,7 +2,7 @@
 //! elsewhere.
 
 mod bars;
-mod table;
+mod submissions;
 
 use std::collections::BTreeSet;
 
@@ -39,7 +39,7 @@ pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> 
                 }
                 (bars::histogram(&counting, scale(records)))
                 (bars::tasks(&counting, words))
-                (table::table(records))
+                (submissions::table(records))
                 (details(records, words))
                 (provenance(records))
             }
@@ -50,13 +50,12 @@ pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> 
 
 /// Writes the numbers of a class. Only submissions that count contribute points.
 fn facts(records: &[Record], counting: &[Record]) -> Markup {
-    let mut given: Vec<f64> = counting.iter().map(|record| record.points).collect();
+    let mut given: Vec<f64> = counting.iter().map(|record| record.marked.points).collect();
     given.sort_by(f64::total_cmp);
     let full = scale(records);
     let all = given.iter().filter(|points| **points >= full - 1e-9).count();
-    let broken = records.iter().filter(|record| trouble(record.status).is_some()).count();
+    let broken = records.iter().filter(|record| trouble(record.found.status).is_some()).count();
     let open = records.iter().filter(|record| record.open_points() > 0.0).count();
-    let fact = |value: String, what: &str| html! { div { b { (value) } span { (what) } } };
     html! {
         div.facts {
             (fact(records.len().to_string(), "submissions"))
@@ -71,11 +70,17 @@ fn facts(records: &[Record], counting: &[Record]) -> Markup {
     }
 }
 
+/// Writes a number and its meaning.
+fn fact(value: String, what: &str) -> Markup {
+    html! { div { b { (value) } span { (what) } } }
+}
+
 /// Returns a quantile of sorted numbers, interpolated linearly between neighbours.
 fn quantile(sorted: &[f64], part: f64) -> f64 {
     let at = part * sorted.len().saturating_sub(1) as f64;
     let number = |at: f64| sorted.get(at as usize).copied().unwrap_or(0.0);
-    let (below, above) = (number(at.floor()), number(at.ceil()));
+    let below = number(at.floor());
+    let above = number(at.ceil());
     below + (above - below) * at.fract()
 }
 
@@ -85,9 +90,9 @@ fn details(records: &[Record], words: &Words) -> Markup {
     html! {
         h2 { "One by one" }
         @for (number, record) in records.iter().enumerate() {
-            @let given = format!("{} of {full} points", points(record.points));
+            @let given = format!("{} of {full} points", points(record.marked.points));
             details {
-                summary { b { (line(&record.name)) } ", " (trouble(record.status).unwrap_or(&given)) }
+                summary { b { (line(&record.found.name)) } ", " (trouble(record.found.status).unwrap_or(&given)) }
                 div id={ "s" (number) } { (rendered(&letter::body(record, words))) }
             }
         }
@@ -101,17 +106,19 @@ fn rendered(text: &str) -> PreEscaped<String> {
     PreEscaped(out)
 }
 
+/// Lists the different values of a field.
+fn distinct(records: &[Record], of: fn(&Record) -> &str) -> String {
+    let all: BTreeSet<&str> = records.iter().map(of).collect();
+    line(&all.into_iter().collect::<Vec<_>>().join("; "))
+}
+
 /// Writes the machine, the compiler and the grader that the marks depend on.
 fn provenance(records: &[Record]) -> Markup {
-    let distinct = |of: fn(&Record) -> &str| {
-        let all: BTreeSet<&str> = records.iter().map(of).collect();
-        line(&all.into_iter().collect::<Vec<_>>().join("; "))
-    };
     html! {
         p.soft {
-            "Machine: " (distinct(|record| &record.machine)) ". "
-            "Compiler: " (distinct(|record| &record.toolchain)) ". "
-            @if records.iter().all(|record| record.sandboxed) {
+            "Machine: " (distinct(records, |record| &record.found.machine)) ". "
+            "Compiler: " (distinct(records, |record| &record.found.toolchain)) ". "
+            @if records.iter().all(|record| record.found.sandboxed) {
                 "All programs ran in a sandbox."
             } @else {
                 "Programs ran without a sandbox: their authors could have reached the answers."
@@ -143,11 +150,11 @@ mod tests {
     fn hostile() -> Record {
         let mut record = Record::sample_of_speed(Verdict::Wrong);
         let evil = "</pre></details><script>alert(1)</script><img src=x onerror=\"a\">' \" &lt;";
-        record.name = evil.into();
+        record.found.name = evil.into();
         record.tasks[1].message = evil.into();
-        record.message = evil.into();
-        record.left_out.push(LeftOut { path: evil.into(), reason: evil.into() });
-        record.measures[0].message = evil.into();
+        record.found.message = evil.into();
+        record.found.left_out.push(LeftOut { path: evil.into(), reason: evil.into() });
+        record.marked.measures[0].message = evil.into();
         record
     }
 
@@ -181,8 +188,8 @@ mod tests {
         let text = page(&[], &Words::default());
         assert!(text.contains("<b>0</b>") && text.ends_with("</html>"));
         let mut broken = hostile();
-        broken.status = Status::Unreadable;
-        broken.runs = Vec::<Run>::new();
+        broken.found.status = Status::Unreadable;
+        broken.found.runs = Vec::<Run>::new();
         let text = page(&[broken], &Words::default());
         assert!(
             text.contains("<td class=\"ended\" colspan=\"3\">could not be read</td>"),

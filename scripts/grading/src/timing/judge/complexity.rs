@@ -17,7 +17,8 @@ const DAWDLE: f64 = 10.0;
 pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {
     let sizes = sizes(runs.timed.n);
     let mut points: Vec<(f64, Span)> = Vec::new();
-    let (mut slow, mut waits) = (None, Vec::new());
+    let mut slow = None;
+    let mut waits = Vec::new();
     for &n in &sizes {
         let own = runs.find(Whose::Own, n, 1)?;
         if own.outcome == Outcome::TooSlow {

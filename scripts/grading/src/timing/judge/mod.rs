@@ -1,12 +1,12 @@
 //! Computes grades from times.
 
 mod complexity;
+#[cfg(test)]
+mod grade_tests;
 mod runs;
 mod scaling;
-#[cfg(test)]
-mod tests;
 
-use crate::record::{Kind, Measure, Outcome, Record, Run, Status, Verdict, Whose};
+use crate::record::{Findings, Kind, Measure, Outcome, Run, Status, Verdict, Whose};
 use crate::timing::plan::drawn;
 use lab_kit::Facts;
 use lab_kit::facts::Timed;
@@ -26,45 +26,44 @@ struct Found {
 type Without = (Verdict, String);
 
 /// Judges all measures of a rubric from the runs in a record.
-pub(crate) fn judge(record: &Record, rubric: &Facts) -> Vec<Measure> {
-    let rubric = drawn(rubric, record.seed);
-    let found = all(record, &rubric).into_iter();
-    found.map(|(kind, timed, found)| measure(&record.runs, kind, timed, found)).collect()
+pub(crate) fn judge(findings: &Findings, rubric: &Facts) -> Vec<Measure> {
+    let rubric = drawn(rubric, findings.seed);
+    let found = all(findings, &rubric).into_iter();
+    found.map(|(kind, timed, found)| measure(&findings.runs, kind, timed, found)).collect()
 }
 
 /// Whether further takes may improve a grade, whatever the source of the noise.
-pub(crate) fn is_noisy(record: &Record, rubric: &Facts) -> bool {
-    let noisy = |found: &Result<Found, Without>| match found {
+pub(crate) fn is_noisy(findings: &Findings, rubric: &Facts) -> bool {
+    all(findings, &drawn(rubric, findings.seed)).iter().any(|(_, _, found)| match found {
         Ok(found) => clock::is_noisy(found.grade),
         Err((verdict, _)) => *verdict == Verdict::TooNoisy,
-    };
-    all(record, &drawn(rubric, record.seed)).iter().any(|(_, _, found)| noisy(found))
+    })
 }
 
 type Judged<'r> = (Kind, &'r Timed, Result<Found, Without>);
 
-fn all<'r>(record: &Record, rubric: &'r Facts) -> Vec<Judged<'r>> {
+fn all<'r>(findings: &Findings, rubric: &'r Facts) -> Vec<Judged<'r>> {
     type Judge = fn(&Runs<'_>) -> Result<Found, Without>;
     let all: [(Kind, &Option<Timed>, Judge); 3] = [
         (Kind::Complexity, &rubric.complexity, complexity::complexity),
         (Kind::Scaling, &rubric.scaling, scaling::scaling),
         (Kind::Speed, &rubric.speed, speed),
     ];
-    let judged = |(kind, timed, judge): (Kind, &'r Option<Timed>, Judge)| {
-        let timed = timed.as_ref()?;
-        let found = if !record.timed {
+    let mut found = Vec::new();
+    for (kind, timed, judge) in all {
+        let Some(timed) = timed else { continue };
+        let result = if !findings.timed {
             Err((Verdict::NotTimed, "no times were taken".into()))
-        } else if record.status != Status::Graded {
+        } else if findings.status != Status::Graded {
             Err((Verdict::Wrong, "there is no program to time".into()))
         } else {
-            judge(&Runs { all: &record.runs, timed })
+            judge(&Runs { all: &findings.runs, timed })
         };
-        Some((kind, timed, found))
-    };
-    let mut found: Vec<_> = all.into_iter().filter_map(judged).collect();
+        found.push((kind, timed, result));
+    }
     for (kind, _, found) in found.iter_mut().filter(|_| !rubric.races.is_empty()) {
         if let (Kind::Speed, Ok(found)) = (*kind, found) {
-            let which = format!("; 'cargo lab speed {}' says which loop is slow", record.lab);
+            let which = format!("; 'cargo lab speed {}' says which loop is slow", findings.lab);
             found.words += &which;
         }
     }

@@ -1,7 +1,7 @@
 //! Runs that a measure needs, and their times in seconds.
 
 use super::Without;
-use crate::record::{Outcome, Record, Run, Verdict, Whose};
+use crate::record::{Findings, Outcome, Run, Verdict, Whose};
 use lab_kit::facts::Timed;
 use lab_measure::clock::{Span, Times};
 
@@ -97,16 +97,17 @@ pub(crate) fn busy(run: &Run) -> f64 {
 
 /// Returns the share of its time that a run of one worker computed; `None` unless it waited.
 pub(crate) fn waited(run: &Run) -> Option<f64> {
-    let (takes, wall) = (run.seconds.len() as f64, run.seconds.iter().sum::<f64>());
+    let takes = run.seconds.len() as f64;
+    let wall = run.seconds.iter().sum::<f64>();
     let share = busy(run);
     let waits = share < MOSTLY && wall * (1.0 - share) > LONG * takes;
     (run.outcome == Outcome::Timed && waits).then_some(share)
 }
 
 /// Returns the seconds of a run's shortest take, without start and result; `None` without a take.
-pub(crate) fn seconds_of(record: &Record, run: &Run) -> Option<f64> {
+pub(crate) fn seconds_of(findings: &Findings, run: &Run) -> Option<f64> {
     let timed = run.outcome == Outcome::Timed;
-    timed.then(|| net(&record.runs, run).ok())?.map(|span| span.min)
+    timed.then(|| net(&findings.runs, run).ok())?.map(|span| span.min)
 }
 
 /// Returns the measured seconds of a run; `None` without a take.
@@ -123,8 +124,7 @@ fn net(runs: &[Run], run: &Run) -> Result<Span, Without> {
 
 /// Returns the measured seconds of a run, or the verdict that it was not timed.
 fn taken(run: &Run) -> Result<Span, Without> {
-    let none = || (Verdict::NotTimed, "no take was finished: grade it again".into());
-    span(run).ok_or_else(none)
+    span(run).ok_or_else(|| (Verdict::NotTimed, "no take was finished: grade it again".into()))
 }
 
 /// Finds a trusted run without steps on the same number of particles. A run of the same program and

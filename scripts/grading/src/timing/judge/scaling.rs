@@ -30,7 +30,8 @@ pub(crate) fn scaling(runs: &Runs<'_>) -> Result<Found, Without> {
     let grade =
         |[strong, weak]: &[Span; 2]| Span::both(|way| scaling_grade(way(strong), way(weak)));
     // Grades are relative to the solution's, because no student can reach more on this machine.
-    let (own_grade, most) = (grade(&own), grade(&theirs));
+    let own_grade = grade(&own);
+    let most = grade(&theirs);
     if let Some(most) = [most.min, most.median].into_iter().find(|most| *most < FIT) {
         let busy = runs.find(Whose::Solution, runs.timed.n, *greatest).map_or(0.0, busy);
         let why = format!(
@@ -64,7 +65,8 @@ fn average_efficiencies(
     for &p in workers {
         let of = |alone, together, efficiency: &dyn Fn(f64, f64) -> f64| {
             let run = runs.find(whose, together, p)?;
-            let (one, all) = (runs.time(Whose::Serial, alone, 1)?, runs.seconds(run)?);
+            let one = runs.time(Whose::Serial, alone, 1)?;
+            let all = runs.seconds(run)?;
             Ok(Span::both(|way| {
                 let efficiency = efficiency(way(&one), way(&all));
                 let is_one = busy(run) < least || p as f64 * efficiency < MORE_THAN_ONE;

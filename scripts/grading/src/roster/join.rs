@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::export::{Export, Member};
-use super::roster::{Roster, Student, key};
+use super::students::{Roster, Student, key};
 use crate::escape::line;
-use crate::intake::names::{bare, composed};
 use crate::record::{Attempt, Record};
+use crate::submission::names::{bare, composed};
 
 /// Rule for the submission that counts if a student has several.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
@@ -42,7 +42,7 @@ impl Attendance {
     ///
     /// Each is a sentence, with the students or submissions concerned.
     pub(crate) fn words(&self, records: &[Record]) -> Vec<(&'static str, Vec<String>)> {
-        let name = |at: &usize| records[*at].name.clone();
+        let name = |at: &usize| records[*at].found.name.clone();
         let twice = self.twice.iter().map(|(student, counts, own)| {
             let others = own.iter().filter(|at| Some(**at) != *counts).map(name);
             let others = others.collect::<Vec<_>>().join(", ");
@@ -116,15 +116,15 @@ impl<'a> Join<'a> {
         records: &[Record],
     ) -> Self {
         let students = roster.map_or(&[][..], |roster| &roster.students);
-        let whose = records.iter().map(|record| match names.get(&composed(&record.name)) {
+        let whose = records.iter().map(|record| match names.get(&composed(&record.found.name)) {
             Some(members) => {
                 members.names().iter().filter_map(|student| the_one(students, student)).collect()
             }
-            None if export.of(&record.name).is_some() => {
-                let members = export.of(&record.name).into_iter().flat_map(|it| &it.members);
+            None if export.of(&record.found.name).is_some() => {
+                let members = export.of(&record.found.name).into_iter().flat_map(|it| &it.members);
                 members.filter_map(|member| the_member(students, member)).collect()
             }
-            None => by_parts(students, &record.name).into_iter().collect(),
+            None => by_parts(students, &record.found.name).into_iter().collect(),
         });
         Self { students, whose: whose.collect() }
     }
@@ -135,7 +135,8 @@ impl<'a> Join<'a> {
         names: &BTreeMap<String, Members>,
         records: &[Record],
     ) -> Vec<String> {
-        let called = |name: &String| records.iter().any(|record| composed(&record.name) == *name);
+        let called =
+            |name: &String| records.iter().any(|record| composed(&record.found.name) == *name);
         let submissions = names.keys().filter(|name| !called(name));
         let submissions = submissions.map(|name| format!("no submission is called '{name}'"));
         let students = names.values().flat_map(Members::names);
@@ -149,7 +150,7 @@ impl<'a> Join<'a> {
     pub(super) fn find(&self, who: &str, records: &[Record]) -> Option<usize> {
         let name = composed(who);
         let called = |record: &Record| {
-            composed(&record.name) == name || record.pseudonym.as_deref() == Some(who)
+            composed(&record.found.name) == name || record.marked.pseudonym.as_deref() == Some(who)
         };
         records.iter().position(called).or_else(|| {
             let student = the_one(self.students, who)?;
@@ -175,7 +176,7 @@ impl<'a> Join<'a> {
             let own = submissions.clone().filter(|at| self.whose[*at].contains(&number));
             let own: Vec<usize> = own.collect();
             let mut marked = own.iter().copied().filter(|at| records[*at].has_mark());
-            let points = |at: &usize| records[*at].points;
+            let points = |at: &usize| records[*at].marked.points;
             let counts = match (own.len(), attempts) {
                 (0, _) => {
                     all.absent.push(self.called(student));
@@ -183,7 +184,9 @@ impl<'a> Join<'a> {
                 }
                 (1, _) => marked.next(),
                 (_, None) => None,
-                (_, Some(Attempts::Latest)) => marked.max_by_key(|at| records[*at].handed_in),
+                (_, Some(Attempts::Latest)) => {
+                    marked.max_by_key(|at| records[*at].marked.handed_in)
+                }
                 (_, Some(Attempts::Best)) => marked.max_by(|a, b| points(a).total_cmp(&points(b))),
             };
             all.present.extend(counts.map(|at| (student.row, at)));

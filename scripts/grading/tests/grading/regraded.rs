@@ -8,7 +8,7 @@ use lab_kit::Kit;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-use crate::sources::{kit, tasks};
+use crate::solution::{kit, tasks};
 
 const CLASS: &str = r#"
 roster = "roster.csv"

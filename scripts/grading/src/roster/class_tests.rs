@@ -6,7 +6,7 @@ use std::fs;
 
 use tempfile::TempDir;
 
-use super::Roll;
+use super::ClassFile;
 use crate::record::{Attempt, Record, Status};
 use crate::score::score;
 use lab_kit::Facts;
@@ -43,7 +43,7 @@ fn folder(files: &[(&str, &str)]) -> TempDir {
 /// Returns the error of an invalid class.
 fn error(files: &[(&str, &str)]) -> String {
     let folder = folder(files);
-    let error = Roll::read(folder.path(), &rubric()).unwrap_err();
+    let error = ClassFile::read(folder.path(), &rubric()).unwrap_err();
     format!("{error:#}").replace(&format!("{}/", folder.path().display()), "")
 }
 
@@ -53,19 +53,19 @@ fn marked(
     names: &[&str],
 ) -> (Vec<Record>, super::Attendance, Option<String>) {
     let folder = folder(files);
-    let roll = Roll::read(folder.path(), &rubric()).unwrap();
+    let class = ClassFile::read(folder.path(), &rubric()).unwrap();
     let mut records: Vec<Record> = names
         .iter()
-        .map(|name| Record {
-            name: (*name).into(),
-            handed_in: Some("2026-11-21T10:00:00Z".parse().unwrap()),
-            ..Record::sample()
+        .map(|name| {
+            let mut record = Record::sample_called(name);
+            record.marked.handed_in = Some("2026-11-21T10:00:00Z".parse().unwrap());
+            record
         })
         .collect();
-    roll.tell(&mut records);
+    class.tell(&mut records);
     records.iter_mut().for_each(|record| score(record, &rubric()).unwrap());
-    let attendance = roll.attendance(&mut records);
-    let marks = roll.marks(&records, &attendance).unwrap();
+    let attendance = class.attendance(&mut records);
+    let marks = class.marks(&records, &attendance).unwrap();
     (records, attendance, marks)
 }
 
@@ -74,7 +74,7 @@ fn canvas_gets_its_own_columns_back() {
     let files = [("class.toml", "roster = \"r.csv\""), ("r.csv", CANVAS)];
     let names = ["lovelaceada_11_4242_lab1", "ghost"];
     let (records, attendance, marks) = marked(&files, &names);
-    assert_eq!(records[0].student.as_deref(), Some("Lovelace, Ada"));
+    assert_eq!(records[0].marked.student.as_deref(), Some("Lovelace, Ada"));
     assert_eq!((attendance.absent, attendance.strangers), (vec!["Hopper, Grace".into()], vec![1]));
     // 60 of 100 are 30 of 50. The rest of the file is unchanged.
     let marks = marks.unwrap();
@@ -130,7 +130,7 @@ fn a_pair_shares_one_submission_and_the_latest_or_the_best_counts() {
     let class_toml = "attempts = \"latest\"\nroster = \"r.csv\"\n[names]\npair = [\"7\", \"8\"]";
     let files = |class_toml: &'static str| [("class.toml", class_toml), ("r.csv", GRADEBOOK)];
     let (records, attendance, _) = marked(&files(class_toml), &["pair", "7"]);
-    assert_eq!(records[0].student.as_deref(), Some("Ada Lovelace and Grace Hopper"));
+    assert_eq!(records[0].marked.student.as_deref(), Some("Ada Lovelace and Grace Hopper"));
     assert_eq!(attendance.present, [(0, 1), (1, 0)].into(), "of equal times the last");
     assert_eq!(attendance.twice, [("Ada Lovelace".to_owned(), Some(1), vec![0, 1])]);
     let (what, who) = &attendance.words(&records)[0];
@@ -145,11 +145,12 @@ fn a_pair_shares_one_submission_and_the_latest_or_the_best_counts() {
 #[test]
 fn who_cannot_be_read_has_no_mark() {
     let folder = folder(&[("class.toml", "roster = \"r.csv\""), ("r.csv", GRADEBOOK)]);
-    let roll = Roll::read(folder.path(), &rubric()).unwrap();
-    let record = Record { name: "7".into(), status: Status::Unreadable, ..Record::sample() };
+    let class = ClassFile::read(folder.path(), &rubric()).unwrap();
+    let mut record = Record::sample_called("7");
+    record.found.status = Status::Unreadable;
     let mut records = [record];
-    let attendance = roll.attendance(&mut records);
-    let marks = roll.marks(&records, &attendance).unwrap().unwrap();
+    let attendance = class.attendance(&mut records);
+    let marks = class.marks(&records, &attendance).unwrap().unwrap();
     assert!(marks.contains("ada@example.org,\n"), "{marks}");
     assert_eq!(attendance.unmarked, [0]);
 }
@@ -158,11 +159,11 @@ fn who_cannot_be_read_has_no_mark() {
 fn names_of_nobody_are_pointed_out() {
     let class_toml = "roster = \"r.csv\"\n[names]\npear = [\"7\", \"9\"]\npair = \"8\"";
     let folder = folder(&[("class.toml", class_toml), ("r.csv", GRADEBOOK)]);
-    let roll = Roll::read(folder.path(), &rubric()).unwrap();
-    let records = [Record { name: "pair".into(), ..Record::sample() }];
-    let join = super::Join::new(roll.students.as_ref(), &roll.names, &roll.export, &records);
+    let class = ClassFile::read(folder.path(), &rubric()).unwrap();
+    let records = [Record::sample_called("pair")];
+    let join = super::Join::new(class.students.as_ref(), &class.names, &class.export, &records);
     assert_eq!(
-        join.wrong(&roll.names, &records),
+        join.wrong(&class.names, &records),
         ["no submission is called 'pear'", "'9' is not one student of the roster"]
     );
 }
@@ -172,16 +173,15 @@ fn a_broken_attempt_leaves_the_mark_of_an_older_one() {
     let attempts = |class_toml: &str, is_graded: [bool; 2]| {
         let class = format!("{class_toml}\nroster = \"r.csv\"");
         let folder = folder(&[("class.toml", &class), ("r.csv", GRADEBOOK)]);
-        let roll = Roll::read(folder.path(), &rubric()).unwrap();
-        let mut records =
-            ["7_1", "7_2"].map(|name| Record { name: name.into(), ..Record::sample() });
+        let class = ClassFile::read(folder.path(), &rubric()).unwrap();
+        let mut records = ["7_1", "7_2"].map(Record::sample_called);
         for (record, is_graded) in records.iter_mut().zip(is_graded) {
-            record.status = if is_graded { Status::Graded } else { Status::Unreadable };
+            record.found.status = if is_graded { Status::Graded } else { Status::Unreadable };
         }
-        let attendance = roll.attendance(&mut records);
+        let attendance = class.attendance(&mut records);
         let words = attendance.words(&records).into_iter().flat_map(|(_, who)| who);
         let words = words.collect::<Vec<_>>().join("; ");
-        (records.map(|record| record.attempt), attendance.unmarked, words)
+        (records.map(|record| record.marked.attempt), attendance.unmarked, words)
     };
     let latest = "attempts = \"latest\"";
     let (own, unmarked, words) = attempts(latest, [true, false]);
@@ -200,7 +200,7 @@ fn a_class_toml_may_lie_beside_the_submissions() {
     let path = beside.path().join("class.toml");
     super::link(&path, records.path()).unwrap();
     super::link(&path, records.path()).unwrap();
-    assert!(Roll::read(records.path(), &rubric()).unwrap().students.is_some());
+    assert!(ClassFile::read(records.path(), &rubric()).unwrap().students.is_some());
     let other = folder(&[("class.toml", "")]);
     let error = super::link(&path, other.path()).unwrap_err().to_string();
     assert!(error.contains("keep one"), "{error}");
@@ -225,7 +225,7 @@ fn days_begin_after_the_grace() {
     let lost = |late: &str| {
         let class_toml = format!("[late]\ndeadline = \"2026-11-20T10:00:00Z\"\n{late}");
         let (records, ..) = marked(&[("class.toml", &class_toml)], &["ada"]);
-        (records[0].late.as_ref().map_or(0, |late| late.days), records[0].points)
+        (records[0].marked.late.as_ref().map_or(0, |late| late.days), records[0].marked.points)
     };
     // The submission has 60 points, and was handed in exactly a day after the deadline.
     assert_eq!(lost("penalty = 10"), (1, 54.0));
@@ -241,7 +241,7 @@ fn days_are_those_of_the_calendar_in_the_course_s_zone() {
         let class_toml = format!("[late]\n{late}\npenalty = 10\ntimes = \"t.csv\"");
         let times = format!("student,time\nada,{time}\n");
         let (records, ..) = marked(&[("class.toml", &class_toml), ("t.csv", &times)], &["ada"]);
-        records[0].late.as_ref().map_or(0, |late| late.days)
+        records[0].marked.late.as_ref().map_or(0, |late| late.days)
     };
     // The night before has 25 hours in autumn, and 23 in spring.
     for (day, next) in [("10-24", "10-25"), ("03-28", "03-29"), ("11-20", "11-21")] {
@@ -266,7 +266,7 @@ fn a_deadline_is_said_with_its_zone() {
     let class_toml = |late: &str| format!("[late]\npenalty = 1\n{late}");
     let words = |late: &str| {
         let folder = folder(&[("class.toml", &class_toml(late))]);
-        Roll::read(folder.path(), &rubric()).unwrap().deadline().unwrap()
+        ClassFile::read(folder.path(), &rubric()).unwrap().deadline().unwrap()
     };
     let berlin = "deadline = \"2026-10-24 23:59\"\nzone = \"Europe/Berlin\"";
     assert_eq!(words(berlin), "2026-10-24 23:59, UTC+02:00 (Europe/Berlin)");
@@ -286,7 +286,7 @@ fn accents_count_however_they_are_written() {
     let names =
         ["Jos\u{e9} Ruiz_1", "Jose\u{301} Ruiz_2", "JOSE\u{301} RUIZ", "Jose Ruiz", "k\u{e4}fer"];
     let (records, ..) = marked(&files, &names);
-    let students: Vec<_> = records.iter().map(|record| record.student.as_deref()).collect();
+    let students: Vec<_> = records.iter().map(|record| record.marked.student.as_deref()).collect();
     let jose = Some("Jos\u{e9} Ruiz");
     assert_eq!(students, [jose, jose, jose, Some("Jose Ruiz"), Some("Zo\u{eb} Li")]);
 }
@@ -298,7 +298,7 @@ fn nobody_is_guessed_between_two() {
     let files = [("class.toml", "roster = \"r.csv\""), ("r.csv", roster)];
     let names = ["Ada Li_4711_lab1", "Ada Li_8_lab1", "Ada Li_9_lab1", "Bob Wu_8_lab1", "bob_ada"];
     let (records, attendance, _) = marked(&files, &names);
-    let students: Vec<_> = records.iter().map(|record| record.student.as_deref()).collect();
+    let students: Vec<_> = records.iter().map(|record| record.marked.student.as_deref()).collect();
     assert_eq!(students, [None, Some("Ada Li"), None, Some("Bob Wu"), None]);
     assert_eq!(
         (attendance.strangers, attendance.present),
@@ -310,7 +310,7 @@ fn nobody_is_guessed_between_two() {
 fn a_byte_order_mark_is_nobodys_name() {
     let files = [("class.toml", "\u{feff}roster = \"r.csv\""), ("r.csv", CANVAS)];
     let (records, ..) = marked(&files, &["ada"]);
-    assert_eq!(records[0].student.as_deref(), Some("Lovelace, Ada"));
+    assert_eq!(records[0].marked.student.as_deref(), Some("Lovelace, Ada"));
 }
 
 #[test]
@@ -341,7 +341,7 @@ fn a_list_of_times_goes_before_the_files() {
     let list = times("\u{feff}student,time\nada,2026-11-22T10:01:00Z\n");
     let list = list.each_ref().map(|(name, text)| (*name, text.as_str()));
     let (records, ..) = marked(&list, &["ada"]);
-    assert_eq!(records[0].late.as_ref().unwrap().days, 3);
+    assert_eq!(records[0].marked.late.as_ref().unwrap().days, 3);
     let bad = times("student,time\nada,tomorrow\n");
     let bad = error(&bad.each_ref().map(|(name, text)| (*name, text.as_str())));
     assert!(bad.contains("t.csv, line 2, column time: 'tomorrow' is no time"), "{bad}");
@@ -353,7 +353,7 @@ fn what_was_decided_counts() {
         [[override]]\nstudent = \"ada\"\ntask = \"speed\"\npoints = 20\nreason = \"measured here\"\n\
         [[override]]\nstudent = \"bob\"\npoints = 5\nreason = \"said it aloud\"";
     let (records, ..) = marked(&[("class.toml", class_toml)], &["ada", "bob", "eve"]);
-    let points: Vec<f64> = records.iter().map(|record| record.points).collect();
+    let points: Vec<f64> = records.iter().map(|record| record.marked.points).collect();
     assert_eq!(points, [105.0, 5.0, 60.0]);
 }
 
@@ -377,19 +377,19 @@ fn a_decision_that_cannot_be_is_refused() {
 #[test]
 fn a_pseudonym_hides_a_name_and_can_be_spoken_of() {
     let (records, ..) = marked(&[("class.toml", "pseudonyms = \"key\"")], &["ada"]);
-    let pseudonym = records[0].pseudonym.clone().unwrap();
+    let pseudonym = records[0].marked.pseudonym.clone().unwrap();
     let mut record = records[0].clone();
-    record.message = "ada.tar.gz cannot be unpacked".into();
+    record.found.message = "ada.tar.gz cannot be unpacked".into();
     let shown = record.shown();
     assert_eq!(
-        (&shown.name, shown.message),
+        (&shown.found.name, shown.found.message),
         (&pseudonym, format!("{pseudonym}.tar.gz cannot be unpacked"))
     );
     let class_toml = format!(
         "pseudonyms = \"key\"\n[[override]]\nstudent = \"{pseudonym}\"\npoints = 1\nreason = \"r\""
     );
     let (records, ..) = marked(&[("class.toml", &class_toml)], &["ada"]);
-    assert_eq!(records[0].points, 1.0);
+    assert_eq!(records[0].marked.points, 1.0);
 }
 
 const GRADESCOPE: &str = "First Name,Last Name,SID,Email,Role\n\
@@ -409,20 +409,20 @@ fn an_export_of_gradescope_says_who_handed_in_and_when() {
     let files =
         [("class.toml", late), ("roster.csv", GRADESCOPE), ("submission_metadata.yml", EXPORT)];
     let (records, attendance, marks) = marked(&files, &["submission_1", "submission_2"]);
-    assert_eq!(records[0].student.as_deref(), Some("Ada Lovelace"));
-    assert_eq!(records[1].student.as_deref(), Some("Grace Hopper and Linus Pauling"));
-    assert_eq!(records[0].late, None);
-    assert_eq!(records[1].late.as_ref().unwrap().days, 2);
+    assert_eq!(records[0].marked.student.as_deref(), Some("Ada Lovelace"));
+    assert_eq!(records[1].marked.student.as_deref(), Some("Grace Hopper and Linus Pauling"));
+    assert_eq!(records[0].marked.late, None);
+    assert_eq!(records[1].marked.late.as_ref().unwrap().days, 2);
     assert!(attendance.words(&records).is_empty(), "{:?}", attendance.words(&records));
     assert_eq!(marks.unwrap().matches("@example.org,Student,").count(), 3);
 
     let (records, _, _) = marked(&files[2..], &["submission_2", "submission_3"]);
     assert_eq!(
-        records[0].student.as_deref(),
+        records[0].marked.student.as_deref(),
         Some("Grace Hopper and Linus"),
         "without a roster too"
     );
-    assert_eq!(records[1].student, None);
+    assert_eq!(records[1].marked.student, None);
 }
 
 #[test]
@@ -431,7 +431,7 @@ fn a_roster_of_classroom_50_knows_users_of_github() {
         "username,first_name,last_name,email,section,github_id\nada-l,Ada,Lovelace,,One,4711\n";
     let files = [("class.toml", "roster = \"roster.csv\"\n"), ("roster.csv", roster)];
     let (records, _, _) = marked(&files, &["ada-l"]);
-    assert_eq!(records[0].student.as_deref(), Some("Ada Lovelace"));
+    assert_eq!(records[0].marked.student.as_deref(), Some("Ada Lovelace"));
 }
 
 #[test]
@@ -440,7 +440,7 @@ fn optional_tasks_are_worth_nothing_where_only_the_core_counts() {
     rubric.tasks.get_mut("1.2").unwrap().optional = true;
     for (class, points, times) in [("", [60.0, 40.0], 1), ("core = true", [100.0, 0.0], 0)] {
         let folder = folder(&[("class.toml", class)]);
-        let own = Roll::read(folder.path(), &rubric).unwrap().rubric(&rubric);
+        let own = ClassFile::read(folder.path(), &rubric).unwrap().rubric(&rubric);
         assert!(own.tasks.values().map(|task| task.points).eq(points), "{class}");
         assert_eq!(own.timed().count(), times, "{class}");
     }

@@ -15,7 +15,7 @@ use serde_json::Value;
 use crate::cheats::QUICK;
 use crate::class::Class;
 use crate::expected::lost_tasks;
-use crate::sources::kit;
+use crate::solution::kit;
 
 /// Variable of the grader's environment that an attack looks for.
 const SECRET: (&str, &str) = ("CUTOFF_TEST_SECRET", "31415926");

@@ -8,7 +8,7 @@ use csv::{ReaderBuilder, StringRecord};
 
 use unicode_normalization::char::is_combining_mark;
 
-use crate::intake::names::composed;
+use crate::submission::names::composed;
 use lab_kit::files::read_bytes;
 
 /// Columns that identify a student, in different ways.

@@ -28,7 +28,9 @@ pub(crate) fn read(judge: &Path) -> Result<Vec<Question>> {
 /// Parses a line `question|task_3_2|forces|3.1, 3.3|what a student reads`.
 fn question(line: &str) -> Option<Question> {
     let mut fields = line.strip_prefix("question|")?.splitn(4, '|');
-    let (module, name, after) = (fields.next()?, fields.next()?, fields.next()?);
+    let module = fields.next()?;
+    let name = fields.next()?;
+    let after = fields.next()?;
     let task = module.strip_prefix("task_")?.replacen('_', ".", 1);
     let after = after.split(',').map(str::trim).filter(|task| !task.is_empty());
     let after = after.map(String::from).collect();

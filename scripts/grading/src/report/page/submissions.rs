@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::bars::bar;
 use crate::escape::line;
 use crate::record::{Attempt, Measure, Record, Task, Verdict};
-use crate::report::{points, scale, trouble, words};
+use crate::report::{points, scale, sentences, trouble};
 
 /// Writes the table.
 pub(crate) fn table(records: &[Record]) -> Markup {
@@ -20,7 +20,7 @@ pub(crate) fn table(records: &[Record]) -> Markup {
                         th { "name" }
                         th.points { "of " (points(full)) }
                         @for task in &first.tasks { th { (task.id) } }
-                        @for measure in &first.measures { th { (measure.kind.name()) } }
+                        @for measure in &first.marked.measures { th { (measure.kind.name()) } }
                     }
                 }
                 tbody {
@@ -37,27 +37,27 @@ pub(crate) fn table(records: &[Record]) -> Markup {
 
 /// Writes a row, with the columns of the first record.
 fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
-    let name = line(&record.name);
+    let name = line(&record.found.name);
     html! {
-        tr.aside[record.attempt != Attempt::Counts] {
+        tr.aside[record.marked.attempt != Attempt::Counts] {
             td {
                 a href={ "#s" (number) } { (name) }
-                @if !record.changed.is_empty() {
-                    span.soft title=(line(&record.changed.join(" "))) { " changed given files" }
+                @if !record.found.changed.is_empty() {
+                    span.soft title=(line(&record.found.changed.join(" "))) { " changed given files" }
                 }
-                @if record.attempt != Attempt::Counts { span.soft { " does not count" } }
+                @if record.marked.attempt != Attempt::Counts { span.soft { " does not count" } }
             }
-            td.points title=(words::by_hand(record, None).join(" ")) {
+            td.points title=(sentences::by_hand(record, None).join(" ")) {
                 @if record.has_mark() { (given(record, full)) }
             }
-            @if let Some(trouble) = trouble(record.status) {
-                td.ended colspan=(first.tasks.len() + first.measures.len()) { (trouble) }
+            @if let Some(trouble) = trouble(record.found.status) {
+                td.ended colspan=(first.tasks.len() + first.marked.measures.len()) { (trouble) }
             } @else {
                 @for task in &first.tasks {
                     td { @if let Some(own) = record.tasks.iter().find(|own| own.id == task.id) { (tick(record, own)) } }
                 }
-                @for measure in &first.measures {
-                    @let own = record.measures.iter().find(|own| own.kind == measure.kind);
+                @for measure in &first.marked.measures {
+                    @let own = record.marked.measures.iter().find(|own| own.kind == measure.kind);
                     td { @if let Some(own) = own { (grade(record, own)) } }
                 }
             }
@@ -70,19 +70,19 @@ fn given(record: &Record, full: f64) -> Markup {
     let open = full - record.worth(Measure::counts);
     html! {
         @if record.decided(None).any(|one| one.points.is_some()) {
-            span.hand { (points(record.points)) }
+            span.hand { (points(record.marked.points)) }
         } @else {
-            (points(record.points))
+            (points(record.marked.points))
         }
         @if open > 0.0 { " + " (points(open)) "?" }
-        @if let Some(late) = &record.late { span.soft { " " (late.days) " d late" } }
-        (bar(record.points / full))
+        @if let Some(late) = &record.marked.late { span.soft { " " (late.days) " d late" } }
+        (bar(record.marked.points / full))
     }
 }
 
 /// Writes points that a person gave, with the reason; `None` if no person did.
 fn hand(record: &Record, task: &str, given: f64) -> Option<Markup> {
-    let why = words::by_hand(record, Some(task)).join(" ");
+    let why = sentences::by_hand(record, Some(task)).join(" ");
     record.is_by_hand(task).then(|| html! { span.hand title=(line(&why)) { (points(given)) } })
 }
 

@@ -11,7 +11,7 @@ use jiff::{Timestamp, ToSpan, Unit, ZonedDateTime};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
 
-use super::roster::table;
+use super::students::table;
 use crate::record::Lateness;
 use lab_kit::Lab;
 

@@ -5,7 +5,7 @@ use std::path::{Component, Path, PathBuf};
 use unicode_normalization::UnicodeNormalization;
 
 use lab_kit::Lab;
-use lab_kit::submission::{NOT_UTF8, refused};
+use lab_kit::sources::{NOT_UTF8, refused};
 
 /// Maximal number of bytes of a name, because files have it in their names and pages show it.
 const MOST: usize = 150;
@@ -18,7 +18,8 @@ const ARCHIVES: [&str; 6] = [".tgz", ".gz", ".bz2", ".xz", ".tar", ".zip"];
 pub(crate) fn named(paths: Vec<PathBuf>) -> Vec<(String, PathBuf)> {
     let mut named: Vec<(String, PathBuf)> = Vec::new();
     for path in paths {
-        let (short, full) = (name(&path), full(&path));
+        let short = name(&path);
+        let full = full(&path);
         let numbered = (2..).map(|number| format!("{full}-{number}"));
         let taken = |name: &String| named.iter().any(|(other, _)| other == name);
         let free = [short, full.clone()].into_iter().chain(numbered).find(|name| !taken(name));
@@ -60,9 +61,8 @@ pub(super) fn is_called_archive(path: &Path) -> bool {
 
 fn full(path: &Path) -> String {
     // The path `.` has no name, so the name of its folder is used.
-    let canonical = || path.canonicalize().ok();
-    let name =
-        path.file_name().map(ToOwned::to_owned).or_else(|| Some(canonical()?.file_name()?.into()));
+    let canonical = path.canonicalize().unwrap_or_default();
+    let name = path.file_name().or(canonical.file_name());
     let mut name = composed(&name.unwrap_or_default().to_string_lossy());
     name.truncate(name.floor_char_boundary(MOST));
     name

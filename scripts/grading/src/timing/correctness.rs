@@ -69,7 +69,8 @@ mod tests {
 
     #[test]
     fn who_sums_as_another_program_is_that_program() {
-        let (serial, solution) = ([0.25, 0.5], [0.25, 0.5_f64.next_up()]);
+        let serial = [0.25, 0.5];
+        let solution = [0.25, 0.5_f64.next_up()];
         assert!(is_another(&serial, &serial, &solution));
         assert!(!is_another(&[0.25_f64.next_up(), 0.5], &serial, &solution));
         assert!(!is_another(&serial, &serial, &serial), "the solution sums so too");

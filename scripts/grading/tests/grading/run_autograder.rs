@@ -11,8 +11,8 @@ use tempfile::TempDir;
 
 use crate::archives;
 use crate::cheats::QUICK;
-use crate::command::{compile_what_all_need, program, script};
-use crate::sources::{Files, kit, solution, with};
+use crate::grade_command::{compile_what_all_need, program, script};
+use crate::solution::{Files, kit, solution, with};
 
 /// Shell script that mounts a compiler and the sources of dependencies, then runs the autograder.
 ///

@@ -49,17 +49,20 @@ fn page_at(kit: &Kit, path: &Path) -> Result<Option<(Lab, Vec<Wrong>)>> {
 
 /// Describes how the marks differ from the manifest's; `None` if they are equal.
 pub(crate) fn complaint(wrong: &Wrong, record: &Record) -> Option<String> {
-    if record.status != Status::Graded {
-        return Some(format!("WRONG MARKS: it must be graded: {}", record.message));
+    if record.found.status != Status::Graded {
+        return Some(format!("WRONG MARKS: it must be graded: {}", record.found.message));
     }
     let own = (!wrong.fails.is_empty()).then_some(wrong.region.task);
     let must = own.into_iter().chain(wrong.loses.iter().copied());
     let must: BTreeSet<String> = must.map(|task| task.to_string()).collect();
     let lost: BTreeSet<String> =
         record.tasks.iter().filter(|task| !task.passed).map(|task| task.id.clone()).collect();
-    let list = |tasks: &BTreeSet<String>| tasks.iter().cloned().collect::<Vec<_>>().join(", ");
-    let says = if must.is_empty() { "that it loses none".into() } else { list(&must) };
-    (must != lost).then(|| format!("WRONG MARKS: its section says {says}"))
+    if must == lost {
+        return None;
+    }
+    let listed = must.into_iter().collect::<Vec<_>>().join(", ");
+    let says = if listed.is_empty() { "that it loses none" } else { &listed };
+    Some(format!("WRONG MARKS: its section says {says}"))
 }
 
 #[cfg(test)]

@@ -105,7 +105,8 @@ fn unpack_layers(packed: impl Read) -> Result<HandedIn> {
 
 fn tar(unpacked: impl Read) -> Result<HandedIn> {
     let mut archive = tar::Archive::new(unpacked.take(UNPACKED));
-    let (mut handed_in, mut passed) = (HandedIn::default(), 0);
+    let mut handed_in = HandedIn::default();
+    let mut passed = 0;
     for (index, entry) in archive.entries()?.enumerate() {
         ensure!(index < ENTRIES, "there are more than {ENTRIES} files in it");
         let entry = entry?;

@@ -98,9 +98,9 @@ fn zip(place: &str, bytes: &[u8]) -> Vec<u8> {
 fn taken(path: &Path) -> Vec<u8> {
     let tasks = ["src/force.rs".to_owned()].into();
     let given = Given { tasks, ..Given::default() };
-    let intake = take(&Kit::find().unwrap(), "1".parse().unwrap(), &given, path);
-    let mut intake = intake.unwrap_or_else(|why| panic!("{}: {why:#}", path.display()));
-    intake.files.remove("src/force.rs").unwrap_or_else(|| panic!("{}", path.display()))
+    let submission = take(&Kit::find().unwrap(), "1".parse().unwrap(), &given, path);
+    let mut submission = submission.unwrap_or_else(|why| panic!("{}: {why:#}", path.display()));
+    submission.files.remove("src/force.rs").unwrap_or_else(|| panic!("{}", path.display()))
 }
 
 #[test]
@@ -204,8 +204,8 @@ fn a_name_that_means_two_files_is_not_guessed() {
             fs::create_dir_all(file.parent().unwrap()).unwrap();
             fs::write(file, WORK).unwrap();
         }
-        let intake = take(&Kit::find().unwrap(), "1".parse().unwrap(), &given, folder.path());
-        intake.unwrap().files.into_keys().collect::<Vec<_>>()
+        let submission = take(&Kit::find().unwrap(), "1".parse().unwrap(), &given, folder.path());
+        submission.unwrap().files.into_keys().collect::<Vec<_>>()
     };
     assert_eq!(take(&["old/force.rs", "new/force.rs"]), [""; 0]);
     assert_eq!(take(&["old/src/force.rs", "new/src/force.rs"]), [""; 0]);

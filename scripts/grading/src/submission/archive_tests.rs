@@ -12,8 +12,8 @@ use zip::CompressionMethod;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
 use super::names::ELSEWHERE;
-use super::{Intake, SHOWN, listed, nothing, read, submissions, take};
-use lab_kit::submission::{COUNT_LIMIT, Sources, pack};
+use super::{SHOWN, Submission, list, listed, nothing, read, take};
+use lab_kit::sources::{COUNT_LIMIT, Sources, pack};
 use lab_kit::{Given, Kit};
 
 /// The name of an archive, and its bytes.
@@ -22,7 +22,7 @@ type Archive = (&'static str, Vec<u8>);
 const PLAIN: SimpleFileOptions = SimpleFileOptions::DEFAULT;
 
 /// Reads an archive as a submission of lab 1.
-fn taken((name, bytes): &Archive) -> Result<Intake> {
+fn taken((name, bytes): &Archive) -> Result<Submission> {
     let class = tempfile::tempdir().unwrap();
     let path = class.path().join(name);
     fs::write(&path, bytes).unwrap();
@@ -118,7 +118,8 @@ fn what_does_not_belong_is_left_out_with_its_reason() {
     };
     let long = ["a".repeat(300), "a/".repeat(2100), "a".repeat(8 << 20)];
     let long = long.map(|name| format!("src/{name}.rs"));
-    let (elsewhere, unfit) = ("grading has its own", "longer than 200 bytes");
+    let elsewhere = "grading has its own";
+    let unfit = "longer than 200 bytes";
     let zeros = [("src/zeros.rs".to_owned(), vec![0; 64 << 20])];
     let zeros: Sources = own().into_iter().chain(zeros).collect();
     let cases: [(Archive, &[&str]); 12] = [
@@ -140,12 +141,12 @@ fn what_does_not_belong_is_left_out_with_its_reason() {
         (("bomb.zip", zip(&zeros, |_| ())), &["more than 1 MiB"]),
     ];
     for (archive, reasons) in cases {
-        let intake = taken(&archive).unwrap();
-        let mut files = intake.files;
+        let submission = taken(&archive).unwrap();
+        let mut files = submission.files;
         files.remove("src/bb.rs");
         assert_eq!(files, own(), "{}", archive.0);
-        assert_eq!(intake.left_out.len(), reasons.len(), "{}", archive.0);
-        for (left, reason) in intake.left_out.iter().zip(reasons) {
+        assert_eq!(submission.left_out.len(), reasons.len(), "{}", archive.0);
+        for (left, reason) in submission.left_out.iter().zip(reasons) {
             assert!(left.reason.contains(reason), "{}: {}", archive.0, left.reason);
             assert!(left.path.chars().count() <= SHOWN + 1, "nobody reads megabytes");
         }
@@ -158,9 +159,9 @@ fn a_link_instead_of_a_source_is_not_followed() {
         header.set_entry_type(tar::EntryType::Symlink);
         header.set_link_name(Kit::find().unwrap().path("solutions/lab1/src/lib.rs")).unwrap();
     };
-    let intake = taken(&("links.tar.gz", tar_of(link, b""))).unwrap();
-    assert!(intake.files.is_empty());
-    assert_eq!(intake.left_out[0].reason, "no plain file");
+    let submission = taken(&("links.tar.gz", tar_of(link, b""))).unwrap();
+    assert!(submission.files.is_empty());
+    assert_eq!(submission.left_out[0].reason, "no plain file");
 }
 
 #[test]
@@ -212,21 +213,23 @@ fn hidden_submissions_are_told_apart() {
 
 #[test]
 fn archives_beside_a_folder_labs_are_not_passed_over() {
-    let (class, kit) = (tempfile::tempdir().unwrap(), Kit::find().unwrap());
+    let class = tempfile::tempdir().unwrap();
+    let kit = Kit::find().unwrap();
     fs::create_dir(class.path().join("labs")).unwrap();
-    assert_eq!(submissions(&kit, class.path()).unwrap(), [class.path()]);
+    assert_eq!(list(&kit, class.path()).unwrap(), [class.path()]);
     fs::write(class.path().join("ada.zip"), "").unwrap();
-    let error = submissions(&kit, class.path()).unwrap_err().to_string();
+    let error = list(&kit, class.path()).unwrap_err().to_string();
     assert!(error.contains("beside it 1 with an archive's name. If it is a class"), "{error}");
 }
 
 #[test]
 fn a_file_that_is_no_archive_is_refused_before_anything_is_built() {
-    let (class, kit) = (tempfile::tempdir().unwrap(), Kit::find().unwrap());
+    let class = tempfile::tempdir().unwrap();
+    let kit = Kit::find().unwrap();
     let path = class.path().join("essay.pdf");
     fs::write(&path, "an essay").unwrap();
     for path in [path.as_path(), "/dev/zero".as_ref()] {
-        let error = submissions(&kit, path).unwrap_err().to_string();
+        let error = list(&kit, path).unwrap_err().to_string();
         assert!(error.contains("is neither a folder nor an archive"), "{error}");
     }
 }
@@ -235,10 +238,11 @@ fn a_file_that_is_no_archive_is_refused_before_anything_is_built() {
 fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     zip.start_file("lab2/src/lib.rs", PLAIN).unwrap();
-    let intake = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap();
-    let message = nothing("1".parse().unwrap(), &intake.left_out);
+    let submission = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap();
+    let message = nothing("1".parse().unwrap(), &submission.left_out);
     assert!(
-        intake.files.is_empty() && message.contains("but lab2/src/lib.rs. 'cargo lab submit 1'"),
+        submission.files.is_empty()
+            && message.contains("but lab2/src/lib.rs. 'cargo lab submit 1'"),
         "{message}"
     );
 }

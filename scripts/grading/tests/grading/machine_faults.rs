@@ -7,7 +7,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::process::Command;
 
 use crate::class::Class;
-use crate::command::{NO_SANDBOX, TASKS, grade, program, record, script};
+use crate::grade_command::{NO_SANDBOX, TASKS, grade, program, record, script};
 
 /// Faults: a phase, and the shell commands that run instead.
 ///
@@ -27,7 +27,8 @@ fn lay(class: &Class) -> std::path::PathBuf {
     fs::create_dir_all(&folder).unwrap();
     // Programs are started as nobody.
     fs::set_permissions(&folder, fs::Permissions::from_mode(0o777)).unwrap();
-    let (own, real) = (folder.display(), program("bwrap").unwrap_or_default());
+    let own = folder.display();
+    let real = program("bwrap").unwrap_or_default();
     let text = format!(
         "case \" $* \" in\n\
          *' build '*) echo >> '{own}/builds'; fault='{own}/building'; first=3 ;;\n\
@@ -45,7 +46,8 @@ fn lay(class: &Class) -> std::path::PathBuf {
 #[test]
 fn a_fault_of_the_machine_costs_no_marks() {
     let class = Class::alone(1);
-    let (into, bin) = (class.temporary().join("records"), lay(&class));
+    let into = class.temporary().join("records");
+    let bin = lay(&class);
     let path = format!("{}:{}", bin.display(), std::env::var("PATH").unwrap());
     let run = |options: &[&str]| {
         let _ = fs::remove_file(bin.join("builds"));

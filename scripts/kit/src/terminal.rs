@@ -3,12 +3,12 @@
 use std::io::{IsTerminal, stdout};
 
 /// Columns of a page, and of terminals of unknown width.
-pub(crate) const PAGE: usize = 80;
+pub(crate) const WIDTH: usize = 80;
 
 /// Returns the number of columns of the terminal.
 pub fn columns() -> usize {
     let column_count = rustix::termios::tcgetwinsize(stdout()).map_or(0, |size| size.ws_col);
-    if column_count == 0 { PAGE } else { column_count.into() }
+    if column_count == 0 { WIDTH } else { column_count.into() }
 }
 
 /// Formats `text` after `head`, folded to the width of the terminal.

@@ -16,10 +16,10 @@ use anyhow::{Context, Result, bail, ensure};
 
 use crate::escape::{cut, line};
 use crate::record::LeftOut;
-use crate::roll;
+use crate::roster;
 pub(crate) use folder::read;
 use folder::unpacker;
-use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
+use lab_kit::sources::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
 use lab_kit::{Given, Kit, Lab};
 use loose::Loose;
 use names::{ELSEWHERE, is_called_archive, is_macos, resolve};
@@ -101,7 +101,7 @@ impl HandedIn {
 
 /// Part of a submission that is graded.
 #[derive(Default)]
-pub(crate) struct Intake {
+pub(crate) struct Submission {
     /// Sources by path below the lab's folder; empty if there is no file with a task.
     ///
     /// They include the kit's given files.
@@ -116,7 +116,7 @@ pub(crate) struct Intake {
 const SHOWN: usize = 200;
 
 /// Lists the submissions at a path, which is a submission or a folder of submissions.
-pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
+pub(crate) fn list(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     ensure!(path.exists(), "there is no {}", path.display());
     let known_wrong = known_wrong::on_page(kit, path)?;
     if !known_wrong.is_empty() {
@@ -153,28 +153,32 @@ pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
 fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
     let entries = fs::read_dir(path).with_context(|| format!("cannot read {}", path.display()))?;
     let mut found = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
-    let is_about = |path: &Path| {
-        roll::FILES.iter().any(|name| path.ends_with(name))
-            || path.extension().is_some_and(|end| end == "csv")
-    };
-    found.retain(|path| !is_about(path));
+    found.retain(|path| !is_about_the_class(path));
     found.sort();
-    let dotted =
-        |path: &Path| path.file_name().is_some_and(|name| name.as_encoded_bytes()[0] == b'.');
-    let hidden = |path: &PathBuf| dotted(path) || is_macos(path);
-    Ok(found.into_iter().partition(|path| !hidden(path)))
+    Ok(found.into_iter().partition(|path| !is_dotted(path) && !is_macos(path)))
+}
+
+/// Whether a file contains information about the class, and is not a submission.
+fn is_about_the_class(path: &Path) -> bool {
+    roster::FILES.iter().any(|name| path.ends_with(name))
+        || path.extension().is_some_and(|end| end == "csv")
+}
+
+/// Whether the name of a file begins with a dot.
+fn is_dotted(path: &Path) -> bool {
+    path.file_name().is_some_and(|name| name.as_encoded_bytes()[0] == b'.')
 }
 
 /// Reads a submission.
 ///
 /// # Errors
 /// If it is damaged or is not a submission.
-pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<Intake> {
+pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<Submission> {
     if own_solutions(kit, path) {
-        return Ok(Intake { files: of_solution(kit, lab)?, ..Intake::default() });
+        return Ok(Submission { files: of_solution(kit, lab)?, ..Submission::default() });
     }
     if let Some(wrong) = known_wrong::at(kit, lab, path)? {
-        return Ok(Intake { files: wrong.in_solution(kit, lab)?, ..Intake::default() });
+        return Ok(Submission { files: wrong.in_solution(kit, lab)?, ..Submission::default() });
     }
     let mut handed_in = read(path)?;
     let mut files = handed_in.labs.remove(&lab).unwrap_or_default();
@@ -193,17 +197,16 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
     });
     let left_out = left_out.collect();
     if !given.tasks.iter().any(|task| files.contains_key(task)) {
-        return Ok(Intake { left_out, ..Intake::default() });
+        return Ok(Submission { left_out, ..Submission::default() });
     }
     let changed = given.put(&mut files);
-    let is_folder_too = |path: &&String| {
-        let mut folders = files.keys().flat_map(|file| Path::new(file).ancestors().skip(1));
-        folders.any(|folder| folder == Path::new(path))
-    };
-    if let Some(path) = files.keys().find(is_folder_too) {
-        bail!("{path} in it is a file and a folder");
+    for file in files.keys() {
+        let mut folders = Path::new(file).ancestors().skip(1).filter_map(Path::to_str);
+        if let Some(path) = folders.find(|folder| files.contains_key(*folder)) {
+            bail!("{path} in it is a file and a folder");
+        }
     }
-    Ok(Intake { files, left_out, changed })
+    Ok(Submission { files, left_out, changed })
 }
 
 /// Whether a file outside labs/ has the name of a file with a task.
@@ -223,12 +226,10 @@ pub(crate) fn holds(kit: &Kit, lab: Lab, path: &Path) -> Result<bool> {
 
 /// Returns the message about a submission without any file with a task, which names a similar file.
 pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
-    let source = |left: &&LeftOut| {
-        let mut parts = left.path.split(['/', '\\']);
-        let leads = parts.any(|part| part == "src" || part == format!("lab{lab}"));
-        leads || left.reason.starts_with(MISPLACED)
-    };
-    let other = left_out.iter().find(source).map(|left| format!(", but {}", left.path));
+    let other = left_out
+        .iter()
+        .find(|left| is_similar(lab, left))
+        .map(|left| format!(", but {}", left.path));
     format!(
         "there is no task's file in a folder labs/lab{lab}/src in it{}. 'cargo lab submit {lab}' packs it as it \
          must be; or put the lab's folder into one called labs, and pack that",
@@ -236,15 +237,21 @@ pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
     )
 }
 
+/// Whether a file that is left out may be a source of the lab.
+fn is_similar(lab: Lab, left: &LeftOut) -> bool {
+    let mut parts = left.path.split(['/', '\\']);
+    let leads = parts.any(|part| part == "src" || part == format!("lab{lab}"));
+    leads || left.reason.starts_with(MISPLACED)
+}
+
 /// Whether the path leads to the kit's own solutions. A link to them does not count, because it may
 /// be in a class.
 fn own_solutions(kit: &Kit, path: &Path) -> bool {
-    let canonical = |path: &Path| path.canonicalize().ok();
-    !path.is_symlink()
-        && canonical(path).is_some_and(|path| Some(path) == canonical(&kit.path("solutions")))
+    let solutions = kit.path("solutions").canonicalize().ok();
+    !path.is_symlink() && solutions.is_some() && path.canonicalize().ok() == solutions
 }
 
 #[cfg(test)]
-mod packed;
+mod archive_tests;
 #[cfg(test)]
-mod tests;
+mod packed;

@@ -32,9 +32,10 @@ pub(crate) fn measured(measure: &Measure) -> String {
 /// Without a task, these are decisions about the whole submission, and its lateness.
 pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
     let mut remarks = Vec::new();
-    let late = record.late.as_ref().filter(|_| record.has_mark());
+    let late = record.marked.late.as_ref().filter(|_| record.has_mark());
     if let (None, Some(late)) = (task, late) {
-        let (days, lost) = (late.days(), points(100.0 * late.lost));
+        let days = late.days();
+        let lost = points(100.0 * late.lost);
         remarks.push(format!("It came {days} late, which costs {lost} % of the points."));
     }
     for Decision { points: given, reason, .. } in record.decided(task) {
@@ -52,7 +53,7 @@ pub(crate) fn speed(record: &Record, words: &Words) -> Vec<String> {
     let own = |run: &&Run| run.whose == Whose::Own && run.steps > 0;
     // One run of each variant is enough: the largest scene with the most threads.
     let mut chosen: BTreeMap<&str, &Run> = BTreeMap::new();
-    for run in record.runs.iter().filter(own).filter(|run| run.outcome == Outcome::Timed) {
+    for run in record.found.runs.iter().filter(own).filter(|run| run.outcome == Outcome::Timed) {
         let largest = chosen.entry(&run.variant).or_insert(run);
         if (largest.n, largest.workers) < (run.n, run.workers) {
             *largest = run;
@@ -62,7 +63,7 @@ pub(crate) fn speed(record: &Record, words: &Words) -> Vec<String> {
 }
 
 fn sentences(record: &Record, run: &Run, words: &Words) -> Vec<String> {
-    let Some(seconds) = seconds_of(record, run) else { return Vec::new() };
+    let Some(seconds) = seconds_of(&record.found, run) else { return Vec::new() };
     let worker = if words.facts.workers == Workers::Ranks { "rank" } else { "thread" };
     let workers =
         if run.workers == 1 { format!("1 {worker}") } else { format!("{} {worker}s", run.workers) };
@@ -105,7 +106,7 @@ mod tests {
             outcome: Outcome::Timed,
             message: String::new(),
         };
-        record.runs = vec![own(1000, 1), own(100_000, 2), own(100_000, 1)];
+        record.found.runs = vec![own(1000, 1), own(100_000, 2), own(100_000, 1)];
         let remarks = speed(&record, &Words::default());
         assert_eq!(
             remarks[0],

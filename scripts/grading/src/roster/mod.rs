@@ -1,15 +1,15 @@
 //! `class.toml` in the folder of records: an instructor's information about a class.
 //!
-//! It contains the students ([`roster`], joined with submissions by [`join`], written with marks by
+//! It contains the students ([`students`], joined with submissions by [`join`], written with marks by
 //! [`marks`]), the penalties for lateness ([`late`]), and a person's decisions ([`Decision`]).
-//! [`Roll::tell`] writes this information into the records. Points are computed from the records
+//! [`ClassFile::tell`] writes this information into the records. Points are computed from the records
 //! alone, so it is kept when marks are computed again.
 
 pub(crate) mod export;
 mod join;
 pub(crate) mod late;
 mod marks;
-mod roster;
+mod students;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -22,14 +22,15 @@ use hmac_sha256::HMAC;
 use serde::Deserialize;
 
 use crate::escape::line;
-use crate::intake::names::composed;
 use crate::record::{Decision, Record, scale};
+use crate::score::score;
+use crate::submission::names::composed;
 use export::Export;
 pub(crate) use join::Attendance;
 use join::{Attempts, Join, Members};
 use lab_kit::Facts;
 use late::Late;
-use roster::Roster;
+use students::Roster;
 
 /// Name of the file.
 pub(crate) const FILE: &str = "class.toml";
@@ -40,7 +41,7 @@ const DIGITS: usize = 6;
 /// Information about a class; empty if there is no `class.toml`.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub(crate) struct Roll {
+pub(crate) struct ClassFile {
     /// Path of the roster.
     roster: Option<PathBuf>,
     /// Contents of the roster.
@@ -78,7 +79,7 @@ pub(crate) fn link(beside: &Path, folder: &Path) -> Result<()> {
     symlink(&beside, &own).with_context(|| format!("cannot write {}", own.display()))
 }
 
-impl Roll {
+impl ClassFile {
     /// Reads `class.toml` in a folder of records, and the files that it names.
     ///
     /// # Errors
@@ -104,31 +105,31 @@ impl Roll {
     }
 
     fn parse(folder: &Path, text: &str, rubric: &Facts) -> Result<Self> {
-        let mut roll: Self = basic_toml::from_str(text).map_err(|error| {
+        let mut class: Self = basic_toml::from_str(text).map_err(|error| {
             // In a well-formed file, the parser's location of a wrong entry is not reliable.
             let is_toml = basic_toml::from_str::<serde_json::Value>(text).is_ok();
             let message = error.to_string();
             let end = message.rfind(" at line ").filter(|_| is_toml).unwrap_or(message.len());
             Error::msg(message[..end].to_owned())
         })?;
-        let names = std::mem::take(&mut roll.names).into_iter();
-        roll.names = names.map(|(name, members)| (composed(&name), members)).collect();
-        for (number, decided) in (1..).zip(&roll.overrides) {
+        let names = std::mem::take(&mut class.names).into_iter();
+        class.names = names.map(|(name, members)| (composed(&name), members)).collect();
+        for (number, decided) in (1..).zip(&class.overrides) {
             decided.check(rubric).with_context(|| format!("override {number}"))?;
         }
-        let roster = roll.roster.as_ref().map(|path| Roster::read(&folder.join(path)));
-        roll.students = roster.transpose()?;
-        roll.late.as_mut().map_or(Ok(()), |late| late.read(folder))?;
-        Ok(roll)
+        let roster = class.roster.as_ref().map(|path| Roster::read(&folder.join(path)));
+        class.students = roster.transpose()?;
+        class.late.as_mut().map_or(Ok(()), |late| late.read(folder))?;
+        Ok(class)
     }
 
     /// Writes into each record its student, lateness and decisions.
     ///
     /// Entries that match no submission are reported on stderr.
-    pub(crate) fn tell(&self, records: &mut [Record]) {
+    fn tell(&self, records: &mut [Record]) {
         for record in &mut *records {
-            record.pseudonym = self.pseudonyms.as_ref().map(|key| {
-                let mac = HMAC::mac(record.name.as_bytes(), key.as_bytes());
+            record.marked.pseudonym = self.pseudonyms.as_ref().map(|key| {
+                let mac = HMAC::mac(record.found.name.as_bytes(), key.as_bytes());
                 mac.iter().map(|byte| format!("{byte:02x}")).collect::<String>()[..DIGITS].into()
             });
         }
@@ -156,28 +157,41 @@ impl Roll {
             }
         }
         for (at, record) in records.iter_mut().enumerate() {
-            let exported = self.export.of(&record.name);
-            record.student = join.student(at).or_else(|| Some(exported?.names()));
+            let exported = self.export.of(&record.found.name);
+            record.marked.student = join.student(at).or_else(|| Some(exported?.names()));
             times[at] = times[at].or_else(|| exported?.time);
-            record.by_hand = decided[at].iter().copied().cloned().collect();
+            record.marked.by_hand = decided[at].iter().copied().cloned().collect();
             let excused = decided[at].iter().rev().find_map(|one| one.days);
-            let time = times[at].or(record.handed_in);
-            record.late = self.late.as_ref().and_then(|late| late.lateness(time, excused));
+            let time = times[at].or(record.marked.handed_in);
+            record.marked.late = self.late.as_ref().and_then(|late| late.lateness(time, excused));
         }
     }
 
+    /// Marks a class: writes its decisions into the records, and computes their points.
+    ///
+    /// # Errors
+    /// If the rubric has a task that a record does not have.
+    pub(crate) fn mark(&self, records: &mut [Record], rubric: &Facts) -> Result<Attendance> {
+        let rubric = self.rubric(rubric);
+        self.tell(records);
+        for record in &mut *records {
+            score(record, &rubric)?;
+        }
+        Ok(self.attendance(records))
+    }
+
     /// Returns the lab's rubric, or the rubric of its core tasks if the class does only these.
-    pub(crate) fn rubric(&self, rubric: &Facts) -> Facts {
+    fn rubric(&self, rubric: &Facts) -> Facts {
         if self.core { rubric.clone().core() } else { rubric.clone() }
     }
 
     /// Finds out who handed in, from records with points. Writes into each record whether it
     /// counts.
-    pub(crate) fn attendance(&self, records: &mut [Record]) -> Attendance {
+    fn attendance(&self, records: &mut [Record]) -> Attendance {
         let join = Join::new(self.students.as_ref(), &self.names, &self.export, records);
         let attendance = join.attendance(self.attempts, records);
         for at in 0..records.len() {
-            records[at].attempt = join.attempt(at, &attendance, records);
+            records[at].marked.attempt = join.attempt(at, &attendance, records);
         }
         attendance
     }
@@ -206,13 +220,14 @@ impl Roll {
         let (Some(roster), Some(first)) = (&self.students, records.first()) else {
             return Ok(None);
         };
-        let own = format!("Lab {}", first.lab);
+        let own = format!("Lab {}", first.found.lab);
         let column = self.column.as_deref().unwrap_or(&own);
         let full = scale(records);
-        let shares = attendance.present.iter().map(|(row, at)| (*row, records[*at].points / full));
+        let shares =
+            attendance.present.iter().map(|(row, at)| (*row, records[*at].marked.points / full));
         Ok(Some(roster.with_marks(column, full, &shares.collect())?))
     }
 }
 
 #[cfg(test)]
-mod tests;
+mod class_tests;

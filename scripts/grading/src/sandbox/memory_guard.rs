@@ -89,9 +89,13 @@ fn end_the_greedy(all: &BTreeMap<u32, Process>, own: u32, limit: u64) {
 /// Returns the bytes that a process and its descendants hold. The youngest descendant is inside the
 /// sandbox, if there is one.
 fn held(all: &BTreeMap<u32, Process>, root: u32) -> u64 {
-    let of = |(number, process): (u32, &Process)| process.resident + in_sockets(number);
-    let youngest = family(all, root).map(|(number, _)| number).last();
-    family(all, root).map(of).sum::<u64>() + youngest.map_or(0, beside::held)
+    let mut bytes = 0;
+    let mut youngest = None;
+    for (number, process) in family(all, root) {
+        bytes += process.resident + in_sockets(number);
+        youngest = Some(number);
+    }
+    bytes + youngest.map_or(0, beside::held)
 }
 
 /// Returns an amount of the machine's memory in bytes: `MemTotal:` or `MemAvailable:`.
@@ -122,7 +126,8 @@ mod tests {
         let mut command = Command::new("sh");
         command.args(["-c", "sleep 600 & wait"]).stdin(Stdio::null()).process_group(0);
         let mut child = command.spawn().unwrap();
-        let (own, number) = (std::process::id(), child.id());
+        let own = std::process::id();
+        let number = child.id();
         // Another test's child may hold as little, so only this child is passed on.
         let offered = || {
             let mut all = all();

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use lab_kit::sources::of_solution;
 use lab_kit::starter::generate;
-use lab_kit::submission::of_solution;
 use lab_kit::{Kit, Lab, rubric, wrong};
 
 /// Texts by their path in the lab's folder.

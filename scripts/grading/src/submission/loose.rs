@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::names::{is_built, lab_of, parts};
 use lab_kit::Lab;
-use lab_kit::submission::{Sources, refused};
+use lab_kit::sources::{Sources, refused};
 
 /// Folders of a kit that contain no work of a student.
 const GIVEN: [&str; 4] = ["kept", "scripts", "solutions", "tests"];

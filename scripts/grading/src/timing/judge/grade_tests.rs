@@ -11,8 +11,8 @@ use lab_kit::facts::Timed;
 fn record(rubric: &Facts, cores: usize, seconds: impl Fn(Whose, f64, f64) -> Vec<f64>) -> Record {
     let sample = include_str!("../../../tests/record.json");
     let mut record: Record = serde_json::from_str(sample).unwrap();
-    record.timed = true;
-    record.runs = plan(rubric, record.seed, cores)
+    record.found.timed = true;
+    record.found.runs = plan(rubric, record.found.seed, cores)
         .into_iter()
         .map(|job| {
             let start = 0.01;
@@ -33,7 +33,7 @@ fn timed(n: usize) -> Option<Timed> {
 }
 
 fn grade(record: &Record, rubric: &Facts, kind: Kind) -> (Verdict, Option<f64>, String) {
-    let all = judge(record, rubric);
+    let all = judge(&record.found, rubric);
     let measure = all.into_iter().find(|measure| measure.kind == kind).unwrap();
     (measure.verdict, measure.grade, measure.message)
 }
@@ -75,7 +75,7 @@ fn to_sleep_on_small_scenes_makes_no_line_flat() {
         vec![if whose == Whose::Own { work(n).max(1e-5 * n) } else { 2e-6 * n }; 5]
     });
     assert_eq!(grade(&record, &rubric, Kind::Complexity).1, Some(100.0), "by the clock alone");
-    for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Own && run.steps > 0) {
+    for run in record.found.runs.iter_mut().filter(|run| run.whose == Whose::Own && run.steps > 0) {
         run.processors = Some(5.0 * work(run.n as f64));
     }
     let (_, given, words) = grade(&record, &rubric, Kind::Complexity);
@@ -88,7 +88,7 @@ fn who_is_too_slow_for_the_large_scenes_is_not_flat_either() {
     let mut record = record(&rubric, 2, |whose, n, _| {
         vec![if whose == Whose::Own { 1e-9 * n * n } else { 2e-6 * n }; 5]
     });
-    for run in record.runs.iter_mut().filter(|r| r.whose == Whose::Own && r.n >= 32_000) {
+    for run in record.found.runs.iter_mut().filter(|r| r.whose == Whose::Own && r.n >= 32_000) {
         (run.outcome, run.seconds) = (Outcome::TooSlow, vec![8.0]);
         run.message = "no result within 8 s".into();
     }
@@ -130,12 +130,12 @@ fn one_worker_at_work_does_not_scale() {
     // A serial program that is faster than the grader's still runs on one worker.
     let mut record = scaling(|n, _| 1e-6 * n);
     assert_eq!(grade_of_scaling(&record).1, Some(100.0));
-    for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Own) {
+    for run in record.found.runs.iter_mut().filter(|run| run.whose == Whose::Own) {
         run.processors = Some(1.05 * run.seconds.iter().sum::<f64>());
     }
     assert_eq!(grade_of_scaling(&record).1, Some(0.0));
     // Other work on the machine: the solution's workers got little more than one processor.
-    for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Solution) {
+    for run in record.found.runs.iter_mut().filter(|run| run.whose == Whose::Solution) {
         run.processors = Some(1.15 * run.seconds.iter().sum::<f64>());
     }
     assert_eq!(grade_of_scaling(&record).0, Verdict::TooNoisy);
@@ -144,20 +144,24 @@ fn one_worker_at_work_does_not_scale() {
 #[test]
 fn where_the_solution_does_not_scale_nobody_loses() {
     let mut record = scaling(|n, _| 1.8e-6 * n);
-    for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Solution && run.steps > 0) {
+    for run in
+        record.found.runs.iter_mut().filter(|run| run.whose == Whose::Solution && run.steps > 0)
+    {
         run.seconds.iter_mut().for_each(|seconds| *seconds *= 1.7);
     }
     // Submissions are measured by the scaling that the solution reaches.
     let (verdict, grade, words) = grade_of_scaling(&record);
     assert!(verdict == Verdict::Graded && (97.0..99.5).contains(&grade.unwrap()), "{words}");
-    for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Solution && run.steps > 0) {
+    for run in
+        record.found.runs.iter_mut().filter(|run| run.whose == Whose::Solution && run.steps > 0)
+    {
         run.seconds.iter_mut().for_each(|seconds| *seconds *= 1.3);
     }
     let (verdict, none, words) = grade_of_scaling(&record);
     assert_eq!((verdict, none), (Verdict::TooNoisy, None), "{words}");
     assert!(words.contains("the solution itself"), "{words}");
     let rubric = Facts { scaling: timed(100_000), speed: timed(100_000), ..Facts::default() };
-    let speed = judge(&record, &rubric).pop().unwrap();
+    let speed = judge(&record.found, &rubric).pop().unwrap();
     assert_eq!((speed.kind, speed.verdict), (Kind::Speed, Verdict::TooNoisy), "{}", speed.message);
 }
 
@@ -195,12 +199,12 @@ fn noise_of_the_machine_is_not_graded_and_wrong_is_worth_nothing() {
     let (verdict, given, words) = grade(&record, &rubric, Kind::Speed);
     assert_eq!((verdict, given), (Verdict::TooNoisy, None));
     assert!(words.contains("Grade again"), "{words}");
-    let own = record.runs.iter_mut().find(|run| run.whose == Whose::Own).unwrap();
+    let own = record.found.runs.iter_mut().find(|run| run.whose == Whose::Own).unwrap();
     (own.outcome, own.message) = (Outcome::Wrong, "particle 3 is lost".into());
     let (verdict, given, words) = grade(&record, &rubric, Kind::Speed);
     assert_eq!((verdict, given), (Verdict::Wrong, Some(0.0)));
     assert!(words.contains("particle 3 is lost"), "{words}");
-    record.runs.clear();
+    record.found.runs.clear();
     assert_eq!(grade(&record, &rubric, Kind::Speed).0, Verdict::NotTimed);
 }
 
@@ -211,7 +215,7 @@ fn noise_that_only_the_submission_has_is_its_own() {
         Whose::Own => vec![0.1, 0.4, 0.4, 0.4, 0.1],
         _ => vec![0.1, 0.101, 0.1, 0.102, 0.1],
     });
-    assert!(is_noisy(&record, &rubric), "further takes may tell more");
+    assert!(is_noisy(&record.found, &rubric), "further takes may tell more");
     let (verdict, given, words) = grade(&record, &rubric, Kind::Speed);
     assert_eq!(verdict, Verdict::Graded);
     assert!(given.unwrap() < 40.0 && words.contains("the medians count"), "{words}");
@@ -226,13 +230,16 @@ fn only_what_can_be_graded_is_timed_again() {
             [1.0, later, later, later, later].map(|seconds| seconds / p).into()
         })
     };
-    let (quiet, noisy) = (1.0, 4.0);
-    let done = |cores, record| is_done_on(cores, &record, &rubric);
+    let quiet = 1.0;
+    let noisy = 4.0;
+    let done = |cores, record: Record| is_done_on(cores, &record.found, &rubric);
     assert!(done(2, of(2, quiet)) && !done(2, of(2, noisy)));
     // With one core there is no scaling. With more cores there is.
     assert!(done(1, of(1, quiet)) && !done(2, of(1, quiet)));
     let mut half = of(2, quiet);
-    half.runs.retain(|run| run.whose != Whose::Own);
+    half.found.runs.retain(|run| run.whose != Whose::Own);
     assert!(!done(2, half));
-    assert!(!done(1, Record { timed: false, ..of(1, quiet) }));
+    let mut untimed = of(1, quiet);
+    untimed.found.timed = false;
+    assert!(!done(1, untimed));
 }

@@ -9,7 +9,7 @@ use std::str::FromStr;
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
-use lab_kit::submission::Sources;
+use lab_kit::sources::Sources;
 
 const NAMES: [&str; 6] =
     ["no_mangle", "export_name", "link_section", "link_name", "naked_asm", "global_asm"];

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use anyhow::{Context, Result};
 use csv::{StringRecord, Writer};
 
-use super::roster::{Form, Roster, column};
+use super::students::{Form, Roster, column};
 use crate::record::points;
 
 /// Name of Canvas's row with the possible points.
