@@ -27,7 +27,7 @@ use skins::*;
 
 oracle::questions! {
     task_10_1 {
-        drift_table => "Three particles in a box of side 1: velocities and positions after each of two steps of 0.5. \
+        drift_table => "Three particles in a box of side 1: velocities and positions after each of two calls with a step of 0.5. \
                         The velocity at index 3, after those of the particles, must stay as it is.",
         moves => "Any number of particles, some of which may leave the box: velocities and positions after a step, and \
                   whether any particle is outside.",

@@ -23,11 +23,11 @@ pub fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
 /// - Of all N particles, k · N / `ranks` (rounded down) should be before block k. But a cut must be
 ///   between two rows. So block k starts at the first row that has at least that many particles
 ///   before it. No block then has more than N / `ranks` + 1 particles, plus the particles of one
-///   row.
+///   row. A count may be any `u64`, so compute k · N as a `u128`.
 /// - Block 0 starts at row 0, and the last block ends with the last row, so every row belongs to a
 ///   rank, even in an empty box.
 ///
-/// Return the `ranks` + 1 starts, in ascending order.
+/// Return `Cuts { starts }` with the `ranks` + 1 starts in ascending order.
 ///
 /// Book: chapter 6, *Balance*.
 pub fn balanced(counts: &[u64], ranks: usize) -> Cuts {

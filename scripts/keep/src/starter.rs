@@ -60,8 +60,8 @@ fn write(kit: &Kit, lab: Lab) -> Result<()> {
             n => format!(" and {n} more"),
         };
         bail!(
-            "labs/lab{lab}/{}{others} has been edited: nothing of lab {lab} was written \
-             ('cargo lab reset {lab}' sets the work aside first)",
+            "somebody has edited labs/lab{lab}/{}{others}, so lab {lab} and later labs were not written \
+             ('cargo lab reset {lab}' sets the work aside; with --lab only one lab is written)",
             edited.display()
         );
     }

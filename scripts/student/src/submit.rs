@@ -91,7 +91,8 @@ fn account(
     }
     let open = tasks::open_todos(kit, lab)?;
     match Seen::read(kit, lab)? {
-        None => lines.push(format!("Not checked as it is now: 'cargo lab check {lab}' does that.")),
+        None => lines
+            .push(format!("You have not checked it as it is now: run 'cargo lab check {lab}'.")),
         Some(seen) => lines.extend(seen.troubles.iter().map(|what| format!("NOT WELL: {what}"))),
     }
     if let [first, ..] = &open[..] {
@@ -133,7 +134,7 @@ mod tests {
              labs/lab1/src/lib.rs  as given\n  \
              left out: labs/lab1/src/a.rs~, hidden, or an editor's copy\n  \
              left out: labs/lab1/Cargo.toml, which you changed: grading has its own\n\
-             Not checked as it is now: 'cargo lab check 1' does that.\n\
+             You have not checked it as it is now: run 'cargo lab check 1'.\n\
              Still to do: task 1.2. You can hand in again later.\n"
         );
     }

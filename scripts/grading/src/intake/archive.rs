@@ -6,7 +6,9 @@ use std::os::unix::ffi::OsStrExt;
 use std::path::PathBuf;
 
 use anyhow::{Result, ensure};
+use bzip2::read::MultiBzDecoder;
 use flate2::read::GzDecoder;
+use lzma_rust2::XzReader;
 
 use super::HandedIn;
 
@@ -22,17 +24,29 @@ pub(super) const ENTRIES: usize = 100_000;
 /// Number of bytes at the beginning of a file that determine its type.
 const HEAD: u64 = 512;
 
-/// Maximal number of nested gzip layers. A browser may add a layer.
+/// Maximal number of nested layers of compression. A browser may add a layer.
 const TIMES: usize = 3;
 
 /// Whether a file that begins with `head` is an archive. Its name does not matter, because browsers
 /// and platforms rename files.
 pub(super) fn is_archive(head: &[u8]) -> bool {
-    is_gzip(head) || is_zip(head) || is_tar(head)
+    is_compressed(head) || is_zip(head) || is_tar(head)
+}
+
+fn is_compressed(head: &[u8]) -> bool {
+    is_gzip(head) || is_bzip2(head) || is_xz(head)
 }
 
 fn is_gzip(head: &[u8]) -> bool {
     head.starts_with(&[0x1f, 0x8b])
+}
+
+fn is_bzip2(head: &[u8]) -> bool {
+    head.starts_with(b"BZh")
+}
+
+fn is_xz(head: &[u8]) -> bool {
+    head.starts_with(b"\xfd7zXZ\0")
 }
 
 fn is_zip(head: &[u8]) -> bool {
@@ -56,8 +70,18 @@ pub(super) fn head(file: impl Read) -> io::Result<Vec<u8>> {
     Ok(head)
 }
 
-/// Unpacks an archive: a zip, a tar, or either of them packed by gzip.
+/// Unpacks an archive: a zip or a tar, or either of them compressed by gzip, bzip2 or xz.
+///
+/// If it contains no lab but a single other archive, this one is unpacked.
 pub(crate) fn unpack(packed: impl Read) -> Result<HandedIn> {
+    let outer = unpack_layers(packed)?;
+    match &outer.archives[..] {
+        [inner] if outer.labs.is_empty() => unpack_layers(&inner[..]),
+        _ => Ok(outer),
+    }
+}
+
+fn unpack_layers(packed: impl Read) -> Result<HandedIn> {
     let mut packed: Box<dyn Read + '_> = Box::new(packed);
     for _ in 0..TIMES {
         let head = head(&mut packed)?;
@@ -66,10 +90,15 @@ pub(crate) fn unpack(packed: impl Read) -> Result<HandedIn> {
         if is_zip(&begins) {
             return zip(rewound);
         }
-        if !is_gzip(&begins) {
+        packed = if is_gzip(&begins) {
+            Box::new(GzDecoder::new(rewound))
+        } else if is_bzip2(&begins) {
+            Box::new(MultiBzDecoder::new(rewound))
+        } else if is_xz(&begins) {
+            Box::new(XzReader::new(rewound, true))
+        } else {
             return tar(rewound);
-        }
-        packed = Box::new(GzDecoder::new(rewound));
+        };
     }
     tar(packed)
 }

@@ -25,7 +25,7 @@ pub(crate) fn read(path: &Path) -> Result<HandedIn> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     ensure!(metadata.is_file(), "{name} is a link, or no plain file and no folder");
     let Some(unpack) = unpacker(path) else {
-        bail!("{name} is neither a folder nor a .tar.gz or .zip: ask for one of these");
+        bail!("{name} is neither a folder nor an archive: ask for a .tar.gz or .zip");
     };
     ensure!(metadata.len() > 0, "{name} is empty (0 bytes)");
     let packed = File::open(path).with_context(|| format!("cannot read {}", path.display()))?;
@@ -115,7 +115,7 @@ fn walk(top: &Path, folder: &Path, handed_in: &mut HandedIn) -> Result<()> {
 fn uploads(folder: &Path, below: Below) -> Result<HandedIn> {
     let mut all = HandedIn::default();
     for archive in below.archives {
-        let HandedIn { labs, left_out, loose } = read(&archive)?;
+        let HandedIn { labs, left_out, loose, .. } = read(&archive)?;
         for (lab, files) in labs {
             let again = all.labs.insert(lab, files).is_some();
             ensure!(!again, "lab {lab} is in more than one archive in {}", folder.display());

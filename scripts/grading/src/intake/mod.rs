@@ -22,7 +22,7 @@ use folder::unpacker;
 use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
 use lab_kit::{Given, Kit, Lab};
 use loose::Loose;
-use names::{ELSEWHERE, is_macos, resolve};
+use names::{ELSEWHERE, is_called_archive, is_macos, resolve};
 
 /// Beginning of the reason for leaving out a file with a task that is in the wrong folder.
 const MISPLACED: &str = "it is not in";
@@ -40,6 +40,8 @@ pub(crate) struct HandedIn {
     /// Files in other folders that may be sources. They are left out too, unless they are the lab's
     /// only files.
     loose: Vec<Loose>,
+    /// Archives within this one.
+    archives: Vec<Vec<u8>>,
 }
 
 impl HandedIn {
@@ -57,11 +59,14 @@ impl HandedIn {
         let source = if plain { resolve(path) } else { Err(NOT_PLAIN) };
         let source =
             source.and_then(|found| if size > FILE_LIMIT { Err(TOO_LARGE) } else { Ok(found) });
-        let is_loose = source == Err(ELSEWHERE) && size <= FILE_LIMIT && loose::may_be(path);
+        let may_count = source == Err(ELSEWHERE) && size <= FILE_LIMIT;
+        let is_loose = may_count && loose::may_be(path);
+        let is_archive = may_count && is_called_archive(path);
         if let Err(why) = source {
             self.leave_out(path, why);
         }
-        if source.is_err() && (!is_loose || self.loose.len() >= COUNT_LIMIT) {
+        let kept = self.loose.len() + self.archives.len();
+        if source.is_err() && (!(is_loose || is_archive) || kept >= COUNT_LIMIT) {
             return Ok(0);
         }
         let mut bytes = Vec::new();
@@ -73,7 +78,11 @@ impl HandedIn {
             return Ok(read);
         }
         let Ok((lab, below)) = source else {
-            self.loose.push((path.to_owned(), bytes));
+            if is_archive {
+                self.archives.push(bytes);
+            } else {
+                self.loose.push((path.to_owned(), bytes));
+            }
             return Ok(read);
         };
         let files = self.labs.entry(lab).or_default();
@@ -114,7 +123,7 @@ pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
         return Ok(known_wrong);
     }
     if !path.is_dir() {
-        let unlike = "is neither a folder nor an archive (.tar.gz, .tgz, .tar, .zip)";
+        let unlike = "is neither a folder nor an archive (.tar.gz, .tar.xz, .tar.bz2, .tar, .zip)";
         ensure!(unpacker(path).is_some(), "{} {unlike}", path.display());
         return Ok(vec![path.to_owned()]);
     }

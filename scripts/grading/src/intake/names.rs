@@ -11,7 +11,7 @@ use lab_kit::submission::{NOT_UTF8, refused};
 const MOST: usize = 150;
 
 /// Extensions of archives.
-const ARCHIVES: [&str; 4] = [".tgz", ".gz", ".tar", ".zip"];
+const ARCHIVES: [&str; 6] = [".tgz", ".gz", ".bz2", ".xz", ".tar", ".zip"];
 
 /// Gives every submission a unique name. If two would have the same name, the second gets its full
 /// file name.

@@ -6,8 +6,10 @@ use std::io::{Cursor, Write};
 use std::os::unix::ffi::OsStrExt;
 use std::path::Path;
 
+use bzip2::write::BzEncoder;
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use lzma_rust2::{XzOptions, XzWriter};
 use zip::write::{SimpleFileOptions, ZipWriter};
 
 use super::names::name;
@@ -37,7 +39,7 @@ const PLACES: [&[u8]; 16] = [
 ];
 
 /// Names of archives, from platforms, browsers and students, and the names of the submissions.
-const NAMES: [(&str, &str); 14] = [
+const NAMES: [(&str, &str); 16] = [
     ("ada.tar.gz", "ada"),
     ("ada.tgz", "ada"),
     ("ada.TAR.GZ", "ada"),
@@ -46,6 +48,8 @@ const NAMES: [(&str, &str); 14] = [
     ("ada.tar (1).gz", "ada"),
     ("ada (2).tar.gz", "ada"),
     ("ada.tar", "ada"),
+    ("ada.tar.bz2", "ada"),
+    ("ada.tar (1).xz", "ada"),
     ("ada.ZIP", "ada"),
     ("ada (1).zip", "ada"),
     ("ada.tar.gz.gz", "ada"),
@@ -71,10 +75,22 @@ fn gzip(bytes: &[u8]) -> Vec<u8> {
     packed.finish().unwrap()
 }
 
-fn zip(place: &str) -> Vec<u8> {
+fn bzip2(bytes: &[u8]) -> Vec<u8> {
+    let mut packed = BzEncoder::new(Vec::new(), bzip2::Compression::fast());
+    packed.write_all(bytes).unwrap();
+    packed.finish().unwrap()
+}
+
+fn xz(bytes: &[u8]) -> Vec<u8> {
+    let mut packed = XzWriter::new(Vec::new(), XzOptions::with_preset(0)).unwrap();
+    packed.write_all(bytes).unwrap();
+    packed.finish().unwrap()
+}
+
+fn zip(place: &str, bytes: &[u8]) -> Vec<u8> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     zip.start_file(place, SimpleFileOptions::DEFAULT).unwrap();
-    zip.write_all(WORK).unwrap();
+    zip.write_all(bytes).unwrap();
     zip.finish().unwrap().into_inner()
 }
 
@@ -91,8 +107,15 @@ fn taken(path: &Path) -> Vec<u8> {
 fn an_archive_is_known_by_its_content() {
     let class = tempfile::tempdir().unwrap();
     let plain = tar(PLACES[0]);
-    let forms =
-        [plain.clone(), gzip(&plain), gzip(&gzip(&plain)), zip("kit/labs/lab1/src/force.rs")];
+    let forms = [
+        plain.clone(),
+        gzip(&plain),
+        gzip(&gzip(&plain)),
+        bzip2(&plain),
+        xz(&plain),
+        zip("kit/labs/lab1/src/force.rs", WORK),
+        zip("handed in/lab1.tar.gz", &gzip(&plain)),
+    ];
     for (file, called) in NAMES {
         let path = class.path().join(file);
         assert_eq!(name(&path), called);
@@ -113,7 +136,7 @@ fn work_is_found_wherever_it_lies() {
         assert_eq!(taken(&path), WORK, "{shown}");
         if let Ok(place) = std::str::from_utf8(place) {
             let path = class.path().join(format!("{number}.zip"));
-            fs::write(&path, zip(place)).unwrap();
+            fs::write(&path, zip(place, WORK)).unwrap();
             assert_eq!(taken(&path), WORK, "{shown}");
         }
         if place.contains(&b'\\') {

@@ -4,6 +4,7 @@ mod changes;
 mod csv;
 mod gradescope;
 mod letter;
+mod moodle;
 mod page;
 mod words;
 
@@ -37,8 +38,8 @@ struct Words {
 
 /// Writes all reports into `folder`.
 ///
-/// These are `index.html`, `class.csv`, `feedback/NAME.md`, `gradescope/NAME.json`, and, with a
-/// roster, `marks.csv`.
+/// These are `index.html`, `class.csv`, `feedback/NAME.md`, `gradescope/NAME.json`, with a roster
+/// `marks.csv`, and after an export from Moodle `moodle-feedback.zip`.
 pub(crate) fn write(
     kit: &Kit,
     lab: Lab,
@@ -58,15 +59,21 @@ pub(crate) fn write(
     if let Some(marks) = roll.marks(records, attendance)? {
         write_file(&folder.join("marks.csv"), &marks)?;
     }
+    let mut letters = Vec::new();
     for record in records {
         let of =
             |kind: &str, ending: &str| folder.join(kind).join(format!("{}.{ending}", record.name));
-        write_file(&of("feedback", "md"), letter::letter(record, &words))?;
+        let letter = letter::letter(record, &words);
+        write_file(&of("feedback", "md"), &letter)?;
+        letters.push((record.name.as_str(), letter));
         // If the grader failed, the submission must not be uploaded with 0 points.
         if record.status != Status::Failed {
             let results = serde_json::to_string_pretty(&gradescope::results(record, &words))?;
             write_file(&of("gradescope", "json"), &results)?;
         }
+    }
+    if let Some(archive) = moodle::archive(&letters)? {
+        write_file(&folder.join("moodle-feedback.zip"), archive)?;
     }
     Ok(())
 }

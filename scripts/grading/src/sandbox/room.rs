@@ -34,7 +34,7 @@ pub(crate) fn expect(folder: &Path, bytes: u64) -> Result<()> {
     let left = free(folder)?;
     ensure!(
         left >= bytes,
-        "{} MiB are free in {}, and grading needs {} MiB there: make room, or name another disk",
+        "{} MiB are free in {}, and grading needs {} MiB there: make room, or set TMPDIR to a folder on another disk",
         left >> 20,
         folder.display(),
         bytes >> 20

@@ -39,7 +39,11 @@ pub(crate) fn faults(outcomes: &[Outcome], tasks: &BTreeSet<Task>) -> Vec<String
     }
     let tested: BTreeSet<_> =
         outcomes.iter().filter_map(|outcome| Task::of_test(&outcome.test)).collect();
-    faults.extend(tasks.difference(&tested).map(|task| format!("task {task} has no test")));
+    faults.extend(
+        tasks
+            .difference(&tested)
+            .map(|task| format!("the starter has no test of task {task} (is it up to date?)")),
+    );
     faults.extend(
         tested
             .difference(tasks)
@@ -82,7 +86,7 @@ mod tests {
             "task_1_1::c fails, but not at its todo: other",
             "task_1_1::d fails, but not at its todo: it aborted",
             "names meets no todo, and fails: why",
-            "task 1.2 has no test",
+            "the starter has no test of task 1.2 (is it up to date?)",
         ];
         assert_eq!(faults(&outcomes, &tasks), expected);
     }

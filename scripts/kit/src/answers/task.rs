@@ -57,7 +57,8 @@ impl FromStr for Task {
     fn from_str(text: &str) -> Result<Self, String> {
         match text.parse() {
             Ok(RegionId { task, letter: None }) => Ok(task),
-            _ => Err(format!("'{text}' is not the number of a task, such as 3.2")),
+            Ok(part) => Err(format!("{part} is a part of task {0}: write {0}", part.task)),
+            Err(_) => Err(format!("'{text}' is not the number of a task, such as 3.2")),
         }
     }
 }
