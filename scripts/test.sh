@@ -1,55 +1,58 @@
 #!/bin/bash
-# What the kit checks about itself, in stages; the first that fails ends it and is named.
+# Tests the whole kit, in stages. The first stage that fails ends the run, and the script prints its name.
 #
-#   scripts/test.sh           set up, then each lab, each package and the book, within some ten minutes
-#   scripts/test.sh --all     that and the rest, for most of an hour: lints, an editor's view of all, what students
-#                             get, known-wrong solutions, marks, the book's pages in a browser, measuring commands
-#   scripts/test.sh --list    the stages' names, the rest last
-#   scripts/test.sh NAME…     only these stages
+#   scripts/test.sh           set up, then test each lab, each package and the book, within some ten minutes
+#   scripts/test.sh --all     the same and the other stages, for most of an hour: lints, what an editor reports, what
+#                             students get, known-wrong solutions, marks, the book's pages in a browser, measuring
+#                             commands
+#   scripts/test.sh --list    print the names of all stages, those of --all last
+#   scripts/test.sh NAME…     run only these stages
 #
-# A stage that this machine cannot run says so («skipped: no mdBook»), and so does a part of one («left out: no MPI»).
-# A test program that has passed is not run again within half a day while nothing that it reads changes; after
-# `rm target/debug/deps/*.passed` all are. The last line counts.
+# Where this machine cannot run a stage, the stage says so («skipped: no mdBook»); where it cannot run a part of a
+# stage, the stage says «left out: no MPI». A test program that has passed is not run again within half a day, unless
+# a file that it reads changes; `rm target/debug/deps/*.passed` makes all test programs run again. The last line says
+# how many stages passed.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
 STAGES=(format tests doctests starters figures book)
 REST=(lint editor handout proof marks pages smoke)
-# Run by name after a change of scripts/gradescope: it builds the kit once more.
+# Stages that run only by name: `gradescope` after a change of scripts/gradescope, for it builds the kit once more.
 BY_NAME=(gradescope)
 
-# What is here besides Rust?
+# Does this machine have the program, an MPI library, a Vulkan loader?
 have() { command -v "$1" >/dev/null 2>&1; }
 has_mpi() { have "${MPICC:-mpicc}" && have mpiexec; }
 has_vulkan() { [ "$(uname)" = Darwin ] || ldconfig -p 2>/dev/null | grep 'libvulkan\.so' >/dev/null; }
 
-# The labs with such workers (threads, ranks or device), as their facts say.
+# The numbers of the labs whose lab.toml says `workers = "$1"` (threads, ranks or device).
 labs_with() { labs_of workers "$1"; }
 labs_of() { # FACT VALUE
     grep -lx "$1 = \"$2\"" solutions/lab*/lab.toml | sort -V | sed 's/[^0-9]*\([0-9]*\).*/\1/'
 }
-# All packages that this machine can build and that are not red by design. Always all of them: which features of a
-# dependency are chosen depends on the packages that are named, and with others much would be compiled once more.
+# The arguments by which cargo builds all packages that this machine can build, without the starters (labs/labN), whose
+# tests fail by design. Every stage names the same packages: cargo chooses the features of a dependency by the packages
+# that are named, and for other packages it would compile much once more.
 everything() {
     echo --workspace
     { labs_with threads; labs_with ranks; labs_with device; } | sed 's/^/--exclude lab/'
     has_mpi || { echo '--exclude common-mpi --exclude mpi-sys --exclude oracle-mpi --exclude halo --exclude hard-disc-ranks --exclude strips'; labs_with ranks | sed 's/^/--exclude solution/'; }
     has_vulkan || { echo '--exclude device --exclude device-discs'; labs_with device | sed 's/^/--exclude solution/'; }
 }
-# What that leaves out.
+# Says what `everything` leaves out on this machine.
 name_left_out() {
     has_mpi || leave_out "no MPI"
     has_vulkan || leave_out "no Vulkan"
 }
-# A command of the kit from the same build as the tests, where `cargo lab` would build its package by itself.
+# Runs a command of the kit from the same build as the tests; `cargo lab` would build its package separately.
 lab() { build "$1" && "$(built "$1")" "${@:2}"; } # lab PACKAGE COMMAND…
-# A test is asked for as well: where none is, cargo chooses other features.
+# It names a test as well: without a test, cargo chooses other features of dependencies.
 # shellcheck disable=SC2046 # one word each
 build() { cargo build --quiet $(everything) --bin "$1" --test lab1; }
 built() { realpath "${CARGO_TARGET_DIR:-target}/debug/$1"; }
 
 skip() { echo "skipped: $*"; SKIPPED=1; }
-# A part of a stage that this machine cannot run; the rest of it counts.
+# Says that this machine cannot run a part of a stage; the other parts decide whether the stage passes.
 leave_out() { echo "left out: $*"; }
 
 stage_format() {
@@ -62,8 +65,8 @@ stage_lint() {
     cargo clippy --all-targets $(everything) -- -D warnings
 }
 
-# What cargo and an editor say of all labs on a machine with only Rust: no error. The folder is its own, for in the
-# usual one an MPI library was found, perhaps, and that is not asked twice.
+# On a machine with only Rust, neither cargo nor an editor reports an error in any lab. The build has its own folder: in
+# the usual one a build script may have found an MPI library, and cargo would not run that script again.
 stage_editor() (
     CARGO_TARGET_DIR=$(realpath "${CARGO_TARGET_DIR:-target}")/editor
     export CARGO_TARGET_DIR MPICC=/none PKG_CONFIG_LIBDIR=/none
@@ -86,8 +89,8 @@ stage_doctests() { cargo test --doc $(everything); }
 
 stage_starters() { lab lab-keep starter --check; }
 
-# A class's kit after labs 1 and 2: it builds by itself, lab 2 is red at its first todo, its book is whole. Its builds
-# stay in a folder of their own, and the next time only what is the kit's is compiled.
+# A class's kit with labs 1 and 2 builds by itself, lab 2 fails at its first `todo!`, and its book can be made. The
+# build folder is kept, so that the next run compiles no dependency again.
 stage_handout() {
     local folder said
     folder=$(mktemp -d)
@@ -107,7 +110,7 @@ in_handout() ( # in_handout COMMAND…
 stage_proof() { cargo lab prove; }
 
 full_marks() { cargo lab grade solutions --lab "$1" --no-timing --into "$2" >"$LOG.marks" 2>&1; }
-# Each solution has full marks: its answers are recorded and judged as a submission's are.
+# Each solution gets full marks when it is graded as a submission.
 stage_marks() {
     local folder lab labs
     labs=$(labs_with threads)
@@ -116,7 +119,7 @@ stage_marks() {
     folder=$(mktemp -d)
     for lab in $labs; do
         full_marks "$lab" "$folder/$lab"
-        # Open MPI 4.1 crashes at the end of one job in some hundred, though it has answered.
+        # Open MPI 4.1 crashes at the end of about one job in a hundred, after the program has answered.
         grep -q 'exited on signal' "$LOG.marks" && full_marks "$lab" "$folder/$lab-again"
         if grep -Eo '^solutions +100 of [0-9.]+( |$)' "$LOG.marks" | sed "s/^solutions */lab $lab: /"; then
             continue
@@ -133,8 +136,8 @@ stage_marks() {
     rm -rf "$folder"
 }
 
-# Gradescope's way in a fresh folder: the image grades the solution, and then a submission of it compiles nothing of
-# the kit. Where no sandbox can be made, a submission reads no solution.
+# Does in a fresh folder what Gradescope does: making the image grades the solution, and then grading the solution as a
+# submission compiles no package of the kit. Where no sandbox can be made, a submission cannot read the solution.
 stage_gradescope() {
     local folder compiled
     have unzip || { skip "no unzip"; return; }
@@ -160,14 +163,14 @@ stage_figures() { lab lab-keep figures --check; }
 
 stage_book() {
     have mdbook || { skip "no mdBook"; return; }
-    # The check asks all solutions' programs for their variants.
+    # The check runs the programs of all solutions to ask for their variants.
     # shellcheck disable=SC2046 # one word each
     cargo build --quiet $(everything) --bins && lab lab-book book --check || return
-    # Its snippets for readers of C compile and run.
+    # The chapter's Rust snippets compile and run.
     mdbook test book --chapter 'Rust for people who know OpenMP and MPI'
 }
 
-# Pages of `cargo lab movie`: of the first lab of soft discs, of hard discs, of ranks.
+# Makes pages by `cargo lab movie` for the first lab with soft discs, the first with hard discs and the first with ranks.
 make_movies() { # make_movies FOLDER
     local lab
     for lab in $(labs_of discs soft | head -n 1) $(labs_of discs hard | head -n 1) $(labs_with ranks | head -n 1); do
@@ -179,8 +182,8 @@ make_movies() { # make_movies FOLDER
         fi
     done
 }
-# Every page of the book that stage `book` built, and movies, as readers see them: two widths, two themes, what
-# plays is played.
+# Opens every page of the book that stage `book` built, and some movies, in a browser, at two widths and in two themes,
+# and plays every animation.
 stage_pages() {
     local browser folder
     browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) ||
@@ -195,7 +198,8 @@ stage_pages() {
     rm -rf "$folder"
 }
 
-# Every measuring command once, for a few seconds, on a small scene. A line: the lab that names it, and the command.
+# Prints a line for each measuring command that a lab.toml names under `smoke`: the lab, and the command with a small
+# scene, which takes a few seconds.
 smoke_commands() {
     cargo lab facts | awk '$2 == "smoke" { $2 = ""; print }'
 }
@@ -216,7 +220,7 @@ stage_smoke() {
             echo "+ cargo lab $command"
             # shellcheck disable=SC2086 # one word each
             timeout 600 cargo lab $command >"$LOG.smoke" 2>&1 </dev/null && continue
-            # A Vulkan loader without a driver behind it.
+            # There is a Vulkan loader without a driver.
             if grep -q '^error: no adapter' "$LOG.smoke"; then
                 leave_out "no adapter for 'cargo lab $command'"
             else
@@ -227,7 +231,7 @@ stage_smoke() {
     done < <(smoke_commands)
     run_example hard-discs greedy && run_example halo reported && run_example strips model --cost 200,30
 }
-# An example that computes numbers of the book, but for LAMMPS's, which is installed over the network.
+# Runs an example that computes numbers of the book. The example with LAMMPS is not run: it needs a network.
 run_example() { # run_example PACKAGE EXAMPLE OPTION…
     echo "+ cargo run --release -p $1 --example $2 -- ${*:3}"
     cargo run --quiet --release -p "$1" --example "$2" -- "${@:3}" >"$LOG.smoke" 2>&1 || { cat "$LOG.smoke"; return 1; }
@@ -247,7 +251,7 @@ run_stage() { # run_stage NAME NUMBER OF
         failed=$((failed + 1))
         return 1
     fi
-    # `tee` runs the stage in a subshell, so what it said is what is known.
+    # Because of `tee` the stage ran in a subshell, whose variables are lost; its output says what it skipped.
     grep -E '^(skipped|left out): ' "$LOG" | sort -u | sed 's/^/    /'
     if grep -q '^skipped: ' "$LOG"; then skipped=$((skipped + 1)); else passed=$((passed + 1)); fi
 }

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs a test program, unless it has passed within half a day and all that it may read is as it was then.
-# cargo calls it, for scripts/test.sh:
+# Runs a test program, unless the program has passed within half a day and no file that it may read has changed since.
+# scripts/test.sh makes cargo call this script as the runner of test programs:
 #
 #   scripts/unless-passed.sh PROGRAM ARGUMENT…
 set -eu
@@ -10,8 +10,8 @@ the_kit() {
     find "$top" \( -name target -o -name .git -o -name node_modules -o -path "$top/book/build" \) \
         -prune -o -type f -print
 }
-# A lab's tests read snapshots, and start a program of their own package; the tools' read the whole kit. Classes of the
-# grading tests hand in lab 1: they compile no other lab.
+# The files that a test program may read. The tests of most packages read their own package and the snapshots; the tests
+# of the tools read the whole kit. The grading tests grade submissions of lab 1, and compile no code of other labs.
 read_by_it() {
     case "$CARGO_PKG_NAME ${1##*/}" in
         *' grading-'*) the_kit | grep -Ev "^$top/(labs|solutions)/lab([2-9]|1[0-9])/(src|tests)/" ;;

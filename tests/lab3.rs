@@ -42,8 +42,8 @@ oracle::questions! {
             => "A step of any number of particles on several threads: x, y, vx, vy of each particle, and the number of \
                 pair tests reported to the observers.",
         shared_forces = sharing::all_pairs
-            => "All pairs on the threads of a pool: the work of each thread. Every thread must sum forces, and no \
-                thread may sum nearly all of them.",
+            => "The threads of a pool, which sum the forces of all pairs: the work of each thread. Every thread must \
+                sum forces, and no thread may sum nearly all of them.",
         observer_each = all_pairs::observers
             => "150 particles: the number of observers that were told about the pairs of exactly one particle. Each \
                 particle needs its own observer.",
@@ -74,11 +74,11 @@ oracle::questions! {
             => "An addition with atomics, interrupted by additions of another thread: the sum, from which nothing may \
                 be lost.",
         shared_lock = sharing::locked_parts
-            => "Parts under a lock, and the threads of a pool: the work of each thread. Every thread must add some \
-                parts.",
+            => "The threads of a pool, which add parts under a lock: the work of each thread. Every thread must add \
+                some parts.",
         shared_blocks = sharing::blocks
-            => "Blocks of parts, and the threads of a pool: the work of each thread. Every thread must sum some \
-                blocks, and no thread may sum nearly all.",
+            => "The threads of a pool, which sum blocks of parts: the work of each thread. Every thread must sum \
+                some blocks, and no thread may sum nearly all.",
     }
     task_3_3 {
         row_table = examples::rows
@@ -107,8 +107,9 @@ oracle::questions! {
         loop_table after "3.4, 3.5" => "Four particles and two workers: the position and velocity of each particle \
                                         after both loops.",
         all_workers after "3.4, 3.5" => "Few workers and many: x, y, vx, vy of each particle after both loops.",
-        shared_workers after "3.4, 3.5" => "Workers, and the threads of a pool: the work of each thread. In either \
-                                            loop every thread must do some work, and no thread may do nearly all.",
+        shared_workers after "3.4, 3.5" => "The threads of a pool, which run both loops over workers: the work of \
+                                            each thread. In either loop every thread must do some work, and no \
+                                            thread may do nearly all.",
     }
     task_3_7 {
         rebin_table = handover_examples::rebinning_by_one
@@ -144,8 +145,8 @@ oracle::questions! {
             => "Two members, of which member 1 is late in each part: the parts that both have ended when a member \
                 begins a part.",
         rehearsals = barriers::rehearsals
-            => "Three members, one of which is delayed in each part: the members that have ended the part before when \
-                a part begins. All three must have ended it.",
+            => "Three members, one of which is delayed in each part: the number of members that have ended the \
+                previous part when a part begins. All three must have ended it.",
         three_barriers = barriers::meetings
             => "One member: the number of its parts and of its barriers in few and in many steps.",
     }

@@ -120,7 +120,7 @@ oracle::questions! {
                                                          steps.",
         unseen after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6"
             = |_, ask| sequential().threads(2).follows_unseen_scenes(ask)
-            => "Forty scenes, from thin to crowded: the state after each of 3 steps.",
+            => "Forty scenes, from sparse to crowded: the state after each of 3 steps.",
         memory after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6" = |_, ask| sequential().keeps_its_memory(ask)
             => "A long run: the memory in use, which must not grow with the number of steps.",
         bad_input => "The lab's program and bad inputs: its error, one line, which names the line of the input.",
@@ -134,8 +134,8 @@ oracle::questions! {
         parts => "A loop of any length in fixed parts: the begin and the end of each worker's part.",
         queues => "A loop of any length from the queue, from its first or a later iteration: the begin and the end of \
                    each part, and no part after the end of the loop.",
-        interrupted_queue => "Two workers at one queue, of which the second takes a part at a load or before a store \
-                              of the first: the begin and the end of each part.",
+        interrupted_queue => "Two workers at one queue; the second takes a part whenever the first is at a load or \
+                              before a store: the begin and the end of each part.",
     }
     task_7_9 {
         loop_table after "7.8" => "Six discs, two workers and fixed parts: the list that receives each pair of discs 1 \
@@ -161,7 +161,8 @@ oracle::questions! {
                              candidates in the list, which must be all.",
         short_lock => "A candidate that is appended under a lock: the content of its slot when the lock is released. \
                        The slot must be written afterwards.",
-        no_lock => "Two workers that append without a lock: whether one must wait for the other, which it must not.",
+        no_lock => "Two workers that append without a lock: whether one must wait for the other. It must not be \
+                    necessary.",
         interrupted_count => "Two workers that append without a lock, the second at a load or before a store of the \
                               first: the candidates in the list, which must be all.",
         pairs_in_one_list after "7.2, 7.8, 7.9" => "Scenes of all kinds, three threads and one list: the pairs found.",
@@ -173,7 +174,8 @@ oracle::questions! {
     task_7_12 {
         block_table => "A box in a square of side 8, whose small blocks are 2 wide: the block of the box, and the \
                         blocks around that block.",
-        look_table => "Five discs and their blocks: the number of times that the search tests each pair, in the row of the lower disc. A pair that may meet must be tested once.",
+        look_table => "Five discs and their blocks: the number of times that the search tests each pair, in the row \
+                       of the lower disc. A pair that may meet must be tested once.",
         blocks => "Any box in any square: its block. Then each block: the blocks around it.",
         looks_around => "Discs in any blocks: the pairs tested. Each pair that may meet must be tested once.",
         pairs_of_grid after "7.2, 7.8, 7.11" => "Scenes of all kinds, and the grid: the pairs found.",
@@ -193,9 +195,10 @@ oracle::questions! {
         window_table => "A thousand discs: the cost of a step in some numbers of windows, and the number that is \
                          chosen. An entry costs 60. A pair costs 1, and 10 more if it is tested, both times the \
                          crowding.",
-        plans => "Discs slow and fast, thin and dense: the chosen number of windows. No other number may cost less.",
+        plans => "Slow and fast discs, sparse and dense scenes: the chosen number of windows. No other number may \
+                  cost less.",
         unseen after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6, 7.7, 7.11, 7.13" = |_, ask| planned().follows_unseen_scenes(ask)
-            => "Forty scenes in windows, from thin to crowded: the state after each of 3 steps.",
+            => "Forty scenes in windows, from sparse to crowded: the state after each of 3 steps.",
         memory after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6, 7.7, 7.11, 7.13" = |_, ask| planned().keeps_its_memory(ask)
             => "A long run: the memory in use, which must not grow with the number of steps.",
         many_discs = many_discs_of_planned

@@ -124,8 +124,8 @@ oracle::questions! {
             => "Candidates of up to 300 discs, and rivals that change: the candidates taken and open after each of \
                 four rounds, and the discs that are free.",
         crowd_behind_one = certain::crowd_behind_one
-            => "A million candidates that wait for one open candidate: the open candidates after 100,000 rounds, for \
-                which the program must be fast enough.",
+            => "A million candidates that wait for one open candidate: the open candidates after 100,000 rounds. A \
+                program that goes through all candidates in each round would not finish.",
     }
     task_8_11 {
         table_of_news after "8.10" => "A tower of eight discs on three ranks: the candidates that each rank takes, \
@@ -164,11 +164,11 @@ oracle::questions! {
             => "Discs at rest on 3 ranks, without a collision and with one: the number of calls of Allreduce in a \
                 step, one for the range and one for each round.",
         walls_meanwhile after "8.8, 8.9, 8.10, 8.11, 8.12" = messages::walls_meanwhile
-            => "Slow discs on 3 ranks: whether the wall collisions are found while the ghosts travel, which they must \
+            => "Slow discs on 3 ranks: whether the wall collisions are found while the ghosts travel, as they must \
                 be.",
         many_rounds after "8.8, 8.9, 8.10, 8.11, 8.12"
-            => "A chain of 240 discs to and fro across a cut, on 2 and 4 ranks: the state after a step of more than a \
-                hundred rounds, bit for bit as in lab 7's `sequential`.",
+            => "A chain of 240 discs that crosses a cut again and again, on 2 and 4 ranks: the state after a step of \
+                more than a hundred rounds, bit for bit as in lab 7's `sequential`.",
         shares_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"
             => "Four strips: the pair tests of the busiest rank, at most two thirds of all.",
         memory_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Packs an autograder for Gradescope: the kit as it was committed, and how to run it.
+# Packs an autograder for Gradescope: the committed files of the kit, and the two scripts that Gradescope runs.
 #
 #   scripts/gradescope/pack.sh LAB FILE.zip
 set -eu

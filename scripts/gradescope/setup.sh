@@ -1,23 +1,24 @@
 #!/bin/sh
-# Run once by Gradescope, as root, when it makes the image: a compiler, what the lab's workers need, a sandbox if the
-# container lets it work, and the grader. It fails if the kit's solution does not get full marks in this image.
+# Gradescope runs this script once, as root, when it makes the image. It installs a compiler, what the lab's workers
+# need and bubblewrap for a sandbox, and it builds the grader. It fails if the kit's solution does not get full marks in
+# this image.
 set -eu
 source=$(cd "$(dirname "$0")" && pwd)
 apt-get update
 DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
     build-essential ca-certificates curl bubblewrap util-linux
-# Where an unprivileged user finds the compiler too, as run_autograder does.
+# The compiler lies where run_autograder and users other than root find it too.
 export RUSTUP_HOME=/opt/rustup CARGO_HOME=/opt/cargo PATH="/opt/cargo/bin:$PATH"
 if [ ! -x /opt/cargo/bin/cargo ]; then
     curl --proto '=https' --tlsv1.2 -sSf https://sh.rustup.rs | sh -s -- -y --profile minimal --no-modify-path
 fi
 cd "$source/kit"
-# rust-toolchain.toml says which compiler; submissions are built without a network.
+# This also installs the compiler that rust-toolchain.toml names. Submissions are built without a network.
 cargo fetch --locked
 lab=$(cat "$source/lab")
 scripts/setup.sh --for "$(cargo lab facts | awk -v lab="$lab" '$1 == lab && $2 == "workers" { print $3 }')"
 
-# Grading the solution compiles all that grading a submission needs.
+# Grading the solution compiles all packages that grading a submission needs.
 prime=$(mktemp -d)
 trap 'rm -rf "$prime"' EXIT
 ln -s "$source" "$prime/source"

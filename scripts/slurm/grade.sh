@@ -1,5 +1,6 @@
 #!/bin/sh
-# Grade a class on a node of its own: tasks on all cores at once, then the times one by one.
+# Grades a class on a node of its own: first the tests of all submissions, on all cores at once, then the run times, one
+# submission after the other.
 #
 #   sbatch scripts/slurm/grade.sh LAB FOLDER
 #
@@ -12,5 +13,5 @@ set -eu
 cd "${SLURM_SUBMIT_DIR:-.}"
 lab=${1:?which lab}
 folder=${2:?which folder}
-# Killed by the time limit, the same job goes on where it was.
+# If the time limit ends the job, submit the same job again: it continues where it stopped.
 target/release/lab-grading grade "$folder" --lab "$lab" --into "grades/lab$lab"

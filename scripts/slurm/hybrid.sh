@@ -1,5 +1,5 @@
 #!/bin/bash
-# Ranks times threads: every split of a node's cores between the two, for the labs with both.
+# Runs the labs that have threads within ranks, with every split of a node's cores into ranks and threads.
 # Build first on the login node: cargo lab facts >/dev/null && cargo build --release -p 'solution*'
 # In a class's kit, name your own programs too: -p lab3
 # Then: sbatch --nodes=4 scripts/slurm/hybrid.sh

@@ -1,10 +1,10 @@
-# What strong.sh, weak.sh, hybrid.sh and threads.sh share; they are submitted from the kit's top folder.
+# Functions for strong.sh, weak.sh, hybrid.sh and threads.sh. Submit these scripts from the kit's top folder.
 set -euo pipefail
 export CARGO_NET_OFFLINE=true
 
-# Prints lines such as «solution8:spatial-cuts»: the programs of all labs with such workers (threads or ranks) that
-# simulate such discs (soft or hard), each with the variant that its facts name for `role`: cluster, or hybrid for one
-# with threads in each rank. Of a lab without a solution it is the student's own program, such as «lab3:team».
+# Prints lines such as «solution8:spatial-cuts»: the program and the variant of each lab that has WORKERS (threads or
+# ranks) and simulates DISCS (soft or hard). The lab's facts name the variant for ROLE: `cluster`, or `hybrid` for ranks
+# with threads within each. For a lab without a solution the program is the student's own, as in «lab3:team».
 programs() { # WORKERS DISCS ROLE
     cargo lab facts | awk -v workers="$1" -v discs="$2" -v role="$3" '
         $2 == "program" { program = $3 }
@@ -13,8 +13,8 @@ programs() { # WORKERS DISCS ROLE
         $2 == role && found { print program ":" $3 }'
 }
 
-# Every lab with ranks on 1, 2, 4, … of them. `soft` and `hard` are functions that say for a number of ranks what is
-# simulated, as arguments of a program.
+# Runs every lab with ranks on 1, 2, 4, … ranks. The calling script defines the functions `soft` and `hard`: they take
+# the number of ranks, and print the arguments by which a program simulates the scene.
 curve() { # NAME
     local ranks discs program
     mkdir -p cutoff-events

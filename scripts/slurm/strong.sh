@@ -1,10 +1,10 @@
 #!/bin/bash
-# Strong scaling of all labs with ranks on a cluster: the same scene on 1, 2, 4, … ranks.
+# Measures strong scaling of all labs with ranks on a cluster: the same scene on 1, 2, 4, … ranks.
 # Build first on the login node: cargo lab facts >/dev/null && cargo build --release -p 'solution*'
 # In a class's kit, name your own programs too: -p lab3
 # Then: sbatch --nodes=4 --ntasks-per-node=32 scripts/slurm/strong.sh
-# Each line says too how long the ranks computed, communicated and waited; the events are in the folder
-# cutoff-events.
+# Each line of the output also says how long the ranks computed, communicated and waited. The folder cutoff-events then
+# holds the events of each run.
 #SBATCH --job-name=cutoff-strong
 #SBATCH --time=00:30:00
 #SBATCH --exclusive

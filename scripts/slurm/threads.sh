@@ -1,6 +1,6 @@
 #!/bin/bash
-# Soft discs with threads, in every lab that has them, on 1, 2, 4, … threads of one node: first the same scene, then as
-# many particles a thread.
+# Runs every lab that has soft discs and threads on 1, 2, 4, … threads of one node: first with the same scene, then with
+# the same number of particles per thread.
 # Build first on the login node: cargo lab facts >/dev/null && cargo build --release -p 'solution*'
 # In a class's kit, name your own programs too: -p lab3
 # Then: sbatch --nodes=1 scripts/slurm/threads.sh

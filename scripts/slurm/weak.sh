@@ -1,5 +1,5 @@
 #!/bin/bash
-# Weak scaling of all labs with ranks on a cluster: as many particles for each of 1, 2, 4, … ranks.
+# Measures weak scaling of all labs with ranks on a cluster: 1, 2, 4, … ranks with the same number of particles per rank.
 # Build first on the login node: cargo lab facts >/dev/null && cargo build --release -p 'solution*'
 # In a class's kit, name your own programs too: -p lab3
 # Then: sbatch --nodes=4 --ntasks-per-node=32 scripts/slurm/weak.sh
@@ -11,7 +11,8 @@ source scripts/slurm/labs.sh
 
 soft() { echo "-n $((${PARTICLES:-1000000} * $1)) --steps ${STEPS:-100}"; }
 
-# The square grows with the discs and their speeds do not, so that each has as many near it.
+# The area of the square grows with the number of discs and their speeds stay the same, so that each disc has as many
+# others near it on every number of ranks.
 hard() {
     local discs=$((${DISCS:-100000} * $1))
     echo "$discs $(awk -v n="$discs" 'BEGIN { print 100 * sqrt(n) }') 1 ${STEPS:-100} perf" >cutoff-events/weak.txt

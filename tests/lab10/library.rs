@@ -88,7 +88,7 @@ fn state_after(scene: &Scene, parts: &[u64]) -> Vec<f64> {
     States::of(&seen).numbers()
 }
 
-/// Asks about a flat strip, where the row ahead of a particle ends several blocks behind the
+/// Asks about a flat strip, in which the row above a particle ends several blocks after the
 /// particle's block.
 pub(crate) fn long_rows(random: &mut Random, ask: &mut impl Ask) {
     let particles = (0..9000).map(|k| Particle {
@@ -140,7 +140,7 @@ pub(crate) fn heating_up(_: &mut Random, ask: &mut impl Ask) {
     let scene = Scene::new(2.1, (0..5000).map(at).collect()).expect("a scene");
     let runs = neighbour_list();
     let question = "5,000 particles at rest in pairs that push each other apart, 100 steps: share of the particles \
-                    that outruns the list, which must be less than 0.3";
+                    that are too fast for the list, which must be less than 0.3";
     ask.judge(
         question,
         || vec![share_of_outliers(&scene)],

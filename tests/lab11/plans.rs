@@ -51,8 +51,8 @@ pub(crate) fn a_crystal(_: &mut Random, ask: &mut impl Ask) {
         let [x, y] = [id % 50, id / 50].map(|place| 3.0 * CUTOFF * f64::from(1 + place));
         crystal.push(Particle { x, y, vx: 1.0, vy: 0.0, id });
     }
-    let question = "one particle to nine square cutoffs: number of neighbours that the planner expects within the \
-                    cutoff";
+    let question = "one particle in each nine square cutoffs: number of neighbours that the planner expects within \
+                    the cutoff";
     let found = || vec![plan::<Tasks>(&crystal, 0, 1).neighbours];
     ask.judge(question, found, |found| match found {
         [neighbours] if (neighbours - PI / 9.0).abs() < 0.05 * PI / 9.0 => Ok(()),

@@ -38,7 +38,7 @@ type Kind = (&'static str, fn(&Draw) -> [f64; 3]);
 const NOT_FAR_ENOUGH: &str = "falls, not far enough";
 
 /// Numbers whose falls can be decided from the two ends of a step.
-const TOLD_BY_THE_ENDS: [Kind; 8] = [
+const DECIDED_AT_THE_ENDS: [Kind; 8] = [
     (NOT_FAR_ENOUGH, |d| [1.0 + d.gap, -1.0, 0.0]),
     ("rises", |d| [d.gap, d.s, 0.0]),
     ("is at zero and leaves", |d| [0.0, d.s, 0.0]),
@@ -50,7 +50,7 @@ const TOLD_BY_THE_ENDS: [Kind; 8] = [
 ];
 
 /// Numbers that must be evaluated within the step.
-const TOLD_INSIDE: [Kind; 15] = [
+const DECIDED_INSIDE: [Kind; 15] = [
     ("falls", |d| [d.s, -1.0, 0.0]),
     ("dips below zero and comes back", |d| [d.before * d.s, -d.before - d.s, 1.0]),
     ("dips a little", |d| [d.s * d.s - d.dip * d.dip, -2.0 * d.s, 1.0]),
@@ -68,8 +68,8 @@ const TOLD_INSIDE: [Kind; 15] = [
     ("never gets above zero", |d| [-d.gap - d.s * d.s, 2.0 * d.s, -1.0]),
 ];
 
-/// A number that changes along a parabola, in any units. A bend moves everything but both ends to
-/// earlier times, so that the curve is not a parabola.
+/// A number that changes along a parabola, in any units. If the number is bent, all times except
+/// for both ends are earlier, so that its curve is not a parabola.
 struct Number {
     kind: &'static str,
     parabola: [f64; 3],
@@ -161,12 +161,12 @@ fn falls(random: &mut Random, ask: &mut impl Ask, kinds: &[Kind]) {
 }
 
 pub(crate) fn decided_at_the_ends(random: &mut Random, ask: &mut impl Ask) {
-    falls(random, ask, &TOLD_BY_THE_ENDS);
+    falls(random, ask, &DECIDED_AT_THE_ENDS);
 }
 
 /// Asks about numbers that must be evaluated within the step. Every second number is bent.
 pub(crate) fn decided_inside(random: &mut Random, ask: &mut impl Ask) {
-    falls(random, ask, &TOLD_INSIDE);
+    falls(random, ask, &DECIDED_INSIDE);
 }
 
 pub(crate) fn a_touch(_: &mut Random, ask: &mut impl Ask) {

@@ -89,8 +89,8 @@ impl Falling {
         self.value(self.low) >= 0.0 && self.value(self.high) < 0.0
     }
 
-    /// Searches the zero. Returns the time as a part of the interval, the number at this time, and
-    /// the evaluations.
+    /// Searches for the zero. Returns the time as a part of the interval, the number at this time,
+    /// and the counts of evaluations.
     fn search(&self) -> Vec<f64> {
         let mut search = Search::new();
         let moment = crossing(self.low, self.high, &mut |t| {

@@ -121,8 +121,8 @@ pub(crate) fn across_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
         }
         if fine >= 0.05 * plain {
             return Err(format!(
-                "the error is {fine:e}, and that of rk4 without located events is {plain:e}: it \
-                 must be far smaller"));
+                "the error is {fine:e}, and the error of rk4 without located events is {plain:e}; the first must be \
+                 far smaller"));
         }
         Ok(())
     });

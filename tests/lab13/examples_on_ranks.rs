@@ -92,7 +92,7 @@ fn yes(is: bool) -> String {
 }
 
 /// Shows the agreement on four steps, followed by two numbers for the next epoch. With a depth of
-/// 5.5 cutoffs each rank alone would find four steps correct.
+/// 5.5 cutoffs, four steps would be correct by the numbers of each rank alone.
 pub(crate) fn confirmed(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "13.8", &[3], random, |rank, _, ask| {
         let moves = [[0.1, 0.1, 0.1, 0.1], [0.5, 0.1, 0.1, 0.1], [0.1, 0.4, 0.1, 0.8]][rank.number];

@@ -140,7 +140,7 @@ fn renewal(rank: &Rank<'_>, words: &[Word], width: f64, ask: &mut impl Ask) {
     let name =
         format!("{}, ghosts {width:?} wide, and the words {words:?} of the ranks", rank.name());
     ask.exact(
-        &format!("{name}: 1 if all ranks rebuild their lists, 0 if none does"),
+        &format!("{name}: 1 if all ranks rebuild their lists, 0 if no rank rebuilds its list"),
         || vec![truth(found)],
         || {
             let half = 0.5 * (width - CUTOFF);

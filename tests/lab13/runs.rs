@@ -63,8 +63,9 @@ pub(crate) fn become_fast(on: On, ask: &mut impl Ask) {
     on(&[2, 5]).resynchronised(ask, &[scene(size, particles)], 20);
 }
 
-/// Asks about two particles that start 2.05 c apart on two ranks, and touch after both have moved
-/// 0.525 c. With a skin of 1 c a list lasts until a particle has moved c/2.
+/// Asks about two particles that start 2.05 cutoffs apart on two ranks, and touch after both have
+/// moved 0.525 cutoffs. With a skin of one cutoff, a list lasts until a particle has moved half a
+/// cutoff.
 pub(crate) fn meeting(on: On, ask: &mut impl Ask) {
     let at = |y: f64, vy: f64| Particle { x: 0.05, y, vy, ..Particle::default() };
     let two = scene(0.1, vec![at(0.03, 1.0), at(0.0505, -1.0)]);
@@ -121,8 +122,8 @@ const END: [f64; 2] = [0.302, 0.264_778_803];
 
 /// Returns a scene with two particles at one position, in strip 1 of two, without a force. Their
 /// speeds differ minimally, so in step 2 their distance is tiny, and in step 3 a push moves each
-/// particle by eight cutoffs. One of them crosses the border and reaches a particle that is at rest
-/// there.
+/// particle by eight cutoffs. One of the two crosses the border and reaches a third particle, which
+/// is at rest there.
 pub(crate) fn a_kick() -> Scene {
     let size = 60.0 * CUTOFF;
     let x = 30.2 * CUTOFF;

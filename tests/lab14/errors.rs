@@ -10,7 +10,8 @@ use super::entry;
 /// Greatest error, as a multiple of the official step's.
 const ALLOWED: f64 = 2.0;
 
-/// Error that is always allowed, because the official step's may be zero: a millionth of a cutoff.
+/// Error that is always allowed, because the official step may have no error: a millionth of a
+/// cutoff.
 const LEAST: f64 = 1e-6 * CUTOFF;
 
 /// Asks for the error after [`STEPS`] official steps of `n` particles of a drawn scene.
@@ -124,7 +125,9 @@ fn judged(found: &[f64], scene: &Scene, steps: u64, right: &[Particle]) -> Resul
     if own <= ALLOWED * official + LEAST {
         return Ok(());
     }
-    Err(format!("the error (rms) is {own:.3e}, and that of the official step {official:.3e}"))
+    Err(format!(
+        "the error (rms) is {own:.3e}, and the error of the official step is {official:.3e}"
+    ))
 }
 
 /// Returns the root of the mean squared distance from the right positions.

@@ -54,7 +54,7 @@ pub(crate) fn steps_in_a_row(random: &mut Random, ask: &mut impl Ask) {
     ask.judge(&question, found, |found| alike(found, 2));
 }
 
-/// Checks that several runs ended alike.
+/// Checks that several runs ended in the same state.
 fn alike(found: &[f64], runs: usize) -> Result<(), String> {
     let mut runs = found.chunks((found.len() / runs).max(1));
     let first = runs.next().unwrap_or_default();

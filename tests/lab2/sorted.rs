@@ -80,7 +80,7 @@ pub(crate) fn sums(random: &mut Random, ask: &mut impl Ask) {
     let mut gather = Gather::default();
     let sizes: Vec<usize> = (0..12).flat_map(|_| random.sizes(1025)).chain([0]).collect();
     for (case, n) in sizes.into_iter().enumerate() {
-        // The first ids are short.
+        // The ids of the first cases are small, so that a message is easy to read.
         let most = if case < 20 { 1 } else { 4 };
         let apart = [1, 1 << 8, 1 << 16, u32::MAX as usize / (n + 1)][random.below(most)];
         let around = Around::drawn(random, n, apart as u32);

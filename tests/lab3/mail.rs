@@ -51,7 +51,7 @@ impl Case {
         self.bins.particles().iter().copied().chain(posted).collect()
     }
 
-    /// Returns the number of letters in the boxes that `is` chooses by the receiver's number and
+    /// Returns the number of letters in some boxes: `is` tests the number of a box's receiver and
     /// the member's own number.
     fn letters(&self, is: fn(usize, usize) -> bool) -> Vec<f64> {
         let boxes = self.mail.iter().flat_map(|to| to.iter().enumerate());
@@ -60,7 +60,7 @@ impl Case {
     }
 }
 
-/// Draws particles with new ids in some rows.
+/// A source of particles with new ids in some rows.
 struct Letters {
     along: usize,
     rows: Range<usize>,
@@ -86,9 +86,9 @@ fn held(bins: &SortedBins) -> Vec<f64> {
     integers(cells.flat_map(inside))
 }
 
-/// Returns row, column and id of each particle by its position. Particles of a bin are in the order
-/// of `all`.
-fn where_they_lie(grid: &Grid, all: &[Particle]) -> Vec<f64> {
+/// Returns the expected row, column and id of each particle, bin by bin. Particles of a bin are in
+/// the order of `all`.
+fn rows_and_columns(grid: &Grid, all: &[Particle]) -> Vec<f64> {
     let place = |p: &Particle| [grid.row(p.y), grid.column(p.x), p.id as usize];
     let mut places: Vec<_> = all.iter().map(place).collect();
     places.sort_by_key(|place| [place[0], place[1]]);
@@ -126,7 +126,7 @@ pub(crate) fn letters(random: &mut Random, ask: &mut impl Ask) {
         let question = format!(
             "{name}: row, column and id of each particle in its bins, and in each bin in the order of the senders"
         );
-        ask.exact(&question, || held(&case.bins), || where_they_lie(case.bins.grid(), &all));
+        ask.exact(&question, || held(&case.bins), || rows_and_columns(case.bins.grid(), &all));
         let question = format!("{name}: number of letters left in its boxes");
         ask.exact(&question, || case.letters(|to, own| to == own), || integers([0]));
         let question =

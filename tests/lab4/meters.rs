@@ -127,8 +127,8 @@ pub(crate) fn held(_: &mut Random, ask: &mut impl Ask) {
     );
 }
 
-/// Takes a lock that another thread holds until this thread requests it for the second time, or for
-/// two seconds.
+/// Takes a lock, which another thread holds at first. The other thread releases it when the meter
+/// has requested it twice, or after two seconds.
 fn wait_for_it(meter: &mut Meter) {
     let mut lock = Lock::new(0, ());
     let requests = Arc::<Requests>::default();
@@ -141,7 +141,7 @@ fn wait_for_it(meter: &mut Meter) {
             let _guard = lock.lock();
             held.send(()).expect("the meter waits");
             let end = Instant::now() + Duration::from_secs(2);
-            // The first request is made by this thread.
+            // The first of the counted requests is this thread's own.
             while requests.count() < 3 && Instant::now() < end {
                 thread::yield_now();
             }

@@ -9,11 +9,12 @@ use oracle::scenes::on_edges;
 use oracle::{Ask, Random};
 use solution2::Grid;
 
-/// Returns the rows of each rank. The fractional rows that ranks are owed add up from rank to rank.
+/// Returns the rows of each rank. The fractions of a row that are left over are carried from rank
+/// to rank.
 pub(crate) fn blocks_of(Cut { rows, ranks }: Cut) -> Vec<Range<usize>> {
     let mut blocks = Vec::with_capacity(ranks);
     let mut start = 0;
-    // Unit: 1 / `ranks` of a row.
+    // Rows that are carried to the next rank, in units of 1 / `ranks` of a row.
     let mut owed = 0;
     for _ in 0..ranks {
         owed += rows;
@@ -93,7 +94,7 @@ impl Blocks {
         owners.filter(|owner| *owner != self.owner(row)).collect()
     }
 
-    /// Returns whether another rank than the owner of `block` sees a row.
+    /// Returns whether any rank other than the owner of `block` sees a row.
     pub(crate) fn is_seen(&self, row: usize, block: &Range<usize>) -> bool {
         let others =
             self.blocks.iter().filter(|other| !other.is_empty() && other.start != block.start);

@@ -8,7 +8,8 @@ use oracle::scenes::on_edges;
 use oracle::{Ask, Near, Random, digest, memory, no_other_calls, truth};
 use oracle_mpi::{Rank, on_each};
 
-/// Greatest numbers of items per rank: none, a few, more than 16 bits can count, and then fewer.
+/// Greatest numbers of items per rank, one after another. One of them is more than 16 bits can
+/// count, and the next is small again.
 const MOST: [usize; 5] = [0, 5, 40, 70_000, 5];
 
 /// Number of items of a rank in a long run.
@@ -113,8 +114,8 @@ fn keeps_its_memory(
     memory(&format!("{what} on {}", rank.name()), (50, bytes), turns, ask);
 }
 
-/// Asks for the scene that each rank receives: few particles, more than 16 bits can count, and then
-/// fewer. Single precision cannot represent the sides of the boxes.
+/// Asks for the scene that each rank receives. It has few particles, then more than 16 bits can
+/// count, and then fewer. Single precision cannot represent the sides of the boxes.
 pub(crate) fn broadcasts(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "5.8", &[1, 3], random, |rank, random, ask| {
         for (n, side) in [(12, 0.1), (70_000, 0.3), (1, 6.1)] {
@@ -146,7 +147,7 @@ fn three_at_most(calls: &[f64]) -> Result<(), String> {
     }
 }
 
-/// Asks for the bytes of a step in which no particle comes near a border: only lengths are sent,
+/// Asks for the bytes of a step in which no particle comes near a border. Only lengths may be sent,
 /// through the root.
 pub(crate) fn quiet_steps(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "5.8", &[1, 3, 4], random, |rank, _, ask| {

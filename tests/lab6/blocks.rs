@@ -4,8 +4,8 @@
 use lab6::{Cuts, balanced, interior_rows, neighbours};
 use oracle::{Ask, Random, integers};
 
-/// Asks for the starts of blocks. Rows have few particles, or more than 32 bits can count; the sum
-/// fits into 64 bits.
+/// Asks for the starts of blocks. The rows have few particles, or more than 32 bits can count.
+/// Their sum fits into 64 bits.
 pub(crate) fn starts_of_blocks(random: &mut Random, ask: &mut impl Ask) {
     // Equal shares of equal rows. A share that is computed in floating point may be rounded below a
     // whole number.

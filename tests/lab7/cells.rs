@@ -75,8 +75,8 @@ pub(crate) fn far_columns(_: &mut Random, ask: &mut impl Ask) {
 /// Asks about many narrow boxes. A program that compares each box with all the boxes after it does
 /// not finish.
 pub(crate) fn many_columns(_: &mut Random, ask: &mut impl Ask) {
-    let question = "a million boxes, each one column after the one before, and 1, 2 or 3 columns wide in turn: number \
-                    of pairs that share a column";
+    let question = "a million boxes, each of which begins one column after the previous box and is 1, 2 or 3 columns \
+                    wide in turn: number of pairs that share a column";
     let found = || {
         within("7.13", 60, || {
             let entries: Vec<Entry> =

@@ -37,8 +37,9 @@ struct Bounce {
 }
 
 impl Bounce {
-    /// Draws a disc with its walls far away, or with a wall straight ahead on its way back. Such a
-    /// wall makes the way in which the disc is brought back irrelevant.
+    /// Draws a disc whose walls are far away, or a disc that flies back straight at a second wall
+    /// and would end beyond it. Because it flies straight at that wall, every way to bring it back
+    /// ends at the same point.
     fn drawn(random: &mut Random, case: usize) -> Self {
         let is_plain = case < 60;
         let unit = if is_plain { 1.0 } else { random.magnitude(1e-12, 1e12) };

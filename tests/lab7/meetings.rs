@@ -129,7 +129,8 @@ impl Triangle {
         }
     }
 
-    /// Asks about discs that graze each other, are in contact, or miss this narrowly.
+    /// Asks about discs that graze each other, discs in contact, and discs that miss either of
+    /// these narrowly.
     fn nearly(&self, random: &mut Random, ask: &mut impl Ask) {
         let far = self.far(random);
         for x in beside(self.r) {

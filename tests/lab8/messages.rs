@@ -45,9 +45,9 @@ fn counts(random: &mut Random) -> [usize; 3] {
     [1, 2, 3 + random.below(4)]
 }
 
-/// Asks for the list that each rank receives from the master, and for the number of begun sends.
-/// These are the sends that the master begins before it waits for a send. A worker that is not
-/// ready must not delay the others.
+/// Asks for the list that each rank receives from the master, and for the number of sends that the
+/// master begins before it waits for one. A worker that is not ready must not delay the other
+/// workers.
 pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
     let counts = counts(random);
     on_each(ask, "8.4", &counts, random, |rank, random, ask| {
@@ -162,8 +162,8 @@ pub(crate) fn quiet_steps(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Asks for the deal after steps that began with more blocks for each worker than the rule of 8.1
-/// gives. Workers get their blocks in each step.
+/// Asks for the deal after two steps. It began with more blocks for each worker than the rule of
+/// task 8.1 gives. Workers get their blocks in each step.
 pub(crate) fn kept_deal(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "8.7", &[3, 5], random, |rank, _, ask| {
         let team = Team::new(rank.ranks, false);
@@ -196,9 +196,9 @@ fn bytes_of(counters: &[(&'static str, f64)], steps: u32) -> f64 {
     bytes.map_or(0.0, |(_, bytes)| (bytes * f64::from(steps - 1)).round())
 }
 
-/// Asks for the partners of a rank without a master, where discs are slow and strips high. A rank
-/// exchanges a number and a list with its two neighbours, as often as all ranks add up a number.
-/// Collective calls carry only numbers.
+/// Asks which ranks a rank sends lists to, in a job without a master, with slow discs and high
+/// strips. In each round all ranks add up a number, and a rank sends each of its two neighbours a
+/// number and a list. No collective call may carry a list.
 pub(crate) fn neighbours(random: &mut Random, ask: &mut impl Ask) {
     let runs = DiscsOnRanks::new("8.13", VARIANTS, "spatial-cuts", &[]);
     on_each(ask, "8.13", &[5], random, |rank, _, ask| {
@@ -218,8 +218,8 @@ pub(crate) fn neighbours(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Returns whether the last calls sent to more than two ranks in a round, and how many calls sent
-/// lists to all.
+/// Returns 1 if this rank's last calls sent to more than two ranks in a round, 0 if not; then the
+/// number of calls that sent lists to all ranks.
 fn to_many_or_all() -> Vec<f64> {
     let made = calls_made();
     let count = |name: &str| made.iter().filter(|call| **call == name).count();
@@ -265,8 +265,8 @@ fn at_rest_beside(pairs: usize) -> Scene {
     Scene::new(100.0, 1.0, discs).expect("all are inside")
 }
 
-/// Asks whether the wall collisions are searched after the ghosts were sent, and before the wait
-/// for them.
+/// Asks whether the rank searches for wall collisions after it has sent the ghosts, and before it
+/// waits for the ghosts that arrive.
 pub(crate) fn walls_meanwhile(random: &mut Random, ask: &mut impl Ask) {
     let runs = DiscsOnRanks::new("8.13", VARIANTS, "spatial-cuts", &[]);
     on_each(ask, "8.13", &[3], random, |rank, _, ask| {
@@ -282,13 +282,13 @@ pub(crate) fn walls_meanwhile(random: &mut Random, ask: &mut impl Ask) {
         );
         ask.judge(&question, || vec![truth(walls_alone())], |found| match found {
             [0.0] => Ok(()),
-            _ => Err("the wall collisions are found before or after the ghosts travel; they must be found meanwhile".into()),
+            _ => Err("the wall collisions are found before or after the ghosts travel; find them while the ghosts travel".into()),
         });
     });
 }
 
-/// Returns whether a search for walls follows anything but a started message, or precedes anything
-/// but a wait.
+/// Returns whether some search for wall collisions does not come between a call that starts a
+/// message and a call that waits.
 fn walls_alone() -> bool {
     let made = calls_made();
     let is_search = |at: &usize| made[*at] == "walls_of";

@@ -88,7 +88,7 @@ fn same(found: &[String], right: &[String]) -> Result<(), String> {
     ))
 }
 
-/// Asks for a rank's state after it has received news three times, of open and of taken candidates.
+/// Asks for a rank's state after each of three messages with news of open and of taken candidates.
 pub(crate) fn news_from_ranks(random: &mut Random, ask: &mut impl Ask) {
     for (case, discs) in DISCS.into_iter().cycle().take(200).enumerate() {
         let found = Found::drawn(random, discs + 2);

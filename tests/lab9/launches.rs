@@ -20,8 +20,8 @@ struct Order {
 }
 
 impl Order {
-    /// Draws few and many workgroups, at the limits of a device, beside the limits, and beyond 24
-    /// bits.
+    /// Draws few and many workgroups: at the limits of a device, just below and above the limits,
+    /// and more than 24 bits can count.
     fn drawn(random: &mut Random, case: usize) -> Self {
         let most = [65_535, 2 + random.below(2000) as u32, 65_535, 1 << 16][case % 4];
         let wide = [128, 512][random.below(2)];
@@ -61,8 +61,8 @@ impl Order {
     }
 }
 
-/// Returns whether a launch has at least `blocks` workgroups, and no superfluous row. Rows may be
-/// cut in several ways.
+/// Returns whether a launch has at least `blocks` workgroups, and no more rows than it needs. The
+/// rows may have different lengths.
 pub(super) fn suffices(launch: Launch, blocks: u32, most: u32) -> bool {
     let [x, y] = launch.groups.map(u64::from);
     x <= most.into() && x * y >= blocks.into() && x * y - x < blocks.into()

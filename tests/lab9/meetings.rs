@@ -31,7 +31,8 @@ const WATCHED: &str = "
 
 var<private> own: u32;
 var<private> now: u32 = 1u;
-// A bit for each meet() of the program that an invocation has called as this barrier.
+// For each barrier, a bit for each place of the program at which an invocation has called meet() as
+// this barrier.
 var<workgroup> places: array<atomic<u32>, 64>;
 
 var<workgroup> numbers: array<atomic<u32>, THREADS>;
@@ -105,7 +106,7 @@ pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
 
 /// Returns the kernel's source, in which each call of `meet()` passes its number.
 ///
-/// Two calls in two branches are two barriers, even if each invocation comes to one of them.
+/// Two calls in two branches are two barriers, even if each invocation executes one of them.
 fn with_places() -> String {
     let mut parts = Lab9::scan().split("meet()");
     let first = parts.next().unwrap_or_default().to_owned();

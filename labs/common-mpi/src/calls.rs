@@ -28,7 +28,7 @@ const GIVEN: [&str; 2] = ["/labs/common-mpi/src/", "/labs/common-mpi/sys/"];
 static CALLS: Mutex<Calls> = Mutex::new(Calls { made: Vec::new(), together: 0, last: None });
 
 struct Calls {
-    /// Names of the calls since [`begin`].
+    /// Names of the calls that were made since [`begin`].
     made: Vec<&'static str>,
     /// Number of calls that all ranks have made together.
     together: u64,
@@ -174,7 +174,7 @@ fn by_rank(words: &[String]) -> String {
     lines
 }
 
-/// Returns a text as numbers, cut to the room for it.
+/// Returns a text as numbers, cut to the length of a message.
 fn packed(text: &str) -> [i64; WORDS] {
     let mut bytes = [0; 8 * WORDS];
     let length = text.floor_char_boundary(bytes.len());

@@ -86,14 +86,16 @@ pub(crate) fn run<O: Parser>(
     }
 }
 
-/// Makes a task that is not done yet, and a thread that the system refuses, end the program with one line.
+/// Makes two kinds of panics end the program with an error of one line: the `todo!` of an open
+/// task, and a thread that the system refuses.
 fn end_in_one_line() {
     let usual = panic::take_hook();
     panic::set_hook(Box::new(move |panic| {
         let message = panic.payload_as_str().unwrap_or_default();
         if let Some(refusal) = threads::refusal(message) {
             eprintln!("error: {refusal}");
-            // Threads that were started may wait at a barrier for the one that was not.
+            // The threads that were started may be waiting at a barrier for the thread that was
+            // refused.
             process::exit(1);
         }
         match panic.location() {

@@ -1,28 +1,34 @@
-//! What a program says when the system refuses it a thread.
+//! The error of a program to which the system refuses a thread.
 
 use std::fs;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 
-/// How many threads somebody has asked for.
+/// Number of threads that the program was last asked to start.
 static ASKED: AtomicUsize = AtomicUsize::new(1);
 
-/// How those who start threads complain: the standard library, the engines, and rayon.
+/// Beginnings of the panic messages when a thread cannot be started: of the standard library, of
+/// the engines, and of rayon.
 const REFUSALS: [&str; 3] = ["failed to spawn thread", "cannot start ", "The global thread pool"];
 
-/// Remembers how many threads somebody has asked for. A number that was `named` is tried at once, because an engine without
-/// its threads may do the work alone, and take longer.
+/// Records the number of threads that the program needs.
+///
+/// A number that the user has `named` is also tested at once: an engine that cannot start its
+/// threads may work alone, which takes longer.
 ///
 /// # Errors
-/// The system refuses them.
+/// The system cannot start so many threads.
 pub(crate) fn ask_for(threads: usize, named: bool) -> Result<(), String> {
     ASKED.store(threads, Ordering::Relaxed);
     let could = if named { startable(threads) } else { threads };
     if could < threads { Err(too_few(could, threads)) } else { Ok(()) }
 }
 
-/// A complaint about threads in one line, with the number that could be started; `None` if it is about something else.
+/// Returns an error in one line, with the number of threads that could be started, for the panic
+/// message `complaint`.
+///
+/// Returns `None` if the message is not about threads.
 pub(crate) fn refusal(complaint: &str) -> Option<String> {
     if !REFUSALS.iter().any(|begin| complaint.starts_with(begin)) {
         return None;
@@ -39,12 +45,14 @@ fn too_few(could: usize, asked: usize) -> String {
     )
 }
 
-/// Threads beside the first one that run now, where the system says it.
+/// Returns the number of running threads except the first; 0 if the system does not report it.
 fn running() -> usize {
     fs::read_dir("/proc/self/task").map_or(0, |tasks| tasks.count().saturating_sub(1))
 }
 
-/// How many more threads the system starts, at most `most`. They end when all have been counted.
+/// Returns the number of further threads that the system can start, at most `most`.
+///
+/// The function starts the threads, counts them, and lets them end.
 fn startable(most: usize) -> usize {
     let gate = Arc::new(Mutex::new(()));
     let closed = gate.lock().unwrap_or_else(PoisonError::into_inner);

@@ -19,7 +19,7 @@ pub struct Variant<S: ?Sized> {
     pub build: fn(&Config) -> Result<Box<S>, BuildError>,
 }
 
-/// How exactly a variant repeats its results, from the strictest to the loosest.
+/// The precision with which a variant repeats its results, from the strictest to the loosest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Reproducibility {
     /// The same bits as the naive program, on any scene and any number of workers.

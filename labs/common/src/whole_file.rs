@@ -57,7 +57,8 @@ pub fn write_whole<T>(
     Ok(value)
 }
 
-/// A file in a folder that has no name yet. It is gone if its program is.
+/// Returns a file in `folder` that has no name yet. The system removes it if the program ends
+/// before the file gets a name.
 #[cfg(target_os = "linux")]
 fn without_name(folder: &Path) -> io::Result<File> {
     let flags = OFlags::TMPFILE | OFlags::WRONLY | OFlags::CLOEXEC;

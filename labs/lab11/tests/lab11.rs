@@ -88,8 +88,8 @@ oracle::questions! {
             => "The variant `planned` in the official scene of 1,000 particles: the output of 1,000 steps, byte for \
                 byte.",
         neighbour_list after "11.1, 11.2, 11.3, 11.4, 11.5" = |_, ask| beside_the_list(ask)
-            => "The variant `planned` with 3,000 particles, 200 steps: the state at the end, compared with that of a \
-                neighbour list.",
+            => "The variant `planned` with 3,000 particles, 200 steps: the state at the end, compared with the end \
+                of a neighbour list.",
         any_threads after "11.1, 11.2, 11.3, 11.4, 11.5" = |_, ask| planned_on_threads(ask)
             => "The variant `planned` on 1 to 8 threads: the state at the end, with the same bits on each number of \
                 threads.",
@@ -120,8 +120,8 @@ fn variant(task: &'static str, variant: &str) -> Runs {
     Runs::new(task, VARIANTS, variant)
 }
 
-/// Returns runs of `planned` by its planner's choice, which is a list for most scenes. All threads
-/// are used, however small the scene.
+/// Returns runs of `planned` with the planner's choice, a list for most scenes. All threads are
+/// used, even in small scenes.
 fn by_choice(task: &'static str) -> Runs {
     variant(task, "planned").set("share", 1.0)
 }

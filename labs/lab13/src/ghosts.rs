@@ -13,8 +13,8 @@ use neighbour_list::kernels::{Pair, Positions};
 /// - `strip`: the partner's strip. An end of it may be infinite.
 /// - `width`: a length, like `y` and `strip`.
 ///
-/// The choice is made once, for all steps until the next list. The partner then knows each of them
-/// by its index in the message, so the messages contain nothing but positions.
+/// The choice is made once, for all steps until the next list. The partner then knows each chosen
+/// particle by its index in the message, so the messages contain nothing but positions.
 ///
 /// Book: chapter 13, *What is sent when*.
 pub fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32> {

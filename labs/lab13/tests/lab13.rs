@@ -45,14 +45,14 @@ oracle::questions! {
             => "Particles at rest, slow and fast, and 1 to 70,000 steps: the necessary width of ghosts.",
         table_of_widths => "Strips of some heights and densities, and some speeds: the number of steps for which \
                             ghosts are chosen, and their width in cutoffs.",
-        cheapest_steps => "Any strip, density and speed: the chosen number of steps. A step with it must not cost more \
-                           than with any other number.",
+        cheapest_steps => "Any strip, density and speed: the chosen number of steps. With any other number, a step \
+                           must cost as much or more.",
     }
     task_13_2 {
         table_of_partners => "Three to five strips, given by the edges between them, and a width of ghosts: the \
                               partners of each rank.",
-        partners_of_ranks => "1 to 257 strips, some of them empty, and ghosts whose width is that between two edges or \
-                              a rounding error beside it: the partners of a rank.",
+        partners_of_ranks => "1 to 257 strips, some of them empty, and ghosts as wide as the distance of two edges, \
+                              or a rounding error more or less: the partners of a rank.",
     }
     task_13_3 {
         ghosts_and_pairs => "A dozen particles (ids) on three ranks, and ghosts 1.2 wide: the particles that each rank \
@@ -131,14 +131,14 @@ oracle::questions! {
             => "Particles at rest, slow and fast, and 1 to 70,000 steps: the necessary depth of ghosts.",
         table_of_depths => "Strips of some heights and numbers of particles, and some speeds: the number of steps in \
                             an epoch, and the depth of its ghosts in cutoffs.",
-        cheapest_epochs => "Any strip, number of particles and speed: the chosen number of steps in an epoch. A step \
-                            with it must not cost more than with any other number.",
+        cheapest_epochs => "Any strip, number of particles and speed: the chosen number of steps in an epoch. With \
+                            any other number, a step must cost as much or more.",
     }
     task_13_8 {
         table_of_right_steps => "The greatest distance that a particle went in each step of an epoch, and the depth of \
                                  ghosts, in cutoffs: the number of steps that are right.",
-        right_steps_of_epochs => "1 to 257 steps, and ghosts as deep as some of them need, a hair more or less: the \
-                                  number of steps that are right.",
+        right_steps_of_epochs => "1 to 257 steps, and ghosts as deep as some of them need, or slightly more or less: \
+                                  the number of steps that are right.",
         confirmed => "Three ranks, and the greatest distance that a particle of each went in each of four steps, in \
                       cutoffs: the numbers on which all ranks agree.",
         confirmations => "1, 2, 3 and 5 ranks, and epochs of any length: the number of steps that are right on all \
@@ -172,8 +172,8 @@ oracle::questions! {
                 in 12 steps, at least one.",
         repeated after "13.2, 13.5, 13.7"
             = |_, ask| deep(&[3]).same_bits(ask, &[scenes::dense(), a_kick()], 61, &[])
-            => "Two scenes on three ranks, run three times, once without a look before the end: the state at the end, \
-                with the same bits in each run.",
+            => "Two scenes on three ranks, run three times, once without reading any state before the end: the state \
+                at the end, with the same bits in each run.",
         dense_averages after "13.1, 13.2, 13.3, 13.4, 13.5, 13.6, 13.7"
             = |_, ask| deep(&[2]).averages(ask, &scenes::dense(), 4)
             => "A dense box on two ranks: absmin, absavg and neighbours per particle over 4 steps.",

@@ -100,7 +100,7 @@ impl Grid {
         todo!("task 2.1b: which bin a coordinate lies in")
     }
 
-    /// Returns `index` and the indices next to it, as far as they exist.
+    /// Returns `index` and the indices next to it. At a wall, there is only one of these.
     ///
     /// These are the rows (or columns) in which a particle of row (or column) `index` can have
     /// neighbours.

@@ -87,9 +87,9 @@ pub fn forward(grid: &Grid, row: usize, column: usize, bins: &mut [usize; 4]) ->
 
 /// The engine with linked lists and two-way forces (CSC367 report, section 2.1).
 ///
-/// It tests each pair once, and applies the force to both particles, with opposite signs. So it tests
-/// half as many pairs. In return, many pairs write the acceleration of a particle. This is
-/// harmless here and becomes the problem of lab 4.
+/// It tests each pair once, and applies the force to both particles, with opposite signs. So it
+/// tests half as many pairs. In return, several pairs write the acceleration of one particle. This
+/// is harmless here, but in lab 4 it becomes the problem.
 ///
 /// Results are repeatable, because the program finds the pairs in the same order in every run.
 #[derive(Default)]

@@ -119,7 +119,7 @@ mod tests {
 
     /// Members arrive late in turn, and some sleep between barriers.
     ///
-    /// So they arrive and leave in a different order at each meeting.
+    /// So the members arrive and leave in a different order at each meeting.
     #[test]
     fn no_member_passes_before_all_have_come() {
         for members in 1..=5 {

@@ -17,10 +17,10 @@ use crate::{own_rows, rows_of_each};
 
 /// A team: each member is a thread with its own rows, and all members run the same program.
 ///
-/// An OpenMP parallel region works like this inside, and MPI programs are written like this: single
-/// program, multiple data. The threads are started once for many steps. Each member keeps the
-/// particles of its rows in its own sorted bins. A particle that leaves the rows travels through a
-/// mailbox.
+/// This is called *single program, multiple data*. An OpenMP parallel region works like this
+/// inside, and MPI programs are written like this. The threads are started once for many steps.
+/// Each member keeps the particles of its rows in its own sorted bins. A particle that leaves the
+/// rows travels through a mailbox.
 ///
 /// A member's bins are behind a [`RwLock`], and a mailbox is behind a [`Mutex`]. The barriers alone
 /// keep the members apart, so no thread ever waits for a lock. Rust requires the locks: with them,

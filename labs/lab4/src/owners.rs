@@ -53,8 +53,8 @@ struct Worker<O> {
     /// The accelerations that its particles give to the particles of the next owner's first row.
     across: Vec<Vec2>,
     gather: Gather,
-    /// The observers of this step. One-way forces use one for each row, two-way forces use one in
-    /// all.
+    /// The observers of this step. One-way forces use an observer for each row. Two-way forces use
+    /// a single observer.
     seen: Vec<O>,
 }
 
@@ -191,7 +191,7 @@ impl<O: Observer> Simulation for Owners<O> {
     }
 }
 
-/// Adds the accelerations that were kept apart to those of the owners above the cuts.
+/// Adds the accelerations that were kept apart to the accelerations of the owners above the cuts.
 ///
 /// There are few of them: at most one row for each owner.
 fn add_across_cuts<O>(workers: &mut [Worker<O>], bins: &[SortedBins], owners: &[usize]) {

@@ -75,7 +75,8 @@ oracle::questions! {
             => "A change, and a change by another thread between its two requests for locks: the bin of each \
                 particle.",
         other_regions after "4.1, 4.2" = intruders::other_regions
-            => "A thread that holds a lock: whether another thread can change bins in other regions, which it must.",
+            => "A thread that holds a lock: whether another thread can change bins in other regions at this time, as \
+                it must.",
     }
     task_4_4 {
         move_table = moves::table

@@ -32,7 +32,7 @@ pub fn gather_at_root(world: &SimpleCommunicator, items: &[Wire]) -> Vec<Vec<Wir
     todo!("task 5.4: from all ranks to the root")
 }
 
-/// Sends each rank its list from the root: rank k, and also the root, returns `lists[k]`.
+/// Sends each rank its list from the root: rank k returns `lists[k]`. The root is a receiver too.
 ///
 /// Only the root reads `lists`; on the other ranks it may be empty.
 ///
@@ -55,7 +55,7 @@ pub fn scatter_from_root(world: &SimpleCommunicator, lists: &[Vec<Wire>]) -> Vec
 
 /// Copies the particles with ids `first .. first + out.len()` to the root's `out`, in id order.
 ///
-/// `own` are the particles of each rank. All ranks call this together.
+/// `own` contains the particles of the calling rank. All ranks call this together.
 pub fn read_at_root(
     world: &SimpleCommunicator,
     own: impl Iterator<Item = Wire>,

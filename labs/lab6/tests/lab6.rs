@@ -28,8 +28,8 @@ oracle::questions! {
     task_6_1 {
         table_of_blocks => "The number of particles in each row, and a number of ranks: the block of rows of each \
                             rank, and its number of particles.",
-        starts_of_blocks => "1 to 4,000 rows and ranks, with few particles and with more than 32 bits can count: the \
-                             row at which each block starts.",
+        starts_of_blocks => "1 to 4,000 rows and ranks, and few particles or more than 32 bits can count: the row at \
+                             which each block starts.",
     }
     task_6_2 {
         table_of_neighbours => "Blocks of rows, some of them empty: the rank that has the row before each block, and \

@@ -12,9 +12,9 @@ use solution7::order;
 /// candidates. Look at the candidates that are first in the queue of a free disc, always at the
 /// earliest of them. There are three cases:
 ///
-/// - *Dropped*: one of the candidate's discs is not free, so it cannot happen. Wherever it is first
-///   in the queue of a free disc, [advance](hard_disc_ranks::Queues::advance) that queue. Look at
-///   the candidate that is now first there when its turn comes.
+/// - *Dropped*: one of the candidate's discs is not free, so it cannot happen. If it is first in
+///   the queue of a free disc, [advance](hard_disc_ranks::Queues::advance) that queue. The queue
+///   then has a new first candidate, which you also look at, in its turn.
 /// - *Taken*: `waits` is false for all its discs, and it comes before the rival of each disc that
 ///   has a rival. (The rival of a disc is its earliest open candidate on other ranks.) No other
 ///   candidate, of this rank or another rank, can then come before it. Append it to `taken`, and

@@ -47,14 +47,14 @@ oracle::questions! {
         launch_table => "A device with at most 4 workgroups along an axis and 256 invocations in each, and some \
                          workgroups: the rows of the launch, or the reason why it is refused.",
         launches => "Any number of workgroups or items, and any limits: the launch, or the error and its numbers.",
-        refusals => "A launch that the device cannot run, and a kernel that is not WGSL: whether they are refused with \
-                     a reason, which they must be.",
+        refusals => "A launch that the device cannot run, and a kernel that is not WGSL: whether they are refused \
+                     with a reason, as they must be.",
     }
     task_9_2 {
         pairs_passed_on => "Four discs of radius 1 in a square of side 20: the number of times that the filter passes \
                             on each pair.",
-        slow_contacts => "Discs in contact that approach so slowly that single precision cannot tell it from parting: \
-                          the pairs passed on, which must be all contacts.",
+        slow_contacts => "Discs in contact that approach so slowly that they may seem to move apart in single \
+                          precision: the pairs passed on, which must be all contacts.",
         at_the_bounds => "Pairs at exactly the reach or `receding`, and beyond: the pairs passed on. Only those beyond \
                           are ruled out.",
         a_full_list => "As many pairs as a list has room for, and more: the number of pairs counted, in the list, \
@@ -82,7 +82,7 @@ oracle::questions! {
     }
     task_9_4 {
         pair_numbers => "Six discs and five discs: the pairs in each row of the rectangle.",
-        rectangles => "Few discs: the pairs that have a number, which must be all pairs, each once.",
+        rectangles => "Few discs: the pairs that have a number. Every pair must have exactly one.",
         late_rows => "100,000 discs: the pairs in one row of the rectangle, early or late.",
         pair_turns = |_, ask| turns(ask, Deal::Pairs)
             => "Four invocations that share the pairs: the pairs that each passes on, at most two fifths of all.",
@@ -90,8 +90,8 @@ oracle::questions! {
             => "Steps of `balanced`: kind, discs and time of each candidate.",
         balanced_bytes after "9.1, 9.2, 9.3" = |random, ask| bytes(random, ask, "9.4", &["balanced-f64", "balanced-f32"])
             => "The variant `balanced`: the state at the end, bit for bit as in lab 7's `sequential`.",
-        large_workgroups => "The variant `balanced` with workgroups of 65,536: whether it is refused with this number, \
-                             which it must be.",
+        large_workgroups => "The variant `balanced` with workgroups of 65,536: whether it is refused with this \
+                             number, as it must be.",
     }
     task_9_5 {
         chosen_candidates => "Seven candidates of six discs, some of them at the same time: the candidates that are \

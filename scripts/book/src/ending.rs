@@ -32,7 +32,7 @@ pub(crate) fn scripts(page: String, depth: usize) -> String {
     if names.is_empty() {
         return page;
     }
-    // It reads what the others have made.
+    // This script comes last, because it reads the figures that the other scripts have made.
     names.push("address");
     let tag = |name| format!("<script src=\"{root}live/{name}.js\"></script>\n");
     format!("{page}\n\n{}", names.into_iter().map(tag).collect::<String>())

@@ -104,8 +104,8 @@ fn collect(value: Value, list: &str, around: Option<&Rc<Entry>>, entries: &mut V
     }
 }
 
-/// Returns the entry of a pair that a report printed. The name of its list determines the name of
-/// the first number.
+/// Returns the entry of a pair that a report printed: the number `x`, and seconds. The pair's list
+/// determines the name of `x`.
 fn published_run(list: &str, x: &Number, seconds: &Number) -> Value {
     let varied = match list.rsplit('.').next() {
         Some("points") => "n",
@@ -118,7 +118,8 @@ fn published_run(list: &str, x: &Number, seconds: &Number) -> Value {
 }
 
 impl Entry {
-    /// Adds fields to the entry, and lists to `lists`.
+    /// Adds the object's fields to the entry. Lists in the object are added to `lists` instead,
+    /// with their names.
     fn add(&mut self, fields: Map<String, Value>, prefix: &str, lists: &mut Vec<(String, Value)>) {
         for (name, value) in fields {
             let name = format!("{prefix}{name}");

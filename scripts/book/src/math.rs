@@ -15,9 +15,9 @@ const DIALECT: Options = Options::ENABLE_TABLES
     .union(Options::ENABLE_TASKLISTS)
     .union(Options::ENABLE_HEADING_ATTRIBUTES);
 
-/// Punctuation that stays on the line of the formula behind it; `CLOSING` is for the formula before
-/// it.
+/// Punctuation that stays on the line of the next formula.
 const OPENING: [char; 2] = ['(', '“'];
+/// Punctuation that stays on the line of the previous formula.
 const CLOSING: [char; 7] = [',', '.', ';', ':', '?', ')', '”'];
 
 /// Renders every formula of a chapter. Code and `\$` stay as they are.

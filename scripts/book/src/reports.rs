@@ -82,7 +82,7 @@ pub(crate) fn table(data: &mut Data) -> Result<String> {
     Ok(out)
 }
 
-/// What the kit has for a table or figure of a report.
+/// The kit's counterpart of a table or figure of a report.
 #[derive(Default)]
 struct Here {
     /// The report's number; empty if none is compared.

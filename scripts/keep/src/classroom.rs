@@ -1,7 +1,8 @@
-//! `cargo lab classroom`: a lab's tasks as the declarative tests of Classroom 50.
+//! `cargo lab classroom`: prints a lab's tasks as declarative tests of Classroom 50.
 //!
-//! Their form is documented in <https://github.com/foundation50/classroom50/wiki/Autograding-Basics>. Each task is a
-//! test of its own with the points of its `lab.toml`, and passes if `cargo lab test` passes for the task.
+//! Each task is a test with the points in `lab.toml`. The test passes if `cargo lab test` passes
+//! for the task. The form of the tests is documented in
+//! <https://github.com/foundation50/classroom50/wiki/Autograding-Basics>.
 
 use std::process::ExitCode;
 
@@ -13,31 +14,33 @@ use lab_kit::{Facts, Kit, Lab, rubric};
 
 /// Print the tests of a lab for Classroom 50 (for instructors)
 ///
-/// Save them in a file, and name the file when you add the assignment: gh teacher assignment add … --tests FILE.
-/// The assignment's template is a class's kit, which 'cargo lab handout' writes.
+/// Save the output in a file, and name this file when you add the assignment: gh teacher assignment
+/// add … --tests FILE. The template of the assignment is a class's kit, which 'cargo lab handout'
+/// writes.
 #[derive(Args)]
 pub struct Options {
     /// The lab, such as 3
     lab: Lab,
 }
 
-/// Seconds for installing what a lab needs and for the first build: the longest time that Classroom 50 allows.
+/// Seconds for installing the lab's software and for the first build: the longest time that
+/// Classroom 50 allows.
 const BUILD: u64 = 600;
 
 /// Seconds for the tests of a task. Each test that hangs is ended much sooner.
 const TASK: u64 = 300;
 
-/// Prints them.
+/// Prints the tests.
 ///
 /// # Errors
-/// There is no such lab, or a task's points are not whole.
+/// There is no such lab, or the points of a task are not an integer.
 pub fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let tests = tests(options.lab, &rubric::read(kit, options.lab)?)?;
     println!("{}", serde_json::to_string_pretty(&tests)?);
     Ok(ExitCode::SUCCESS)
 }
 
-/// The tests of a lab: first the set-up, which is worth nothing, then the tasks.
+/// Returns the tests of a lab: first the set-up, which is worth no points, then the tasks.
 fn tests(lab: Lab, facts: &Facts) -> Result<Vec<Value>> {
     let workers = serde_json::to_value(facts.workers)?;
     let workers = workers.as_str().unwrap_or_default();
@@ -57,12 +60,12 @@ fn tests(lab: Lab, facts: &Facts) -> Result<Vec<Value>> {
             "points": points as u64, "run": format!("cargo lab test {id}"),
         }));
     }
-    // The facts are sorted as text, 3.10 before 3.2.
+    // The facts are sorted as texts, so 3.10 comes before 3.2.
     tests[1..].sort_by_key(|test| number(&test["run"]));
     Ok(tests)
 }
 
-/// 10 of `cargo lab test 3.10`.
+/// Returns the number of the task in a test's command: 10 for `cargo lab test 3.10`.
 fn number(command: &Value) -> Option<u32> {
     command.as_str()?.rsplit_once('.')?.1.parse().ok()
 }
@@ -76,7 +79,8 @@ mod tests {
 
     const KEYS: [&str; 5] = ["name", "points", "run", "timeout", "type"];
 
-    /// What is documented: at most 100 tests, unique names of at most 100 bytes, 1 to 600 seconds, 0 to 1000 points.
+    /// The documentation of Classroom 50 allows at most 100 tests, unique names of at most 100
+    /// bytes, 1 to 600 seconds and 0 to 1000 points.
     #[test]
     fn the_tests_of_every_lab_have_the_documented_form() {
         let kit = Kit::find().unwrap();

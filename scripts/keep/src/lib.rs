@@ -1,5 +1,6 @@
-//! Keeping the kit: [`starter`] writes labs from their solutions, [`prove`] proves that the graders
-//! grade, [`handout`] lays out the kit as students of a lab get it, [`classroom`] tells Classroom 50 of its tasks.
+//! Commands for maintaining the kit: [`starter`] writes labs from their solutions, [`prove`] proves
+//! that the graders grade, [`handout`] writes the kit of a class, [`classroom`] writes a lab's
+//! tests for Classroom 50, and [`figures`] draws the book's charts.
 
 pub mod classroom;
 pub mod figures;

@@ -21,7 +21,7 @@ use lab_kit::{Kit, Lab};
 /// Every answer becomes a `todo!`. A file that somebody has edited is never overwritten.
 #[derive(Args)]
 pub struct Options {
-    /// Write nothing; fail if a starter is not what its solution makes it
+    /// Write nothing; fail if a starter differs from the result of its solution
     #[arg(long)]
     check: bool,
     /// Only this lab [default: all]
@@ -44,7 +44,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         }
     }
     if options.check && all_well {
-        println!("Every starter is what its solution makes it.");
+        println!("Every starter agrees with its solution.");
     }
     Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
@@ -95,7 +95,7 @@ fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     let mut drift = Vec::new();
     for (path, bytes) in &files {
         if fs::read(folder.join(path)).ok().map(with_unix_lines).as_ref() != Some(bytes) {
-            drift.push(format!("{} is not what its solution makes it", path.display()));
+            drift.push(format!("{} differs from the result of its solution", path.display()));
         }
     }
     for path in own_paths(&folder)? {

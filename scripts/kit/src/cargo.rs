@@ -23,8 +23,8 @@ pub fn run_visibly(cargo: &mut Command) -> io::Result<Output> {
     cargo.stderr(Stdio::inherit()).output()
 }
 
-/// Whether the build directory of this program is locked. Cargo would wait silently, because it is
-/// told to be quiet.
+/// Whether the build directory of this program is locked. Cargo would wait for the lock without a
+/// message, because it runs in quiet mode.
 fn is_locked() -> bool {
     let lock = env::current_exe().ok().map(|program| program.with_file_name(".cargo-lock"));
     let lock = lock.and_then(|lock| File::open(lock).ok());

@@ -66,7 +66,8 @@ pub struct Facts {
     pub scaling: Option<Timed>,
     /// Points for the time relative to the solution's; `None` if it is not graded.
     pub speed: Option<Timed>,
-    /// What grading does not judge, and what to do about it; `None` if it judges everything.
+    /// Text about the work that grading does not judge, with advice for the instructor; `None` if
+    /// it judges everything.
     pub ungraded: Option<String>,
     /// Loops that `cargo lab speed` times.
     #[serde(default, rename = "race")]

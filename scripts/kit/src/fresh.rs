@@ -1,9 +1,9 @@
 //! Ensures that builds are made of the present sources.
 //!
-//! Cargo compares times: a package counts as built if no source is newer than the result. An
-//! unpacked archive, `cp -p`, a clock that was set back, and two clones with one build directory
-//! bring sources that are older and different. So a hash of a package's sources is kept beside each
-//! file that Cargo made of them.
+//! Cargo compares times: a package counts as built if no source is newer than the result. This
+//! fails if the sources are different and yet older: after unpacking an archive, after `cp -p`,
+//! after a clock was set back, and in two clones with one build directory. So a hash of a package's
+//! sources is kept beside each file that Cargo made of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

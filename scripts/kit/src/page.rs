@@ -11,7 +11,7 @@ pub fn columns() -> usize {
     if column_count == 0 { PAGE } else { column_count.into() }
 }
 
-/// Formats `text` behind `head`, folded to the width of the terminal.
+/// Formats `text` after `head`, folded to the width of the terminal.
 ///
 /// Further lines are indented to the first word of the text. Without a terminal, the result is one
 /// line.
@@ -19,7 +19,7 @@ pub fn folded(head: &str, text: &str) -> String {
     fold(head, text, if stdout().is_terminal() { columns() } else { usize::MAX })
 }
 
-/// Formats `text` behind `head`, folded to `columns` columns.
+/// Formats `text` after `head`, folded to `columns` columns.
 pub fn fold(head: &str, text: &str, columns: usize) -> String {
     let (spaces, text) = text.split_at(text.len() - text.trim_start().len());
     let mut out = head.to_owned() + spaces;

@@ -154,7 +154,7 @@ impl FromStr for Program {
                     .parse()
                     .ok()
                     .filter(|n| *n > 0)
-                    .ok_or(format!("'{value}' is no number of {what}"))
+                    .ok_or(format!("'{value}' is not a number of {what}"))
             };
             match name {
                 "t" | "threads" => program.threads = Some(number("threads")?),

@@ -44,7 +44,7 @@ const UNREADABLE: &str = "it cannot be read";
 /// These files are Rust, shaders, and texts and tables that code includes.
 const ENDINGS: [&str; 9] = [".rs", ".wgsl", ".csv", ".dat", ".in", ".json", ".md", ".toml", ".txt"];
 
-/// Files of a lab: those that are submitted, and those that are left out.
+/// Files of a lab: the submitted files, and the files that are left out.
 #[derive(Debug, Default)]
 pub struct Collected {
     /// Files that are submitted.

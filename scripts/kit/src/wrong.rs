@@ -171,7 +171,7 @@ fn parse(lab: Lab, section: &str) -> Result<Wrong> {
     let loses = loses.map(|task| task.trim().parse().map_err(error)).collect::<Result<_>>()?;
     let story = head.split("\n- region:").next().unwrap_or_default();
     let story = story.split_whitespace().collect::<Vec<_>>().join(" ");
-    ensure!(!story.is_empty(), error("it does not say what is wrong".into()));
+    ensure!(!story.is_empty(), error("its description is missing".into()));
     ensure!(!body.trim().is_empty(), error("no code".into()));
     let body = format!("{body}\n");
     Ok(Wrong { name: name.into(), region, fails, passes, loses, story, body })
@@ -232,7 +232,7 @@ mod tests {
             ("// why\nreturn 1;\n", "", Some("'corner': no code")),
             ("- fails: `task_2_4::a`, `task_2_5::b`\n", "", Some("'corner': no line '- fails: …'")),
             ("2.4b", "3.4", Some("'corner': task 3.4 is not of lab 2")),
-            ("One:\ntwo.\n", "", Some("'corner': it does not say what is wrong")),
+            ("One:\ntwo.\n", "", Some("'corner': its description is missing")),
             (
                 "2.4b",
                 "two",

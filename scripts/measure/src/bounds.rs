@@ -37,7 +37,7 @@ pub struct Bounds {
     pub branches: f64,
     /// Time of the lines that miss the first-level cache, if they stream in one after another.
     pub bandwidth: f64,
-    /// Time of the misses, if each waits for the one before. A program may take less.
+    /// Time of the misses, if each miss waits for the previous miss. A program may take less.
     pub latency: f64,
 }
 

@@ -52,8 +52,8 @@ impl Times {
 
     /// Whether the times are too short for a grade.
     ///
-    /// They are if there is only one take, or if the shortest take is below a hundredth of a
-    /// second. A grade would then mostly measure the clock and the start of threads.
+    /// The times are too short if there is only one take, or if the shortest take is below a
+    /// hundredth of a second. A grade would then mostly measure the clock and the start of threads.
     pub fn are_too_short(&self) -> bool {
         self.takes.len() < 2 || self.min < SHORTEST
     }

@@ -57,8 +57,8 @@ impl<'c, R> Columns<'c, R> {
             .number("median", move |row| Some(times(row).median))
     }
 
-    /// Adds the spread of the times, and their ratio to another run. A row without a ratio is that
-    /// other run.
+    /// Adds the spread of the times, and their ratio to another run. The row without a ratio is the
+    /// other run itself.
     pub fn compared(
         self,
         spread: impl Fn(&R) -> f64 + 'c,

@@ -132,7 +132,7 @@ fn expect_begun(kit: &Kit, program: &Program) -> Result<()> {
 
 /// Finds the line that explains a failed run: a panic's message, the last error, or the last line.
 ///
-/// The last error is taken because a library may print another error before it.
+/// The last error is chosen, because a library may print a different error before it.
 fn complaint(stderr: &str) -> &str {
     let lines: Vec<&str> = stderr.lines().filter(|line| !line.trim().is_empty()).collect();
     let error = lines.iter().rfind(|line| line.starts_with("error"));

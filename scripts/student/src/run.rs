@@ -37,7 +37,7 @@ pub(crate) struct Options {
 /// Builds and runs the lab, and returns its exit code.
 pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let lab = options.lab;
-    // The flag is accepted behind the number too, because no lab has such a flag.
+    // The flag is also accepted after the number, because no lab's program has such a flag.
     if options.arguments.first().is_some_and(|argument| argument == "--solution") {
         options.arguments.remove(0);
         options.solution = true;

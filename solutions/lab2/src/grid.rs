@@ -104,7 +104,7 @@ impl Grid {
         // end 2.1b
     }
 
-    /// Returns `index` and the indices next to it, as far as they exist.
+    /// Returns `index` and the indices next to it. At a wall, there is only one of these.
     ///
     /// These are the rows (or columns) in which a particle of row (or column) `index` can have
     /// neighbours.

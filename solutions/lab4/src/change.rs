@@ -53,7 +53,7 @@ pub fn change_bin(regions: &Regions, meter: &mut Meter, change: Change) {
         region[new].push(change.particle);
         return;
     }
-    // The lower number first, whichever way the particle goes.
+    // Take the lock with the lower number first, in whichever direction the particle moves.
     let mut lower = meter.lock(&regions.locks[from.min(to)]);
     let mut upper = meter.lock(&regions.locks[from.max(to)]);
     let (source, target) =

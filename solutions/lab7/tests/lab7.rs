@@ -2,6 +2,6 @@
 #![allow(unexpected_cfgs)]
 
 extern crate solution7 as lab7;
-// An editor's analysis cannot load what lies outside a package; its compiler can.
+// The analysis of an editor cannot load files from outside the package. The compiler can.
 #[cfg(not(rust_analyzer))]
 include!("../../../tests/lab7.rs");

@@ -5,7 +5,7 @@ use std::process::{Command, exit};
 
 use crate::watchdog::TEST;
 
-/// Name of the variable that marks a process as such a process.
+/// Name of the variable that marks a process as the separate process of a test.
 const APART: &str = "CUTOFF_APART";
 
 /// Runs the current test again in a separate process, which executes `part` and ends. A stack

@@ -1,8 +1,9 @@
 //! The scenes of the contest and their exact ends.
 //!
-//! The kinds of scenes are announced, and a seed draws each scene. The exact motion of 100,000
-//! particles takes minutes. So it is computed in a square that the seed draws as well, and only the
-//! particles that cannot have noticed the edge of the square are judged.
+//! The kinds of scenes are announced; each scene is drawn from a seed. Computing the exact motion
+//! of 100,000 particles would take minutes. So it is computed only for the particles in a square,
+//! which is also drawn from the seed. Only the particles that the edge of the square cannot have
+//! influenced are judged.
 
 use common::soft::{DT, Particle, Scene};
 
@@ -16,10 +17,11 @@ pub const STEPS: u64 = 100;
 /// Side of the square whose exact motion is computed.
 const SQUARE: f64 = 1.2;
 
-/// Distance from the edge of the square that no influence travels in the time of the steps.
+/// Distance from the edge of the square. No influence of the edge travels so far within [`STEPS`]
+/// steps.
 const MARGIN: f64 = 0.25;
 
-/// One particle in so many is fast in scenes of [`Kind::Fast`].
+/// Number of particles for each fast particle, in scenes of [`Kind::Fast`].
 const FAST: usize = 100;
 
 /// A kind of scene.
@@ -88,8 +90,9 @@ impl Kind {
         Scene::new(size, particles).expect("all are in the box")
     }
 
-    /// Returns exact states after [`STEPS`] official steps of a scene of this kind: those of all
-    /// particles, or of the particles in a square that `seed` draws. Each has its id in the scene.
+    /// Returns the exact states of particles after [`STEPS`] official steps of a scene of this
+    /// kind: all particles, or the judged particles of a square that is drawn from `seed`. Each
+    /// particle has its id in the scene.
     ///
     /// # Errors
     /// If the exact motion cannot be computed.

@@ -218,8 +218,8 @@ impl Runs {
     }
 
     /// Asks whether the bits after `steps` steps in a row, without a read in between, are those of
-    /// all pairs. No outside action makes threads that live for the whole run wait at the end of a
-    /// step.
+    /// all pairs. Nothing outside the program makes its threads wait between two steps, so threads
+    /// that live for the whole run must wait for each other themselves.
     pub fn bits_after_a_run(&self, ask: &mut impl Ask, scene: &Scene, steps: u64) {
         let of_run = scene.clone();
         let found = move |engine: &mut dyn Simulation| {

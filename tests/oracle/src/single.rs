@@ -1,28 +1,31 @@
-//! What one step in single precision may be off.
+//! The greatest error of one correct step in single precision.
 //!
 //! The check starts the model from the program's own state before every step, so errors of earlier
-//! steps do not count, and nothing has to be said about how they grow. What is left are the
-//! roundings of one step. To first order in u = 2⁻²⁴, the greatest relative error of rounding once:
+//! steps do not count. Only the roundings of one step remain. The bounds below are of first order
+//! in u = 2⁻²⁴, the greatest relative error of a single rounding.
 //!
-//! *The vector of a pair* is (bins between + (offset − offset)) · side. The difference of two
-//! offsets below 1 is off by u, the sum by u |d| / h for bins of side h, the rounded side and the
-//! product by u |d| each. So the vector is off by |δ| ≤ u (√2 h + 3 r).
+//! *The vector of a pair* is (bins between + (offset − offset)) · side. The errors are: u for the
+//! difference of two offsets below 1; u |d| / h for the sum, with bins of side h; and u |d| each
+//! for the rounded side and for the product. So the vector is off by |δ| ≤ u (√2 h + 3 r).
 //!
 //! *The force* f(r) = (c/r − 1) r / (ρ² m), ρ = max(r, min_r), changes by at most 2c / (ρ³ m) for
-//! each unit of length: its condition. The roundings inside it: WGSL allows a division 2.5 units in
-//! the last place (5 u), a root 4.5 (9 u). Then r is off by 10.5 u, c/r by 17 u with the rounded c,
-//! and 1 − c/r, which cancels, by 17 u · c/r. The rest, two divisions and a product, adds 16 u |f|:
+//! each unit of length, so an error of the vector is multiplied by this. The computation of f also
+//! rounds. WGSL allows a division an error of 2.5 units in the last place (5 u), and a root 4.5
+//! units (9 u). Then the relative error of r is 10.5 u, and of c/r 17 u, with the rounded c. The
+//! digits of 1 − c/r cancel, so its error is 17 u · c/r. The rest, two divisions and a product,
+//! adds 16 u |f|:
 //!
 //! e = u (2c / (ρ³ m) · (√2 h + 3 r) + 17 c r / (ρ³ m) + 16 |f|)
 //!
 //! *The sum* of k forces adds k u Σ|f|. *The velocity* v + a dt is then off by
 //! δv = dt (Σe + k u Σ|f|) + 3 u dt Σ|f| + u |v|.
 //!
-//! *The position.* v dt / h has 8 u; folding by whole walks there and back at most 7 u; adding it to
-//! the offset one more. The offset itself, its floor taken off, and mirrors: 4 u h. Together
-//! dt δv + 16 u dt |v| + 4 u h.
+//! *The position* has these errors: 8 u for v dt / h; at most 7 u for the reflections, which remove
+//! whole ways from wall to wall and back; one more u for the addition to the offset; and 4 u h for
+//! the offset itself, its floor and its mirror images. The sum is dt δv + 16 u dt |v| + 4 u h.
 //!
-//! Terms in u² are below a hundredth of this even at min_r, and get that hundredth.
+//! Terms in u² are below a hundredth of these bounds, even at min_r. So the bounds are increased by
+//! a hundredth.
 
 use common::soft::{CUTOFF, DT, MASS, MIN_R, Particle};
 
@@ -45,7 +48,8 @@ impl Single {
         let (mut errors, mut count) = (0.0, 0.0);
         for other in before.iter().filter(|other| other.id != own.id) {
             let r = (other.x - own.x).hypot(other.y - own.y);
-            // Particles that rounding may make neighbours.
+            // Rounding may make particles neighbours that are slightly further apart than the
+            // cutoff.
             if r <= CUTOFF + U * (2.0 * self.side + 8.0 * CUTOFF) {
                 errors += self.error_of_pair(r);
                 count += 1.0;

@@ -23,8 +23,8 @@ thread_local! {
 /// Number of running parts of this process that have their own limits.
 static OWN_LIMITS: AtomicUsize = AtomicUsize::new(0);
 
-/// A guard that exists while a part with its own limit runs. The time of whole tests is then
-/// stopped.
+/// A guard that exists while a part with its own limit runs. Meanwhile the time of whole tests is
+/// not counted.
 pub(crate) struct OwnLimit(());
 
 impl OwnLimit {

@@ -72,7 +72,7 @@ numbers! {
     RSMPI_MAX_LIBRARY_VERSION_STRING RSMPI_MAX_PROCESSOR_NAME
 }
 
-// Constants in a library, too.
+// These are constants in every MPI library too.
 pub const MPI_SUCCESS: c_int = 0;
 pub const MPI_UNDEFINED: c_int = -1;
 pub const MPI_UNIVERSE_SIZE: c_int = 0;

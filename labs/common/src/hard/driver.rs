@@ -124,7 +124,10 @@ fn bytes(options: &Options) -> io::Result<Vec<u8>> {
     }
 }
 
-/// All bytes of an input, of which no line of text has a zero. A device such as `/dev/zero` has no end.
+/// Returns all bytes of an input.
+///
+/// An input with a zero byte is not text. It is refused, because a device such as `/dev/zero` never
+/// ends.
 fn text(mut input: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     loop {
@@ -133,7 +136,7 @@ fn text(mut input: impl Read) -> io::Result<Vec<u8>> {
             return Ok(bytes);
         }
         if bytes[before..].contains(&0) {
-            return Err(io::Error::new(io::ErrorKind::InvalidData, "it is no text"));
+            return Err(io::Error::new(io::ErrorKind::InvalidData, "it is not a text"));
         }
     }
 }
@@ -268,6 +271,6 @@ mod tests {
     #[test]
     fn an_input_without_end_is_refused() {
         assert_eq!(text(&b"2 10"[..]).unwrap(), b"2 10");
-        assert_eq!(text(repeat(0)).unwrap_err().to_string(), "it is no text");
+        assert_eq!(text(repeat(0)).unwrap_err().to_string(), "it is not a text");
     }
 }

@@ -191,9 +191,9 @@ fn simulate(
 
 /// Returns how many steps to take in a row after `done` of them.
 ///
-/// The next stop is the next output, which is after steps 0, `every`, 2 `every`, … counted from 0.
-/// With statistics it is the next step. Without output and statistics, the progress bar must move
-/// from time to time.
+/// The run stops for output after steps 0, `every`, 2 `every`, …, counted from 0. With statistics
+/// it stops after each step. Without both it still stops from time to time, to move the progress
+/// bar.
 fn batch(done: u64, options: &Options) -> u64 {
     const BAR: u64 = 50;
     let look = match () {

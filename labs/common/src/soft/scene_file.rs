@@ -20,12 +20,13 @@ pub enum SceneFileError {
     Scene(#[from] SceneError),
 }
 
-/// The longest line of a scene, in bytes. A file such as `/dev/zero` has no end of a line.
+/// The longest line of a scene file, in bytes. Without this limit, the first line of `/dev/zero`
+/// would never end.
 const LONGEST: u64 = 2000;
 
 /// Reads a scene: a line `n size`, then n lines `x y vx vy`. Lines after an empty line are ignored.
 ///
-/// So a file of full frames (`--full`) is a scene: its first frame.
+/// So a file of full frames (`--full`) can be read as a scene, which is its first frame.
 ///
 /// # Errors
 /// A [`SceneFileError`], which names the line.
@@ -57,12 +58,12 @@ pub fn read_scene(mut input: impl BufRead) -> Result<Scene, SceneFileError> {
     Ok(Scene::new(size, particles)?)
 }
 
-/// The next line; `None` at the end.
+/// Returns the next line; `None` at the end of the file.
 fn line_of(input: &mut impl BufRead, number: usize) -> Result<Option<String>, SceneFileError> {
     let mut text = String::new();
     let read = input.take(LONGEST).read_line(&mut text)?;
     if read as u64 == LONGEST {
-        let what = format!("line {number}: it is longer than {LONGEST} bytes, so this is no scene");
+        let what = format!("line {number}: it is longer than {LONGEST} bytes: not a scene file");
         return Err(SceneFileError::Text(what));
     }
     Ok((read > 0).then_some(text))
@@ -112,6 +113,6 @@ mod tests {
     #[test]
     fn a_file_without_end_is_no_scene() {
         let error = read_scene(BufReader::new(repeat(0))).unwrap_err().to_string();
-        assert_eq!(error, "line 1: it is longer than 2000 bytes, so this is no scene");
+        assert_eq!(error, "line 1: it is longer than 2000 bytes: not a scene file");
     }
 }

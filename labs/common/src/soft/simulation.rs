@@ -19,7 +19,6 @@ pub trait Simulation {
     ///
     /// # Errors
     /// The same as those of [`Scene::official`].
-    /// As [`Scene::official`].
     fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         self.load(&Scene::official(n, seed)?);
         Ok(())
@@ -32,7 +31,6 @@ pub trait Simulation {
     ///
     /// # Errors
     /// The same as those of [`Scene::counter`].
-    /// As [`Scene::counter`].
     fn load_counter(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         self.load(&Scene::counter(n, seed)?);
         Ok(())

@@ -56,10 +56,10 @@
 //! # Units, shapes, errors
 //!
 //! Memory is counted in bytes, a launch in workgroups and in invocations of each, a stopwatch in
-//! seconds. If the machine lacks an adapter, double precision or a buffer of the size, a function
-//! returns a [`GpuError`]. Functions that build kernels and submit work return no error. If wgpu
-//! refuses such a call, the error goes to the innermost *error scope*; without an error scope, wgpu
-//! panics. [`Launcher::checked`] is such a scope.
+//! seconds. If the machine lacks an adapter, double precision or a buffer of the requested size, a
+//! function returns a [`GpuError`]. Functions that build kernels and submit work return no error.
+//! If wgpu refuses such a call, the error goes to the innermost *error scope*; without an error
+//! scope, wgpu panics. [`Launcher::checked`] is such a scope.
 
 mod device;
 mod error;

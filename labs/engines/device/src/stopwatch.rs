@@ -10,12 +10,13 @@ use crate::device::Gpu;
 
 /// Greatest number of launches that are timed in one piece of work.
 const MOST: u32 = 256;
+/// Bytes of the timestamps of these launches, two for each.
 const BYTES: u64 = MOST as u64 * 2 * 8;
 
 /// The time that each kernel ran, by *timestamp queries*.
 ///
-/// The device reads its clock before and after a launch. The host's clock would include the way to
-/// the device and back.
+/// The device reads its clock before and after a launch. The host's clock would also measure the
+/// communication with the device.
 pub struct Stopwatch {
     queries: QuerySet,
     resolved: Buffer,

@@ -27,8 +27,8 @@ pub fn make_share<T: Blocks>(
     (cuts, share)
 }
 
-/// Returns the number of rows of the scene below row `end` of bins. Both kinds of rows count from
-/// the bottom.
+/// Returns the number of rows of the scene's lattice that are below row `end` of bins. Both kinds
+/// of rows are counted from the bottom.
 fn rows_below(grid: &Grid, scene: &CounterParticles, end: usize) -> usize {
     (0..scene.rows()).take_while(|&row| grid.row(scene.y(row)) < end).count()
 }

@@ -78,8 +78,8 @@ impl<T: Dealing> AsReported<T> {
         carrier.expect("some worker has looked at the pair")
     }
 
-    /// Returns for each worker the collisions that it carries out, and the others with discs of its
-    /// own block.
+    /// Returns the orders for each worker: the collisions that it carries out, and all other
+    /// collisions with discs of its own block.
     fn orders(&self) -> Vec<Vec<CandidateWire>> {
         let mut orders = vec![Vec::new(); self.deal.workers];
         for candidate in &self.base.taken {

@@ -42,8 +42,8 @@ impl Part {
 ///
 /// With W workers there are W blocks of discs. The blocks are on a ring, like hours on a clock: the
 /// distance of two blocks is 0 … W / 2, the shorter way round. Worker k has the blocks k +
-/// `offsets`, modulo W. So all workers have the same pattern, each turned one block further than
-/// the last.
+/// `offsets`, modulo W. So all workers have the same pattern of blocks, and each worker's pattern
+/// is turned one block further than the previous worker's.
 // ANCHOR: deal
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Deal {

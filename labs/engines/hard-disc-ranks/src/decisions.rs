@@ -43,8 +43,8 @@ pub struct Decisions {
 }
 // ANCHOR_END: decisions
 
-/// A candidate earlier than any other: the rival of a disc whose other ranks have not sent theirs
-/// yet.
+/// A candidate earlier than any other: the rival of a disc until the other ranks that have this
+/// disc send their candidates.
 pub const UNKNOWN: Candidate = Candidate { time: f64::NEG_INFINITY, hit: Hit::Corner(0) };
 
 impl Decisions {
@@ -83,8 +83,8 @@ impl Decisions {
         discs.map(|number| self.slot(number?)).into_iter().flatten()
     }
 
-    /// Returns a candidate that this rank has found with slots instead of numbers, as `queues`
-    /// stores it.
+    /// Returns a candidate in the form of `queues`: its discs are slots, not numbers. This rank
+    /// must have found the candidate.
     pub fn local(&self, candidate: &Candidate) -> Candidate {
         renamed(candidate, |number| self.slot(number).expect("its discs are here") as u32)
     }

@@ -21,10 +21,10 @@ impl<T: Deciding> SpatialCuts<T> {
     /// Starts the decisions with the discs in `self.seen`, and enters their candidates.
     ///
     /// These are the `walls` of this rank's discs, and the pairs that this rank must test. The step
-    /// is divided into windows of time. A disc that is taken in one window need not be tested in
-    /// the next. Here these are the discs of candidates that are certain after a window
-    /// ([`Deciding::take_certain`]): later windows have only later candidates, so the first
-    /// candidate so far stays the first. For the same reason walls are entered in their windows.
+    /// is divided into windows of time. After each window, the candidates that are certain are
+    /// taken ([`Deciding::take_certain`]), and the next window does not test their discs. No later
+    /// window can change these decisions, because its candidates are all later. For the same
+    /// reason, wall collisions are entered in the windows of their times.
     pub fn find(&mut self, mut walls: Vec<Candidate>) {
         let Seen { numbers, discs, reach, .. } = &self.seen;
         self.decisions.start::<T::Rules>(numbers, reach, &[]);

@@ -14,8 +14,8 @@ const ROWS_PER_RANK: usize = 512;
 /// The square, divided into horizontal strips, one for each rank.
 ///
 /// A strip consists of rows of equal height, which cover the positions that the discs had when the
-/// strips were cut. Discs below or above the rows count to the first or last row. A rank's strip
-/// may be empty.
+/// strips were cut. Discs below the first row belong to the first row, and discs above the last row
+/// to the last row. A rank's strip may be empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strips {
     /// The lower end of the first row.

@@ -15,13 +15,16 @@ use oracle::Random;
 use oracle::hard::{Exact, step};
 use serde_json::json;
 
-/// Share of the square that the discs cover, and number of scenes in an average.
+/// Share of the square that the discs cover.
 const FRACTION: f64 = 0.1;
+/// Number of scenes in an average.
 const SCENES: u64 = 20;
 
-/// Discs along a side of the lattice at the start, side of the square, and total time.
+/// Number of discs along a side of the lattice at the start.
 const ALONG: u32 = 10;
+/// Side of the square.
 const SIDE: f64 = 100.0;
+/// Total time of a run.
 const TIME: f64 = 16.0;
 
 /// Greatest velocity component.

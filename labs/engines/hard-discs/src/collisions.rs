@@ -54,12 +54,12 @@ pub struct Candidate {
 /// A type that implements the trait has no values: it is the name of a set of functions, and the
 /// compiler makes an engine for each such type.
 pub trait Collisions: Sized + Send + Sync + 'static {
-    /// Returns the collision of disc number `a` with the walls in this step, if nothing stops it
-    /// before.
+    /// Returns the collision of disc number `a` with the walls in this step, if no earlier
+    /// collision stops it.
     fn wall_hit(a: u32, disc: &Disc, square: Square) -> Option<Candidate>;
 
-    /// Returns the collision of discs `a` < `b` of this radius in this step, if nothing stops them
-    /// before.
+    /// Returns the collision of discs `a` < `b` of this radius in this step, if no earlier
+    /// collision stops them.
     fn pair_hit(discs: &[Disc], a: u32, b: u32, radius: f64) -> Option<Candidate>;
 
     /// Returns which of two candidates is taken first. It is a total order.

@@ -126,7 +126,7 @@ impl<C: Step, F: Find> Simulation for Engine<C, F> {
     }
 
     fn step(&mut self) {
-        self.finder.home().within(|| C::step(self));
+        C::step(self);
     }
 
     fn read(&self, first: usize, out: &mut [Disc]) {

@@ -4,7 +4,6 @@ use std::sync::{Mutex, MutexGuard};
 
 use common::hard::Disc;
 use crossbeam::utils::CachePadded;
-use workers::Workers;
 
 use crate::collisions::Candidate;
 use crate::geometry::{Square, Window};
@@ -32,14 +31,6 @@ impl Found {
 
 /// A search for the pairs that collide. Engines differ in their searches.
 pub trait Find: Send {
-    /// Returns the workers that the whole step is to run on.
-    ///
-    /// A thread hands work to its own pool at a lower cost than a thread from outside. The
-    /// difference shows in steps with many short loops.
-    fn home(&self) -> Workers {
-        Workers::One
-    }
-
     /// Returns the number of windows of equal length into which to divide the next step.
     ///
     /// The engine calls it at the start of every step. All finders but [`Planned`](crate::Planned)

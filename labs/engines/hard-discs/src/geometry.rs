@@ -30,7 +30,7 @@ impl Square {
     }
 }
 
-/// A part of the step: the times from `from` up to, but without, `to`.
+/// A part of the step: all times t with `from` ≤ t < `to`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
     /// Start of the window, as a part λ of the step.

@@ -25,7 +25,7 @@ impl State {
         }
     }
 
-    /// Returns the state after a straight line along `slope` for a time `h`.
+    /// Returns the state that is reached from this state along the constant `slope` in a time `h`.
     ///
     /// It is `at + h * slope.at` and `v + h * slope.v`.
     ///

@@ -24,7 +24,7 @@ struct Owner {
     rows: Range<usize>,
     /// Lists of the bins in its rows, with a node for each particle of the scene.
     lists: BinLists,
-    /// The memory of nodes that are allocated again in each step: a particle and a link.
+    /// The memory of nodes that are allocated again in each step; a node is a particle and a link.
     #[expect(clippy::vec_box, reason = "memory of its own for each node is what this measures")]
     fresh: Vec<Box<[usize; 2]>>,
 }
@@ -125,7 +125,7 @@ impl<O: Observer> OwnerLists<O> {
 /// Adds the forces of all pairs of a bin, and of its pairs with the bins after it, to both
 /// particles.
 ///
-/// The first of the two owners has the bin, and the second has the row above the first owner's
+/// The bin belongs to the first of the two owners. The second has the row above the first owner's
 /// rows.
 fn sum_bin<O: Observer>(
     sums: &mut Sums<O>,

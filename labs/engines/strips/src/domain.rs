@@ -156,7 +156,7 @@ impl<O: Observer> Domain<O> {
         self.grid.size() / self.ranks() as f64
     }
 
-    /// Counts a choice of `ghosts` ghosts that are `width` wide.
+    /// Counts a choice of `ghosts` ghosts, up to the distance `width` from the strip.
     pub(crate) fn count_choice(&mut self, width: f64, ghosts: usize) {
         self.counts.choices += 1;
         self.counts.widths += width;

@@ -1,8 +1,8 @@
 //! Epochs: steps without a message, and the rollback if some of them were wrong.
 //!
-//! The ghosts of an epoch of four steps reach four cutoffs beyond the strip, and further for the
-//! motion of particles. With each step the outermost of them stop being right (`x`), because they
-//! lack neighbours:
+//! The ghosts of an epoch of four steps reach four cutoffs beyond the strip, plus the distance that
+//! particles move. In each step the outermost correct ghosts become wrong (`x`), because they lack
+//! neighbours:
 //!
 //! ```text
 //!              own particles of the strip │ ghosts
@@ -16,7 +16,7 @@
 //!                 only 3:    back to the checkpoint, 3 steps again, then the next epoch
 //! ```
 //!
-//! A step may be wrong because a particle was faster than the ghosts were chosen for.
+//! A step can be wrong if a particle became faster than the choice of ghosts allowed for.
 
 use common::soft::NoStatistics;
 
@@ -24,7 +24,8 @@ use crate::deep::{Deep, Epoch};
 use crate::deep_halo::{DeepHalo, Outlook};
 use crate::domain::{Domain, lists_last};
 
-/// Ghosts are chosen for particles that become faster than all were, by this factor.
+/// The choice of ghosts allows for particles this many times as fast as the fastest particle at
+/// that moment.
 ///
 /// A rollback costs an epoch, and slightly deeper ghosts cost almost nothing.
 const FASTER: f64 = 1.5;
@@ -40,8 +41,8 @@ impl<T: DeepHalo> Deep<T> {
         let engine = &mut self.domain.engine;
         let bodies = std::mem::take(engine.bodies_mut());
         let n = bodies.len();
-        // The engine forgets what it learnt from the last list. Steps that are taken again thus
-        // have the same lists and bits.
+        // The engine forgets what it learnt from the last list. So steps that are taken again have
+        // the same lists and the same bits.
         engine.start(bodies, self.domain.grid.size());
         engine.rebuild_keeping(&mut self.kept);
         let own = [self.domain.wear(), (n - self.ghosts.len()) as f64];

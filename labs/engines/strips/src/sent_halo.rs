@@ -42,8 +42,8 @@ pub trait Halo: Partition {
     /// ranks.
     ///
     /// The lists are rebuilt if `list_has_expired` on any rank, or if ghosts have expired on any
-    /// rank. Ghosts were chosen `width` wide, and since then a particle of the rank may have gone
-    /// as far as `moved`.
+    /// rank. Ghosts were chosen up to the distance `width`, and since then a particle of the rank
+    /// may have moved by `moved`.
     fn must_renew(
         world: &SimpleCommunicator,
         list_has_expired: bool,
@@ -61,7 +61,7 @@ pub struct Scenery {
     pub density: f64,
     /// Height of a strip. The length of the strip along x does not matter.
     pub height: f64,
-    /// Number of steps that the lists of all ranks last, at least 1. Then ghosts are chosen again
-    /// anyway.
+    /// Number of steps that the lists of all ranks last, at least 1. Ghosts are chosen again when
+    /// the lists end.
     pub most: u32,
 }

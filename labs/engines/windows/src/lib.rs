@@ -8,7 +8,7 @@
 //! united and computed again. If most particles have neighbours, windows do not pay, and
 //! [`Planned`] uses the neighbour list of lab 10 instead.
 //!
-//! The results do not show any of this. Groups sum over pairs by ascending id, and free flight
+//! The results do not depend on the windows. Groups sum over pairs by ascending id, and free flight
 //! makes the same additions as single steps. So windows give the bits of the naive program, on any
 //! number of threads; a list gives the same positions up to rounding.
 //!

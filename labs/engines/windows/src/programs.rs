@@ -20,7 +20,7 @@ pub const WINDOW: Parameter = Parameter {
 
 /// Builds the engine for the parameters [`WINDOW`] and [`SHARE`].
 ///
-/// Each official step is divided into `divide`.
+/// Each official step is divided into `divide` small steps.
 pub fn planned<R: Rules>(config: &Config, divide: u32) -> Result<Box<dyn Simulation>, BuildError> {
     let steps = config.parameter(WINDOW.name) as u32;
     Ok(observed!(config, Tally, |O| Planned::<R, O>::new(crew(config), steps, divide)))

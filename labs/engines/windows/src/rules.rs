@@ -4,16 +4,16 @@ use crate::span::Span;
 
 /// The decisions that windows depend on.
 ///
-/// Each may be wrong on one side only. If a rule claims that two particles may meet, that a wall
-/// may be near, that a margin may have broken, or that a window should be short, the cost is time,
-/// and no bit of the result changes.
+/// Each decision may be wrong in one direction only. If a rule claims that two particles may meet,
+/// that a wall may be near, that a margin may have broken, or that a window should be short, the
+/// cost is time, and no bit of the result changes.
 ///
 /// The engine calls the rules in its innermost loops: mark short ones with `#[inline(always)]`.
 pub trait Rules: Send + 'static {
     /// Advances one coordinate `x` of particles in free flight by `steps` steps of length `dt`.
     ///
-    /// `v` contains as many velocities. The bits are those of `x += v * dt`, `steps` times. No wall
-    /// is near.
+    /// `v` contains a velocity for each coordinate. The result has the same bits as `x += v * dt`,
+    /// repeated `steps` times. No wall is near.
     fn fly(x: &mut [f64], v: &[f64], steps: u32, dt: f64);
 
     /// Returns the square of the least distance between two points within time `span`, or a smaller
@@ -25,18 +25,17 @@ pub trait Rules: Send + 'static {
 
     /// Returns the least number in the group of number `k`.
     ///
-    /// In `parent` each number has a number of its group that is not greater; the least number of a
-    /// group has itself.
+    /// For each number, `parent` contains a number of its group that is not greater. The least
+    /// number of a group is its own parent.
     fn root(parent: &mut [u32], k: u32) -> u32;
 
     /// Unites the groups of `a` and `b`, which may be the same group.
     fn join(parent: &mut [u32], a: u32, b: u32);
 
-    /// Whether a particle may have come within the cutoff of another one, although their free
-    /// flights did not.
+    /// Whether two particles may have come within the cutoff, although their free flights did not.
     ///
-    /// The particle is off its free flight by `deviation`, the other one by no more. Their free
-    /// flights stay further apart than cutoff + `margin`. Both arguments are lengths.
+    /// Each of the particles is off its free flight by at most `deviation`. The free flights stay
+    /// further apart than cutoff + `margin`. Both arguments are lengths.
     fn too_far_off(deviation: f64, margin: f64) -> bool;
 
     /// Whether the free flight from (`x`, `y`) with velocity (`vx`, `vy`) may touch a wall within

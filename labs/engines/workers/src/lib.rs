@@ -1,5 +1,7 @@
 //! Threads that wait for work, for all engines with threads.
 //!
+//! The threads live as long as their [`Workers`], and wait awake for a short time (`team.rs`).
+//!
 //! Results are in the order of the pieces of work. If the pieces do not depend on the number of
 //! threads, the results do not depend on it either.
 //!
@@ -17,25 +19,28 @@
 //!
 //! The system may refuse to start threads. If a piece of work panics, the caller panics.
 
+mod team;
+
 use std::cmp::Ordering;
-use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use common::BuildError;
-use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// One thread, or a pool of several that wait for work.
+use team::Team;
+
+/// One thread, or a team of several that wait for work.
 #[derive(Clone, Default)]
 pub enum Workers {
     /// The calling thread.
     #[default]
     One,
-    /// A pool of threads.
-    Many(Arc<ThreadPool>),
+    /// A team of threads, among them the calling thread.
+    Many(Arc<Team>),
 }
 
 impl Workers {
-    /// Starts `threads` threads. A single thread is the calling thread.
+    /// Starts `threads` threads. The calling thread is one of them.
     ///
     /// # Errors
     /// The system refuses to start the threads.
@@ -43,8 +48,8 @@ impl Workers {
         if threads <= 1 {
             return Ok(Self::One);
         }
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-        pool.map(|pool| Self::Many(Arc::new(pool)))
+        let team = Team::start(threads);
+        team.map(|team| Self::Many(Arc::new(team)))
             .map_err(|e| BuildError(format!("cannot start {threads} threads: {e}")))
     }
 
@@ -58,33 +63,41 @@ impl Workers {
     pub fn count(&self) -> usize {
         match self {
             Self::One => 1,
-            Self::Many(pool) => pool.current_num_threads(),
-        }
-    }
-
-    /// Calls `work` on one of the threads.
-    ///
-    /// Work that this thread shares out costs less than work from outside the pool, because no
-    /// thread is woken without need.
-    pub fn within<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
-        match self {
-            Self::One => work(),
-            Self::Many(pool) => pool.install(work),
+            Self::Many(team) => team.count(),
         }
     }
 
     /// Calls `work` with every piece, and returns the results in the order of the pieces.
+    ///
+    /// Each thread begins with its own part of the pieces, which is the same in every call with as
+    /// many pieces: their data may still be in its core's cache. A thread that has finished its part
+    /// takes pieces from other parts.
     pub fn map<T: Send, R: Send>(
         &self,
         pieces: Vec<T>,
         work: impl Fn(T) -> R + Send + Sync,
     ) -> Vec<R> {
-        match self {
-            Self::Many(pool) if pieces.len() > 1 => {
-                pool.install(|| pieces.into_par_iter().with_max_len(1).map(work).collect())
+        let team = match self {
+            Self::Many(team) if pieces.len() > 1 => team,
+            _ => return pieces.into_iter().map(work).collect(),
+        };
+        let count = team.count();
+        let slots: Vec<_> =
+            pieces.into_iter().map(|piece| Mutex::new(Slot::Piece(piece))).collect();
+        let starts: Vec<usize> = (0..=count).map(|part| part * slots.len() / count).collect();
+        let next: Vec<_> = starts.iter().map(|&start| AtomicUsize::new(start)).collect();
+        team.share(&|thread| {
+            for part in (thread..count).chain(0..thread) {
+                let pieces = std::iter::repeat_with(|| next[part].fetch_add(1, Relaxed));
+                for k in pieces.take_while(|&k| k < starts[part + 1]) {
+                    let mut slot = slots[k].lock().unwrap_or_else(PoisonError::into_inner);
+                    if let Slot::Piece(piece) = std::mem::replace(&mut *slot, Slot::Taken) {
+                        *slot = Slot::Result(work(piece));
+                    }
+                }
             }
-            _ => pieces.into_iter().map(work).collect(),
-        }
+        });
+        slots.into_iter().map(Slot::into_result).collect()
     }
 
     /// Calls `act` once on every thread, with the thread's number, and waits for all calls: a fork
@@ -92,17 +105,41 @@ impl Workers {
     pub fn on_each(&self, act: impl Fn(usize) + Sync) {
         match self {
             Self::One => act(0),
-            Self::Many(pool) => {
-                pool.broadcast(|context| act(context.index()));
-            }
+            Self::Many(team) => team.on_each(&act),
         }
     }
 
     /// Sorts items by a total order.
+    ///
+    /// The threads sort parts of equal length, and then merge pairs of parts.
     pub fn sort<T: Send>(&self, items: &mut [T], order: impl Fn(&T, &T) -> Ordering + Send + Sync) {
-        match self {
-            Self::One => items.sort_unstable_by(order),
-            Self::Many(pool) => pool.install(|| items.par_sort_unstable_by(order)),
+        let mut length = items.len().div_ceil(self.count()).max(1);
+        let parts = items.chunks_mut(length).collect();
+        self.map(parts, |part: &mut [T]| part.sort_unstable_by(&order));
+        while length < items.len() {
+            length *= 2;
+            // This sort finds the two sorted runs of a part, and merges them.
+            let parts = items.chunks_mut(length).collect();
+            self.map(parts, |part: &mut [T]| part.sort_by(&order));
+        }
+    }
+}
+
+/// The state of a piece of work.
+enum Slot<T, R> {
+    /// Nobody has begun the piece.
+    Piece(T),
+    /// A thread works on the piece.
+    Taken,
+    /// The piece is done.
+    Result(R),
+}
+
+impl<T, R> Slot<T, R> {
+    fn into_result(slot: Mutex<Self>) -> R {
+        match slot.into_inner() {
+            Ok(Self::Result(result)) => result,
+            _ => unreachable!("a round ends when all pieces are done, or panics"),
         }
     }
 }

@@ -9,10 +9,11 @@ use oracle::{Ask, Near, Random, integers};
 
 use super::scenes::{Case, flat, squared};
 
-/// How much farther than its reach a list may look, because it has room for rounding.
+/// Greatest distance of a listed pair, as a multiple of the list's reach. It leaves room for
+/// rounding.
 const ROUNDING: f64 = 1.0 + 1e-6;
 
-/// Asks for the outer list of any scene, built twice, next to all pairs.
+/// Asks for the outer list of any scene, built twice, and compares it with all pairs.
 pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {
     for case in Case::drawn(random) {
         let mut engine = Engine::<NoStatistics>::new(case.skin, true);
@@ -119,7 +120,7 @@ impl Listed {
     }
 }
 
-/// Asks for the inner list of any scene, made twice, next to the pairs of the outer list.
+/// Asks for the inner list of any scene, built twice, and for the pairs of the outer list.
 pub(crate) fn inner_lists(random: &mut Random, ask: &mut impl Ask) {
     for case in Case::drawn(random) {
         let mut engine = Engine::<NoStatistics>::new(case.skin, true);

@@ -144,8 +144,8 @@ fn thrown_back() -> Scene {
 pub(crate) fn back_from_a_wall(_: &mut Random, ask: &mut impl Ask) {
     let scene = thrown_back();
     let planned = variant("11.5", "planned").set("window", 16.0);
-    let question = "a particle that comes back from a wall, window of 16 steps: vx of the particle that rests in its \
-                    way, which must not be 0";
+    let question = "a window of 16 steps, and a particle that comes back from a wall: vx of a second particle, which \
+                    rests in its way; vx must not stay 0";
     let found = || vec![of_numbers(&end(&planned, &scene, 16))[1].vx];
     ask.judge(question, found, |found| match found {
         [vx] if *vx != 0.0 => Ok(()),

@@ -12,7 +12,7 @@ pub(crate) fn lists_table(_: &mut Random, ask: &mut impl Ask) {
         let mut lists = BinLists::new(2, 5);
         let mut table = Table::new(["", "bin 0", "bin 1"]);
         let mut row = |what: &str, lists: &BinLists| {
-            // This ends a list that has no end.
+            // The limit ends a list that leads back to itself.
             let [zero, one] = [0, 1].map(|bin| spaced(lists.bin(bin).take(6)));
             table.row([&what, &zero, &one]);
         };

@@ -47,7 +47,7 @@ impl Filled {
         for insert in &self.inserts {
             lists.insert(insert.bin, insert.particle);
         }
-        // This ends a list that has no end.
+        // The limit ends a list that leads back to itself.
         let most = self.inserts.len() + 1;
         for bin in 0..self.bins {
             let question = format!("{name}: particles in the list of bin {bin}");

@@ -17,7 +17,7 @@ pub(crate) struct Reading {
 }
 
 impl Reading {
-    /// Returns the notice that was read, the length of the words in bytes, and these bytes.
+    /// Returns the notice that was read, then the length of `log` in bytes, and its bytes.
     fn into_numbers(self) -> Vec<f64> {
         let read = [answer(self.found), vec![self.log.len() as f64]].concat();
         read.into_iter().chain(self.log.bytes().map(f64::from)).collect()

@@ -36,7 +36,7 @@ fn shared(ask: &mut impl Ask, doing: &str, threads: usize, units: usize, work: i
     });
 }
 
-/// An observer that counts which thread computes the forces and the additions.
+/// An observer that counts each force and each addition for the thread that computes it.
 #[derive(Clone, Default)]
 struct Visitor;
 
@@ -87,7 +87,7 @@ pub(crate) fn blocks(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Particles of a worker; the accelerations count which thread moves them.
+/// A worker that counts its particles for the thread that moves them.
 struct Moved(Worker<NoStatistics>);
 
 impl Deref for Moved {

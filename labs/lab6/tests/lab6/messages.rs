@@ -145,8 +145,8 @@ fn of_all<'a>(lists: impl IntoIterator<Item = &'a Vec<Ghost>>, ranks: usize) -> 
     all
 }
 
-/// Asks about lists from all ranks to all ranks: empty, a few items, more than 16 bits can count,
-/// and then fewer.
+/// Asks about lists from all ranks to all ranks. The lists are empty, then they have a few items,
+/// then more items than 16 bits can count, and finally fewer.
 pub(crate) fn lists_of_all(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "6.4", &[1, 2, 3, 5], random, |rank, random, ask| {
         for most in [0, 5, 70_000, 5] {

@@ -15,7 +15,7 @@ pub(crate) fn number(random: &mut Random) -> u32 {
 }
 
 /// Draws a unit of length, small or large. A power of two makes products of integers exact, so that
-/// ties are ties.
+/// equal times are exactly equal.
 pub(crate) fn unit(random: &mut Random, is_power: bool) -> f64 {
     let unit = random.magnitude(1e-12, 1e12);
     if is_power { unit.log2().round().exp2() } else { unit }

@@ -107,8 +107,8 @@ fn numbers_of(decisions: &Decisions) -> Vec<f64> {
     numbers
 }
 
-/// Asks about a crowd behind one candidate that stays open. A program that goes through the whole
-/// crowd in every round does not finish.
+/// Asks about a million candidates that wait for one candidate, which stays open. A program that
+/// goes through all of them in every round does not finish.
 pub(crate) fn crowd_behind_one(_: &mut Random, ask: &mut impl Ask) {
     let question = format!(
         "1,000,000 times the same candidate of two discs, and 100,000 rounds without news from the other ranks: \

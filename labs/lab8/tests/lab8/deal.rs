@@ -132,7 +132,8 @@ fn is_its_job(deal: &Deal, worker: usize, d: usize, job: &[usize]) -> Result<(),
     if is_opposite != (part > 0) {
         return Err("opposite blocks must be searched by halves, and other blocks as a whole");
     }
-    // The block at offset p: the job's other block is d steps further round the ring.
+    // The block `near` is at offset p of the worker. The block `far` is d steps further round the
+    // ring.
     let from_row = if is_opposite { part == 1 } else { (row + d) % workers == column };
     let [near, far] = if from_row { [row, column] } else { [column, row] };
     if (near + d) % workers != far {

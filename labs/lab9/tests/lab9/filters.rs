@@ -37,7 +37,8 @@ pub(super) fn drawn(random: &mut Random, n: u64, fraction: f64, speed: f64) -> S
 struct Filtered {
     name: String,
     scene: Scene,
-    /// Whether few other pairs may be passed on. Many may be where discs graze each other or touch.
+    /// Whether only few other pairs may be passed on. If discs graze each other or touch, many may
+    /// be.
     strict: bool,
 }
 

@@ -31,8 +31,9 @@ const FIRST: Duration = Duration::from_secs(900);
 /// Beginning of the message about a build that exceeded its time limit.
 const LATE: &str = "no build within";
 
-/// Name of the package whose programs call a submission, and its folder in a tree.
+/// Name of the package whose programs call a submission.
 const PROBE: &str = "probe";
+/// Folder of this package in a tree.
 const PACKAGE: &str = "labs/lab-probe";
 
 /// A tree for building submissions, one after another.
@@ -114,8 +115,13 @@ impl Tree {
 
     /// Builds in two passes, so that neither side can read the other's sources.
     ///
-    /// The first pass compiles the submission, without the grader's programs in the tree. The
-    /// second compiles the grader's programs, with the submission's compiled library only.
+    /// ```text
+    ///          submission in the tree    grader's programs in the tree    result
+    /// pass 1   sources                   empty programs                   library
+    /// pass 2   library, empty sources    sources                          programs
+    /// ```
+    ///
+    /// So a submission cannot include the questions, and a program cannot include the submission.
     fn build_once(&self, sandbox: &Sandbox, order: &Order<'_>) -> Result<Built> {
         let (root, until) = (self.folder.path(), Instant::now() + order.limit);
         let Order { sources, names, .. } = *order;
@@ -129,7 +135,8 @@ impl Tree {
         clean(root, &[PROBE], sandbox)?;
         // Short messages quote no line of the questions, which a student must not read.
         if let Some(why) = compile(root, sandbox, order, until, "short")? {
-            let what = "it compiles, but not together with what asks it";
+            let what =
+                "it compiles alone, but the grader cannot call it (was a signature changed?)";
             return Ok(Err(format!("{what}:\n{why}")));
         }
         let folder = sandbox.folder()?;

@@ -99,8 +99,8 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
     let unpacked: Vec<&str> = unpacked.map(|(name, _)| name.as_str()).collect();
     if !unpacked.is_empty() && roll.trusts_files() {
         println!(
-            "A folder's hand-in time is that of the files in it, which its student can set: name a file of times \
-             in class.toml. Folders: {}",
+            "The hand-in time of a folder is the time of its files, and a student can change it: \
+             name a file of times in class.toml. Folders: {}",
             line(&unpacked.join("; "))
         );
     }

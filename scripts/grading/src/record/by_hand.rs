@@ -8,8 +8,8 @@ use lab_kit::Facts;
 
 /// A person's decision, which overrides the grader: an `[[override]]` of `class.toml`.
 ///
-/// In a record, a decision has neither the student nor the days late, because the record has both
-/// itself.
+/// A decision that is written into a record has neither `student` nor `days`, because the record
+/// has its own fields for both.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Decision {
@@ -20,7 +20,7 @@ pub(crate) struct Decision {
     pub(crate) task: Option<String>,
     /// Points that replace the grader's; `None` if the decision is only a comment.
     pub(crate) points: Option<f64>,
-    /// Days late that replace those of the clock.
+    /// Days late that replace the days by the clock.
     #[serde(default, skip_serializing)]
     pub(crate) days: Option<u32>,
     /// Reason that the student reads.

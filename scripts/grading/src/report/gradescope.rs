@@ -60,8 +60,9 @@ mod tests {
     use crate::record::{Record, Status, Verdict};
     use crate::report::Words;
 
-    /// Keys that Gradescope documents.
+    /// Keys of the results that Gradescope documents.
     const KEYS: &str = "extra_data output output_format score stdout_visibility tests";
+    /// Keys of a test that Gradescope documents.
     const KEYS_OF_A_TEST: &str = "max_score name number output score";
 
     fn keys(object: &Value) -> impl Iterator<Item = &String> {

@@ -17,13 +17,13 @@ pub(crate) fn body(record: &Record, words: &Words) -> String {
 
 /// Writes the body of the letter around the text about the `tasks`.
 ///
-/// That text is left out if no task was judged.
+/// The letter contains `tasks` only if the tasks were judged.
 pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     let mut out = standing(record, words);
     if record.open_points() > 0.0 {
         let open = points(record.open_points());
         out += &format!(
-            " {open} points are open: they hang on times that were not graded (see below)."
+            " {open} points are open: they depend on times that were not graded (see below)."
         );
     }
     for sentence in words::by_hand(record, None) {
@@ -32,12 +32,13 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     out += "\n\n";
     if record.status == Status::Failed {
         // The cause is for the staff only, and may name their folders.
-        out += "It could not be graded yet. The cause is the machine that grades, and not what you handed in.\n\n";
+        out += "It could not be graded yet. The cause is the grading machine, and not your \
+                submission.\n\n";
     } else if let Some(trouble) = trouble(record.status) {
         out += &format!("The submission {trouble}.\n\n{}\n", fenced(&record.message));
         if record.status == Status::NotBuilt {
-            out +=
-                "`cargo lab check` compiles a lab as the grader does; hand in what it passes.\n\n";
+            out += "`cargo lab check` compiles a lab as the grader does; hand in a version that \
+                 passes this check.\n\n";
         }
     } else {
         out += tasks;
@@ -107,7 +108,7 @@ fn tasks(record: &Record, words: &Words) -> String {
     }
     out += "## What is not right\n\n";
     if lost.len() > 1 {
-        out += "Begin with the first: what comes later may follow from it.\n\n";
+        out += "Begin with the first task: later mistakes may follow from it.\n\n";
     }
     for task in lost {
         out += &format!(

@@ -1,6 +1,6 @@
 //! Tests of rosters, clocks, decisions, and entries in `class.toml`.
 //!
-//! The rosters have the formats of the platforms. The entries are valid and invalid.
+//! The rosters have the formats of the platforms. Some entries are valid and some are invalid.
 
 use std::fs;
 
@@ -227,7 +227,7 @@ fn days_begin_after_the_grace() {
         let (records, ..) = marked(&[("class.toml", &class_toml)], &["ada"]);
         (records[0].late.as_ref().map_or(0, |late| late.days), records[0].points)
     };
-    // Handed in a day after the deadline to the minute, with 60 points.
+    // The submission has 60 points, and was handed in exactly a day after the deadline.
     assert_eq!(lost("penalty = 10"), (1, 54.0));
     assert_eq!(lost("penalty = 10\ngrace = 1440"), (0, 60.0));
     assert_eq!(lost("penalty = 10\ndays = 0"), (1, 0.0));
@@ -281,7 +281,8 @@ fn accents_count_however_they_are_written() {
         Jos\u{e9},Ruiz,7,jose7@example.org\nJose,Ruiz,8,jose8@example.org\nZo\u{eb},Li,9,zoe@example.org\n";
     let class_toml = "roster = \"r.csv\"\n[names]\n\"ka\u{308}fer\" = \"9\"";
     let files = [("class.toml", class_toml), ("r.csv", roster)];
-    // An accented letter in one character, and in two as macOS writes it.
+    // The accented letter is one character in one name. In the other name it is two characters, as
+    // macOS writes it.
     let names =
         ["Jos\u{e9} Ruiz_1", "Jose\u{301} Ruiz_2", "JOSE\u{301} RUIZ", "Jose Ruiz", "k\u{e4}fer"];
     let (records, ..) = marked(&files, &names);

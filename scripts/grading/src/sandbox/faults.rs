@@ -17,9 +17,9 @@ use lab_kit::process::Finished;
 /// Number of doubtful runs after which the last run counts.
 const RUNS: usize = 3;
 
-/// Number of attempts at a control, and the pause between them. A busy machine may lack a process
-/// for a moment.
+/// Number of attempts at a control. A busy machine may lack a process for a moment.
 const ATTEMPTS: usize = 4;
+/// Pause between two attempts.
 const PAUSE: Duration = Duration::from_secs(2);
 
 /// Beginning of the message about a submission that is not graded.

@@ -43,9 +43,10 @@ pub(crate) struct Limits {
 const PROGRAM: [&str; 5] =
     ["--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256", "--as=4294967296"];
 
-/// Size limits of a file, in bytes, for the build of a submission and for the build of the
-/// solution. The second is larger because that build compiles the dependencies too.
+/// Size limit of a file that the build of a submission writes, in bytes.
 pub(crate) const BUILT_FILE: u64 = 1 << 26;
+/// Size limit of a file that the build of the solution writes, in bytes. It is larger, because this
+/// build compiles the dependencies too.
 pub(crate) const GIVEN_FILE: u64 = 1 << 30;
 
 /// Bytes that the build of a submission may write.
@@ -54,12 +55,11 @@ pub(crate) const GIVEN_FILE: u64 = 1 << 30;
 /// file that describes it.
 pub(crate) const BUILD_QUOTA: u64 = 24 * BUILT_FILE;
 
-/// Size limits of temporary files and shared memory, in bytes.
-///
-/// They are for a program's temporary files, for memory that its ranks share, and for a build's
-/// temporary files.
+/// Size limit of a program's temporary files, in bytes.
 const TEMPORARY: &str = "67108864";
+/// Size limit of the memory that a program's ranks share, in bytes.
 const SHARED: &str = "134217728";
+/// Size limit of a build's temporary files, in bytes.
 const BUILDS: &str = "1073741824";
 
 /// User and group number of nobody.
@@ -162,7 +162,7 @@ impl Sandbox {
             sandbox.keeps = false;
             sandbox.as_nobody = nobody::can_build(&sandbox.sysroot, &sandbox.cargo_home);
             let rights = if sandbox.as_nobody { "as nobody" } else { "with all your rights" };
-            eprintln!("NO SANDBOX: what was handed in runs {rights}");
+            eprintln!("NO SANDBOX: submissions run {rights}");
         }
         Ok(sandbox)
     }
@@ -260,8 +260,8 @@ impl Sandbox {
     /// The program may write only the file `written`.
     fn inside(&self, folder: &Path, written: Option<&Path>) -> Command {
         // Processes are counted by user. The limit is set inside, where only this sandbox's
-        // processes count. Set outside, one fork bomb would keep every other submission from
-        // starting.
+        // processes count. If the limit were set outside, one fork bomb would keep every other
+        // submission from starting.
         let mut command = if getuid().is_root() {
             let mut command = launcher("setpriv");
             command.args(["--reuid", NOBODY, "--regid", NOBODY, "--clear-groups", SHELL]);

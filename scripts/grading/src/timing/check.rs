@@ -5,6 +5,7 @@
 /// Two programs differ by rounding, and chaos enlarges the difference. A program that skips a step
 /// moves all particles.
 pub(crate) const STRAY: f64 = 0.001;
+/// Difference of two numbers that rounding can explain.
 const CLOSE: f64 = 1e-9;
 
 /// Describes the difference between two states; `None` if they agree.

@@ -30,8 +30,9 @@ use judge::is_noisy;
 pub(crate) use judge::{judge, seconds_of};
 pub(crate) use take::PROGRAM;
 
-/// Smallest and largest number of rounds.
+/// Smallest number of rounds.
 const LEAST: usize = 5;
+/// Largest number of rounds.
 const MOST: usize = 15;
 
 /// Time after which no further round begins.
@@ -73,7 +74,7 @@ fn scene(random: &mut Random) -> u32 {
 
 /// Whether every measure is graded that can be graded on a machine with this many cores.
 pub(crate) fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool {
-    // With one core scaling is never graded.
+    // On a machine with one core, scaling is never graded.
     let cannot_be = |measure: &Measure| measure.kind == Kind::Scaling && cores == 1;
     let is_judged = |measure: &Measure| measure.counts() || cannot_be(measure);
     record.timed && judge(record, rubric).iter().all(is_judged)

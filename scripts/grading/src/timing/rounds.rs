@@ -13,8 +13,9 @@ use crate::sandbox::Sandbox;
 use crate::sandbox::faults::believed;
 use lab_measure::experiment::turns;
 
-/// Limit of a run: this time plus this multiple of the solution's time.
+/// Constant part of the time limit of a run.
 const ALLOWANCE: Duration = Duration::from_secs(8);
+/// Multiple of the solution's time that the time limit of a run contains in addition.
 const TIMES: f64 = 10.0;
 
 /// Result of a trusted program on a scene.

@@ -101,9 +101,7 @@ pub(crate) fn take(
     let (end, state) = match receive.recv_timeout(limit) {
         Ok(Reply::State(end, state)) => (end, state),
         Ok(Reply::TooMuch) => {
-            return wrong(
-                "it prints too much while it is timed: take out what prints in each step",
-            );
+            return wrong("it prints too much while it is timed: remove the output in each step");
         }
         Ok(_) => return wrong("it talks nonsense"),
         Err(error) => return Ok(Err(ended(error, limit, &complaints))),

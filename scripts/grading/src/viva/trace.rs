@@ -17,9 +17,11 @@ use lab_kit::submission::Sources;
 /// Nanoseconds that a probe waits, so that different workers reach their lines during this time.
 const PAUSE: u128 = 1_000_000;
 
-/// Size of a traced run, and its time limit.
+/// Number of particles of a traced run.
 pub(super) const PARTICLES: usize = 60;
+/// Number of steps of a traced run.
 pub(super) const STEPS: usize = 3;
+/// Time limit of a traced run.
 const LIMIT: Duration = Duration::from_secs(60);
 
 /// Executions of a program's lines.

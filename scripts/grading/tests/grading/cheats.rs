@@ -56,7 +56,7 @@ fn hides() -> Cheat {
         .replace("size: f64) -> (f64, f64)", "size: f64, _: u8) -> (f64, f64)")
         .replace("particle.vx, size);", "particle.vx, size, 0);")
         .replace("particle.vy, size);", "particle.vy, size, 0);");
-    ("hides".to_owned(), files, Expected::ends(NOT_BUILT, "not together with what asks it"))
+    ("hides".to_owned(), files, Expected::ends(NOT_BUILT, "the grader cannot call it"))
 }
 
 /// Returns the cheat of a student who changes given code. It has no effect, and the page reports

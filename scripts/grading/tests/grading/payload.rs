@@ -91,7 +91,7 @@ fn parents() {
     must_not_run("mount", &["-t", "tmpfs", "none", "/tmp"]);
 }
 
-/// Checks that the disk is not visible, and that the space in memory is small.
+/// Checks that the disk is not visible, and that files in memory have little space.
 fn disks() {
     let block = vec![1; 8 << 20];
     for folder in ["/tmp", "/dev/shm"] {
@@ -114,7 +114,8 @@ fn processors() {
 
 /// Checks that the kernel gives the program no keys, no uncounted memory, and no rights of root.
 ///
-/// The keys would be the grader's. The rights of root would come from a new namespace.
+/// Without the filter, the program could read the keys of the grader, and become root in a new
+/// namespace.
 fn kernels() {
     must_not_run("keyctl", &["show"]);
     must_not_run("unshare", &["--user", "true"]);
@@ -174,8 +175,8 @@ fn memories() {
 fn answers() {
     must_fail("the program that judges", fs::read("/kit/judge"));
     let own = fs::read("/proc/self/exe").unwrap_or_default();
-    // Parts of symbols, and texts that only a verdict contains. The dash keeps them from being
-    // found here.
+    // These are parts of symbols, and texts that only a verdict contains. A dash is added to each,
+    // so that this program does not contain the texts itself.
     for word in ["6oracle-5model", "6oracle-5right", "which does not point- straight away"] {
         let word = word.replace('-', "");
         if own.windows(word.len()).any(|window| window == word.as_bytes()) {

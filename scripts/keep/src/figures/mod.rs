@@ -35,7 +35,10 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         let path = kit.path(path);
         if options.check {
             if std::fs::read_to_string(&path).ok().as_deref() != Some(&svg) {
-                println!("{} is not what `cargo lab figures` draws", path.display());
+                println!(
+                    "{} differs from the figure that `cargo lab figures` draws",
+                    path.display()
+                );
                 drifted = true;
             }
             continue;

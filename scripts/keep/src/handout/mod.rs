@@ -37,13 +37,13 @@ pub struct Options {
     /// The class's folder: new, empty, or written by this command
     #[arg(long, value_name = "DIR")]
     into: PathBuf,
-    /// Let the lab build on the student's own earlier labs, and add none of their solutions: for a
-    /// class with late days. Without this option the next time, the solutions are added
+    /// For a class with late days: let the lab build on the student's own earlier labs, and add
+    /// none of their solutions. The next call without this option adds the solutions
     #[arg(long)]
     own: bool,
 }
 
-/// What the labs of a tree build on.
+/// The earlier work that the labs of a tree build on.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Earlier {
     /// The solutions of earlier labs.

@@ -34,7 +34,7 @@ impl Part {
 pub struct Region {
     /// The task and its letter.
     pub id: RegionId,
-    /// Title behind the colon of the opening mark.
+    /// Title after the colon of the opening mark.
     pub title: String,
     /// Line of the opening mark, from 1.
     pub line: usize,
@@ -113,7 +113,7 @@ fn checked(
     let name = mark.name();
     let indent = |index: usize| lines[index].len() - lines[index].trim_start().len();
     match (mark, next) {
-        (Mark::End(_), _) => Err((open, format!("'// end {name}' ends what did not begin"))),
+        (Mark::End(_), _) => Err((open, format!("'// end {name}' has no opening mark"))),
         (Mark::Task(..), _) if indent(open) == 0 => {
             Err((open, "a task's answer is the body of a function: this is outside".into()))
         }
@@ -250,9 +250,9 @@ fn g() {
                 "    // task 1.2: a\n    x\n    // task 1.3: b\n",
                 "src/x.rs:3: a mark inside 1.2, which began on line 1",
             ),
-            ("    // end 1.2\n", "src/x.rs:1: '// end 1.2' ends what did not begin"),
+            ("    // end 1.2\n", "src/x.rs:1: '// end 1.2' has no opening mark"),
             ("    // end 1.2.3\n", "src/x.rs:1: '// end 1.2.3' is no mark: write '// end 3.2'"),
-            ("// end answer only\n", "src/x.rs:1: '// end answer only' ends what did not begin"),
+            ("// end answer only\n", "src/x.rs:1: '// end answer only' has no opening mark"),
             (
                 "// task 1.2: a\n",
                 "src/x.rs:1: a task's answer is the body of a function: this is outside",

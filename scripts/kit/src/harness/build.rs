@@ -136,8 +136,8 @@ impl TestProgram {
                 command.env_remove(name);
             }
         }
-        // Cargo would set the first variable. The second saves the snapshots a search for the
-        // workspace.
+        // A plain `cargo test` sets the first variable. Because of the second variable, the
+        // snapshots need not search for the workspace.
         command
             .current_dir(&self.folder)
             .env("CARGO_MANIFEST_DIR", &self.folder)

@@ -19,12 +19,12 @@ use crate::scene::Scene;
 
 /// Test whether a lab's innermost loops are as fast as they can be
 ///
-/// Each loop takes turns with a second loop that a fast loop is as fast as: it does the same work
-/// without unpredictable branches, or without the slow part. Both are programs of the lab, so no
-/// solution is needed, and a loop can be timed as soon as its task is done. A loop is slow if it
-/// takes more than 1.5 times as long, by the shortest takes and by the medians, and if the ranges
-/// of the two do not overlap. If valgrind is installed, the command also counts the mispredicted
-/// branches and the instructions of a slow loop.
+/// Each loop takes turns with a second loop, which does the same work without unpredictable
+/// branches, or without the slow part. A fast loop takes the same time as the second loop. Both are
+/// programs of the lab, so no solution is needed, and a loop can be timed as soon as its task is
+/// done. A loop is slow if it takes more than 1.5 times as long, by the shortest takes and by the
+/// medians, and if the ranges of the two do not overlap. If valgrind is installed, the command also
+/// counts the mispredicted branches and the instructions of a slow loop.
 #[derive(Args)]
 pub struct Options {
     /// The lab, such as 10

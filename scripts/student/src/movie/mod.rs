@@ -22,10 +22,11 @@ const EVERY: u32 = 2;
 /// Default number of steps, for soft and for hard discs. Soft discs move little in a step, hard
 /// discs by their diameter.
 const STEPS: [u32; 2] = [300, 100];
-/// Radius of hard discs, their speeds, and the area for each disc, which is large enough to move
-/// about.
+/// Radius of hard discs.
 const RADIUS: f64 = 1.0;
+/// Least and greatest velocity component of hard discs.
 const SPEEDS: &str = "0.3,2";
+/// Area of the square for each hard disc, which is large enough for the disc to move about.
 const ROOM: f64 = 36.0;
 /// Number of owners shown for a run without ranks, unless the user chooses threads.
 const OWNERS: u16 = 4;

@@ -1,7 +1,7 @@
 //! Asking a lab: one source of questions for a student's tests and for grading.
 //!
-//! A question function draws inputs, has the lab answer them, and knows what is right. It does the
-//! last two in closures, and who asks decides which of the closures are called:
+//! A question function draws inputs and passes two closures to its asker: the first computes the
+//! lab's answer, and the second judges it. The asker decides which of them are called:
 //!
 //! | who asks       | the lab answers         | the answer is compared           |
 //! |----------------|-------------------------|----------------------------------|

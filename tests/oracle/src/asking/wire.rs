@@ -1,8 +1,10 @@
-//! Answers in a file: for each a question, and numbers or a text.
+//! The file of answers: each answer is stored with its question, and consists of numbers or of a
+//! text.
 //!
-//! An answer is the length of the question, the question, the number of bytes of the answer, and
-//! these: 64-bit floating-point numbers, or text. All numbers are little-endian. The file ends with
-//! an answer to the question [`END`], so that a program that broke off is noticed.
+//! An entry consists of the length of the question, the question, the length of the answer in
+//! bytes, and the answer: 64-bit floating-point numbers, or text. All numbers are little-endian.
+//! The file ends with an answer to the question [`END`], so that a program that broke off is
+//! noticed.
 
 use std::io::{self, Read, Write};
 

@@ -86,8 +86,8 @@ impl Runs {
         ask.judge(&question, || self.run(found), |found| follow(scene, found, steps));
     }
 
-    /// Asks whether the bits after `steps` steps are those of `right`, a program that is known to
-    /// be correct. For labs whose tasks have no part in `right`.
+    /// Asks whether the bits after `steps` steps equal the bits of `right`, a program that is known
+    /// to be correct. None of the lab's tasks may be a part of `right`.
     pub fn bits_of(
         &self,
         ask: &mut impl Ask,

@@ -149,8 +149,8 @@ impl Job {
         // If the test itself is killed, both Open MPI and MPICH end the job.
         command.env("MPIEXEC_TIMEOUT", (limit + TO_SAY + LAST_WORDS).as_secs().to_string());
         command.env(WATCH, limit.as_secs().to_string());
-        // Ranks of one machine use nothing else in the end, and searching for networks takes longer
-        // than most jobs.
+        // Ranks on one machine need no network, and searching for networks takes longer than most
+        // jobs.
         command.env("OMPI_MCA_pml", "ob1").env("OMPI_MCA_btl", "^openib,tcp,ofi,usnic");
         // Aggregation would delay the library's messages until the job has ended.
         command.env("OMPI_MCA_orte_base_help_aggregate", "0");

@@ -9,9 +9,8 @@ use crate::watchdog::{TEST, WATCH};
 /// Time limit in seconds of a part of a test.
 const SECONDS: u64 = 20;
 
-/// Runs the current test again on each number of ranks of `counts`, in turn. Each rank reaches this
-/// call in its turn, executes `part` and ends. All ranks also execute the code before this call.
-/// Returns the last job.
+/// Runs the current test again on each number of ranks of `counts`, in turn. Each rank executes the
+/// code before this call, then `part`, and ends. Returns the last job.
 ///
 /// # Panics
 /// If a job fails or does not end, as for [`Job::succeed`], or the test is not a `watched::test`.

@@ -1,11 +1,12 @@
 //! Soft discs as exactly as double precision allows: the motion without the error of a time step.
 //!
-//! The force has a corner at the cutoff, and walls turn velocities: a method of high order loses
-//! its order in every step that crosses one. So each such moment is located, and steps end there.
-//! Between them the motion is smooth, and [extrapolation] follows it to rounding.
+//! The motion is not smooth at two kinds of moments: when a pair crosses the cutoff, and when a
+//! wall reflects a particle. A method of high order loses its order in every step that contains
+//! such a moment. So each such moment is located, and a step ends there. Between them the motion is
+//! smooth, and [extrapolation] follows it up to rounding.
 //!
-//! Time goes in short windows. A particle that cannot touch another within a window flies freely; the
-//! rest form groups, each of which is followed alone.
+//! The motion is computed in short windows of time. A particle that cannot touch another within a
+//! window flies freely; the rest form groups, each of which is followed alone.
 
 mod event;
 mod extrapolation;

@@ -77,6 +77,6 @@ fn walls_and_corners_reflect() {
     let scene = Scene::new(1.0, vec![at(0.02, 0.02), at(0.5, 0.01), at(0.508, 0.01)]).unwrap();
     let end = exact(&scene, 0.05, Fineness::FINE).unwrap();
     assert!((end[0].x - 0.03).abs() < 1e-14 && (end[0].y - 0.03).abs() < 1e-14, "{end:?}");
-    // Two that touch while both meet the wall at once.
+    // The particles touch each other, and both meet the wall at the same time.
     assert!((end[1].y - 0.04).abs() < 1e-14 && (end[2].vy - 1.0).abs() < 1e-14, "{end:?}");
 }

@@ -34,7 +34,7 @@ struct Tally {
     found: u64,
     candidates: u64,
     taken: u64,
-    /// Time for finding candidates, with the way to the device and back.
+    /// Time for finding candidates, including the copies to the device and back.
     finding: Duration,
     /// Time for computing the times of collisions.
     checking: Duration,

@@ -20,9 +20,9 @@ pub struct Margins {
     pub reach: f64,
     /// Two discs can approach each other only if the device computes d · D at most this.
     pub receding: f64,
-    /// A disc can hit a wall only if the device computes an end coordinate below this …
+    /// A disc can hit a lower wall only if the device computes an end coordinate below this.
     pub least: f64,
-    /// … or above this.
+    /// A disc can hit an upper wall only if the device computes an end coordinate above this.
     pub most: f64,
     /// Whether velocities are too large for these bounds, so that every pair is a candidate.
     pub everything: bool,

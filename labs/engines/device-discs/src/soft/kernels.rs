@@ -25,8 +25,8 @@ pub trait SoftKernels: Launcher + Sized + 'static {
 
     /// Returns the kernels `scan_blocks` and `add_sums` of a prefix sum.
     ///
-    /// Binding 0 is the numbers, and binding 1 the sums of their blocks. The kernels have the functions
-    /// `put`, `fetch` and `meet` of a workgroup's shared numbers, and set `own`.
+    /// Binding 0 contains the numbers, and binding 1 the sums of their blocks. The kernels have the
+    /// functions `put`, `fetch` and `meet` of a workgroup's shared numbers, and set `own`.
     fn scan() -> &'static str;
 
     /// Returns the kernels `count`, `scatter` and `order` of a counting sort.

@@ -21,7 +21,7 @@ pub(super) struct Lattice {
     pub(super) fastest: f64,
     /// Whether testing many pairs together pays.
     ///
-    /// It does if an entry has several partners, and few of these pairs touch at any time.
+    /// It pays if an entry has several partners, and few of these pairs ever touch.
     pub(super) in_lanes: bool,
 }
 

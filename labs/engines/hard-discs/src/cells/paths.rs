@@ -20,8 +20,8 @@ impl Paths {
     /// Copies these discs.
     pub(super) fn copy<'a>(&mut self, discs: impl ExactSizeIterator<Item = &'a Disc>) {
         let Self { x, y, vx, vy } = self;
-        // The elements behind the last disc are read in the last lanes, but their pairs are never
-        // used.
+        // The last lanes also read elements after the last disc, but the pairs of these elements
+        // are never used.
         for array in [&mut *x, y, vx, vy] {
             array.resize(discs.len() + LANES, 0.0);
         }

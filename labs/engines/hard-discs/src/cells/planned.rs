@@ -71,10 +71,6 @@ impl<C> Planned<C> {
 }
 
 impl<C: Collisions + BroadPhase> Find for Planned<C> {
-    fn home(&self) -> Workers {
-        self.workers.clone()
-    }
-
     fn windows(&mut self, discs: &[Disc], square: Square) -> usize {
         if self.plan.is_some() && self.fixed.is_none() {
             let expected = expected_work(&self.survey, square, self.windows);

@@ -54,9 +54,9 @@ pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
 
 /// Returns the sums over windows of the shares of discs, and of pairs, that are free at their start.
 ///
-/// A disc collides once in a step. If it would meet m discs, the share f of free discs falls with
-/// the slope −m f², so f(t) = 1 / (1 + m t). In the first window all discs are free; over the later
-/// windows f and f² are integrated.
+/// A disc collides at most once in a step. If it would meet m discs, the share f of free discs
+/// falls with the slope −m f², so f(t) = 1 / (1 + m t). In the first window all discs are free;
+/// over the later windows f and f² are integrated.
 fn still_free(meetings: f64, windows: usize) -> (f64, f64) {
     let windows = windows as f64;
     let later = 1.0 - 1.0 / windows;

@@ -21,8 +21,8 @@ pub(super) enum Event {
 pub(super) struct Corners<'a> {
     size: f64,
     pairs: &'a [(u32, u32)],
-    /// Whether each pair exerts a force. Its force has the same formula on both sides of the cutoff
-    /// until the event, so that the motion between events has no corner.
+    /// Whether each pair exerts a force. Until the event, a pair keeps the same formula of the
+    /// force on both sides of the cutoff, so that the motion between events has no corner.
     touching: Vec<bool>,
 }
 

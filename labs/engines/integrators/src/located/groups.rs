@@ -8,7 +8,8 @@ use neighbour_list::{Disc, overlapping};
 pub(super) struct Groups {
     /// All particles, group by group, in ascending order within each group.
     members: Vec<u32>,
-    /// The ends of each group's members and pairs, after (0, 0).
+    /// For each group, the end of its members and the end of its pairs. The first entry, (0, 0), is
+    /// where the first group begins.
     ends: Vec<(u32, u32)>,
     /// All pairs, group by group, as indices among the group's members.
     pairs: Vec<(u32, u32)>,
@@ -17,8 +18,8 @@ pub(super) struct Groups {
 impl Groups {
     /// Returns the groups of particles at positions `at` for the next `dt`.
     ///
-    /// Each particle is no faster than its entry of `fastest`. So it stays within this speed times
-    /// `dt`, reflected or not.
+    /// Each particle is no faster than its entry of `fastest`. So its distance from `at` is at most
+    /// this speed times `dt`, even if a wall reflects it.
     pub(super) fn new(at: &[Vec2], fastest: &[f64], dt: f64) -> Self {
         let n = at.len();
         let discs = at.iter().zip(fastest).zip(0..).map(|((at, fastest), index)| Disc {

@@ -22,7 +22,7 @@ use groups::Groups;
 
 /// Number of times that the allowed speeds may be doubled.
 const MOST_TRIES: u32 = 64;
-/// Greatest number of pieces of work.
+/// Greatest number of pieces that the work of a step is divided into.
 const PIECES: usize = 256;
 /// Least number of groups in a piece of work.
 const IN_A_PIECE: usize = 64;
@@ -42,7 +42,7 @@ pub struct Located<R> {
 
 impl<R: Rules> Located<R> {
     /// Makes an engine for `threads` threads. A step is `stretch` official steps long, and is
-    /// divided into `divide`.
+    /// divided into `divide` small steps.
     pub fn new(threads: usize, divide: u32, stretch: f64) -> Self {
         Self {
             workers: Workers::if_possible(threads),

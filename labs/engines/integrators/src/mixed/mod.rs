@@ -25,7 +25,8 @@ pub struct Mixed {
 }
 
 impl Mixed {
-    /// Makes an engine for `threads` threads. Each official step is divided into `divide`.
+    /// Makes an engine for `threads` threads. Each official step is divided into `divide` small
+    /// steps.
     pub fn new(threads: usize, divide: u32) -> Self {
         Self {
             workers: Workers::if_possible(threads),

@@ -18,7 +18,7 @@ pub struct Integrated<M> {
 
 impl<M: Method> Integrated<M> {
     /// Makes an engine for `threads` threads. A step is `stretch` official steps long, and is
-    /// divided into `divide`.
+    /// divided into `divide` small steps.
     pub fn new(threads: usize, method: M, divide: u32, stretch: f64) -> Self {
         Self { method, divide, stretch, system: System::new(threads) }
     }

@@ -57,11 +57,11 @@ fn is_drawn(config: &Config) -> bool {
     config.parameter(DRAWN.name) > 0.0
 }
 
-/// Particles that are moved by one call, as in the engines.
+/// Number of particles that one call moves, as in the engines.
 const CHUNK: usize = 64;
 
-/// Number of passes until the distances of all pairs repeat. With fewer, the processor learns the
-/// branches by heart.
+/// Number of passes until the distances of all pairs repeat. With fewer passes, the processor would
+/// learn all branches by heart.
 const SHIFTS: usize = 512;
 
 /// The data of a loop. Particles are at rest and there are no forces, so every step does the same
@@ -72,7 +72,8 @@ struct Loop {
     /// Zero accelerations.
     zeros: Vec<f64>,
     pairs: Vec<Pair>,
-    /// Whether it is random which particles are near, and how many are compared.
+    /// Whether chance decides which particles are near, and how many particles each is compared
+    /// with.
     drawn: bool,
     passes: usize,
     /// Number of near pairs and of chunks with a particle outside. The compiler cannot omit work
@@ -90,7 +91,7 @@ struct Plain<'a>(&'a mut Loop);
 /// Calls [`collect`](Primitives::collect) for nearly all particles, each with the next three
 /// particles.
 ///
-/// If near pairs are random, each has the next zero to six particles instead.
+/// If near pairs are random, a particle is compared with the next zero to six particles instead.
 struct Collect<'a, P>(&'a mut Loop, PhantomData<P>);
 
 /// Calls [`filter`](Primitives::filter) with a pair for nearly each particle: the particle and the
@@ -98,8 +99,8 @@ struct Collect<'a, P>(&'a mut Loop, PhantomData<P>);
 struct Filter<'a, P>(&'a mut Loop, PhantomData<P>);
 
 impl Loop {
-    /// Returns positions that differ from pass to pass: x of each particle with y of another
-    /// particle.
+    /// Returns positions that differ from pass to pass: the x of a particle is combined with the y
+    /// of a different particle.
     #[inline(always)]
     fn positions(&self) -> Positions<'_> {
         let Bodies { x, y, .. } = &self.bodies;

@@ -118,8 +118,8 @@ fn timed(engines: &[Engine], takes: Vec<Vec<f64>>, n: usize, steps: u64) -> Vec<
 
 /// Returns the least seconds of LAMMPS over its styles; `None` if it did not run.
 ///
-/// Minima and medians are chosen separately. Both show how fast LAMMPS can be, and one style for
-/// both would treat it unfairly in one of them.
+/// The least minimum and the least median may be of different styles. Both show how fast LAMMPS can
+/// be, and with one style for both, one of them would be unfair to LAMMPS.
 fn best_of_lammps(all: &[Timed]) -> Option<Span> {
     let lammps = all.iter().filter(|timed| timed.engine.style().is_some());
     Span::least(lammps.map(|timed| timed.times.span(1.0)))

@@ -5,11 +5,12 @@
 use crate::blocks::{Blocks, WIRE};
 use crate::network::Network;
 
-/// Steps of an epoch, and depth of its ghosts in cutoffs.
+/// Number of steps of an epoch.
 ///
-/// Both are means of 100 steps of the official scene. The model uses them for all scenes, though
-/// low strips have shorter epochs.
+/// It is a mean of 100 steps of the official scene. The model uses it for all scenes, although low
+/// strips have shorter epochs.
 const EPOCH: f64 = 9.1;
+/// Depth of the ghosts of such an epoch, in cutoffs.
 const DEPTH: f64 = 12.6;
 
 /// Reductions of an epoch: one that confirms its steps, and two in every fifth epoch for the

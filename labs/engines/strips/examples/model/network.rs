@@ -75,7 +75,7 @@ impl Network {
 
     /// Makes a network from half a round trip, L + 2o, and the bandwidth, if nothing else is known.
     ///
-    /// A quarter of the half round trip is taken for each o, and o is taken for the gap.
+    /// Each o is assumed to be a quarter of half a round trip, and the gap to be equal to o.
     const fn from_ping_pong(name: &'static str, half_round_trip: f64, bandwidth: f64) -> Self {
         let overhead = half_round_trip / 4.0;
         let latency = half_round_trip - 2.0 * overhead;
@@ -94,7 +94,8 @@ impl Network {
         Exchange { busy, away: self.latency + others * bytes * self.per_byte }
     }
 
-    /// Returns the time of messages between the root and each other of `ranks` ranks, one way.
+    /// Returns the time of messages from the root to each of the other ranks, or from each of them
+    /// to the root, on `ranks` ranks.
     ///
     /// The messages follow one another, because the root has only one port. Together they have
     /// `bytes` bytes.

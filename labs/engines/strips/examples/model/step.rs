@@ -6,8 +6,9 @@ use crate::blocks::{Blocks, WIRE};
 use crate::deep;
 use crate::network::Network;
 
-/// Bytes of a ghost in a message, and bytes of its position.
+/// Bytes of a ghost in a message.
 const GHOST: f64 = 24.0;
+/// Bytes of a ghost's position in a message.
 const POSITION: f64 = 16.0;
 
 /// Share of a step that computes forces, while ghosts may travel.
@@ -16,10 +17,9 @@ const FORCES: f64 = 0.5;
 /// Number of steps between two tests of the balance, each with an all-reduce.
 const REBALANCE: f64 = 50.0;
 
-/// Steps that a neighbour list lasts, and width of ghosts for these steps in cutoffs.
-///
-/// Both were counted on the official scene.
+/// Number of steps that a neighbour list lasts, counted on the official scene.
 const LASTS: f64 = 9.5;
+/// Width of ghosts that last for these steps, in cutoffs.
 const WIDTH: f64 = 3.6;
 
 /// Share of a step that moves inner blocks, while positions may travel.
@@ -155,7 +155,7 @@ mod tests {
         let scenes = [(1e8, 64.0), (4e8, 64.0), (1e8, 512.0)];
         let [few, many, spread] = scenes.map(|(n, p)| Method::Halo.step(n, p, 0.0, &BYTES));
         assert!((many / few - 2.0).abs() < 0.01);
-        // The sums over all ranks are not the same.
+        // The sums over all ranks do not take exactly the same time.
         assert!((spread / few - 1.0).abs() < 1e-3);
     }
 

@@ -9,7 +9,7 @@ use super::numbering::Numbering;
 use super::slots::{Groups, SMALL};
 use super::union::{NO_GROUP, Union};
 
-/// The crowd of a group that is not a crowd.
+/// Entry of `crowd_of` for a group that is not a crowd.
 const NO_CROWD: u32 = u32::MAX;
 
 /// The working memory of this step.
@@ -17,7 +17,7 @@ const NO_CROWD: u32 = u32::MAX;
 pub(super) struct Arrangement {
     /// The numbers of all members, group by group.
     members: Vec<u32>,
-    /// For each number, its index among the members of its crowd.
+    /// For each particle number, the index of the particle among the members of its crowd.
     local: Vec<u32>,
     /// For each group, the crowd that it becomes, or [`NO_CROWD`].
     crowd_of: Vec<u32>,
@@ -41,7 +41,8 @@ impl Arrangement {
             let members = &mut self.members[start..end as usize];
             start = end as usize;
             members.sort_unstable_by_key(|&number| bodies.id[particle(number) as usize]);
-            // The particles of a group of two are here only if their pair was found twice.
+            // A group of two has numbers only if its pair was found twice. Otherwise it is a
+            // couple, which is done.
             let small = SMALL[1..].iter().position(|size| *size == members.len());
             if let Some(k) = small.filter(|_| group >= union.crowds) {
                 groups.small[k + 1].extend(members.iter().map(|&number| particle(number)));
@@ -121,8 +122,7 @@ fn sort_pairs(groups: &mut Groups, ends: &[u32]) {
     groups.pairs.truncate(kept);
 }
 
-/// Returns the starts of several runs that follow one another; `lengths` are the lengths of the
-/// runs.
+/// Returns the start of each run, if runs of these lengths follow one another from 0 on.
 fn running_starts(lengths: &[u32]) -> Vec<u32> {
     let mut start = 0;
     let mut starts = Vec::with_capacity(lengths.len());

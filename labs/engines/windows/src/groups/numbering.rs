@@ -6,7 +6,7 @@ use neighbour_list::kernels::Pair;
 
 use super::task::Task;
 
-/// The number of a particle that has no number.
+/// Entry of `number` for a particle without a number.
 const NONE: u32 = u32::MAX;
 
 /// Numbers from 0 on for all particles of a task, except for those of couples.
@@ -21,7 +21,8 @@ pub(super) struct Numbering {
     /// The number of particles in pairs that are grouped elsewhere. These particles have the lowest
     /// numbers.
     pub(super) elsewhere: u32,
-    /// The end of the numbers of particles whose group is a crowd or is grouped elsewhere.
+    /// The numbers below this belong to particles that are grouped elsewhere or may reach a wall,
+    /// so their group is not a small one.
     pub(super) alone: u32,
     /// The pairs that are not couples, as pairs of numbers.
     pub(super) pairs: Vec<Pair>,
@@ -68,7 +69,7 @@ impl Numbering {
         }
     }
 
-    /// Numbers these particles and ensures that none of them counts as part of a couple.
+    /// Numbers these particles, and prevents them from counting as part of a couple.
     fn number_all(&mut self, particles: &[u32], first: u32) {
         for &i in particles {
             self.degree[(i - first) as usize] = u8::MAX;

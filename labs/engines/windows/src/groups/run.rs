@@ -136,8 +136,8 @@ impl Groups {
 
     /// Runs all groups again for observers.
     ///
-    /// `is_theirs` is given a member of a group and returns whether this batch is the last that
-    /// computed the group.
+    /// A group may have been computed again in a later batch. For a member of a group, `is_theirs`
+    /// returns whether this batch was the last.
     pub(crate) fn observe<R: Rules, O: Observer>(
         &self,
         bodies: &Bodies,
@@ -189,7 +189,8 @@ impl<R: Rules> RunSmall<'_, R> {
         }
     }
 
-    /// Runs groups of `size` with walls, one after another. Their first members have these slots.
+    /// Runs groups of `size` members with walls, one after another. `slots` are the slots of the
+    /// groups' first members.
     #[inline(never)]
     fn apart(&mut self, slots: Range<usize>, size: usize) {
         let Self { groups, bodies, span, record, .. } = self;

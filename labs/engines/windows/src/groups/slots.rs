@@ -10,7 +10,7 @@ pub(crate) const LANES: usize = 16;
 /// Sizes of small groups. Every other group is a crowd.
 pub(crate) const SMALL: [usize; 3] = [2, 3, 4];
 
-/// Groups of particles that may touch one another in a window, but no particle outside their group.
+/// Groups of particles. In a window, a particle may touch others of its group and no others.
 ///
 /// So each group can be computed alone from the start of the window to its end, in any order and by
 /// any thread. Every member has a slot. Here are one block of sixteen couples (a, b, …), one of
@@ -38,7 +38,7 @@ pub(crate) struct Groups {
     pub(crate) pairs: Vec<Pair>,
     /// The end of each crowd's pairs in `pairs`.
     pub(crate) pair_ends: Vec<u32>,
-    /// The crowd of each of `members`.
+    /// The crowd of each member, in the order of `members`.
     pub(crate) crowd_of: Vec<u32>,
 }
 
@@ -144,7 +144,7 @@ impl Group<'_> {
     }
 }
 
-/// Returns the range of the k-th of several parts that follow one another and end at `ends`.
+/// Returns the range of part k, if parts follow one another from 0 on and end at `ends`.
 fn part(ends: &[u32], k: usize) -> Range<usize> {
     let start = k.checked_sub(1).map_or(0, |before| ends[before] as usize);
     start..ends[k] as usize

@@ -16,7 +16,6 @@ use crate::span::Span;
 /// Members are in the order of their ids. Every pair of a group is computed, in contact or not,
 /// because adding zero changes no bit. If there are fewer than sixteen groups, the last one is
 /// computed several times.
-/// nothing changes no bit. Where there are fewer, the last is computed again.
 #[inline(always)]
 pub(crate) fn run_together<const M: usize>(
     start: &Bodies,

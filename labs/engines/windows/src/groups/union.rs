@@ -5,14 +5,14 @@
 use super::numbering::Numbering;
 use crate::rules::Rules;
 
-/// The group of a number that is grouped elsewhere.
+/// Entry of `group` for a number that is grouped elsewhere.
 pub(super) const NO_GROUP: u32 = u32::MAX;
 
 /// The groups into which pairs unite numbers.
 #[derive(Default)]
 pub(super) struct Union {
-    /// For each number, a number of its group that is not greater; the least number of a group has
-    /// itself.
+    /// For each number, a number of its group that is not greater. The least number of a group is
+    /// its own parent.
     parent: Vec<u32>,
     /// For each number, its group, or [`NO_GROUP`].
     group: Vec<u32>,

@@ -36,7 +36,7 @@ pub struct Planned<R, O> {
     plain: NeighbourList<O>,
     plan: Plan,
     counts: WindowCounts,
-    /// Number of steps of the open window that have been taken.
+    /// Number of steps that have been taken in the open window.
     into: u32,
     span: Span,
     observers: Vec<O>,
@@ -85,8 +85,8 @@ impl<R: Rules, O: Observer> Planned<R, O> {
         }
     }
 
-    /// Makes a plan for the particles of the neighbour list. If the plan is a list again, the list
-    /// continues.
+    /// Makes a plan for the particles of the neighbour list. If the plan is again to use a list,
+    /// the present list continues.
     fn reconsider(&mut self) {
         self.adopt(plan::<R>(self.plain.bodies(), self.fixed_steps, self.divide));
         if self.plan.strategy != Strategy::List {
@@ -192,15 +192,7 @@ impl<R: Rules, O: Observer> Simulation for Planned<R, O> {
     fn run(&mut self, steps: u64) {
         self.seen.replace(None);
         let workers = self.crew.workers().clone();
-        let mut left = steps;
-        // These steps are computed already and need no threads.
-        while left > 0 && self.is_computed() {
-            self.official_step(&workers);
-            left -= 1;
-        }
-        if left > 0 {
-            workers.within(|| (0..left).for_each(|_| self.official_step(&workers)));
-        }
+        (0..steps).for_each(|_| self.official_step(&workers));
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {

@@ -31,16 +31,16 @@ pub struct Plan {
     pub margin: f64,
     /// The speed of the fastest particle.
     pub fastest: f64,
-    /// Number of particles in the area of a cutoff disc around the mean particle.
+    /// Mean number of other particles in a disc whose radius is the cutoff, around a particle.
     pub neighbours: f64,
-    /// Number of particles per area around the mean particle.
+    /// Number of particles per area around a particle, the mean over all particles.
     pub density: f64,
 }
 
 /// Surveys the particles and decides how to advance them.
 ///
 /// A window has `fixed` steps, or as many as the rules choose if `fixed` is 0. Each step is divided
-/// into `divide`.
+/// into `divide` small steps.
 pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     let extent = Extent::of(bodies);
     let density = density(bodies, &extent);
@@ -63,7 +63,7 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
 const MAX_NEIGHBOURS_IN_WINDOWS: f64 = 0.12;
 /// Greatest number of particles in a square as wide as the reach of a window's list.
 const FULL: f64 = 20.0;
-/// Distance beyond the cutoff within which pairs of free flights are computed at once, in cutoffs.
+/// Pairs whose free flights come closer than the cutoff plus this margin are computed; in cutoffs.
 const MARGIN: f64 = 0.05;
 /// The margin for divided steps: windows are short then, and a force bends a path less.
 const SMALL_MARGIN: f64 = 0.02;
@@ -88,7 +88,7 @@ fn max_neighbours_in_windows(divide: u32) -> f64 {
     (MAX_NEIGHBOURS_IN_WINDOWS + 0.25 * f64::from(divide.max(1) - 1)).min(1.2)
 }
 
-/// Returns the number of particles per area around the mean particle.
+/// Returns the number of particles per area around a particle, the mean over all particles.
 ///
 /// It counts other particles in the same cell, four cutoffs wide. In a regular lattice there are
 /// fewer of them, so the result is at least the density of the whole scene.
@@ -99,7 +99,7 @@ fn density(bodies: &Bodies, extent: &Extent) -> f64 {
     around.max(even)
 }
 
-/// Returns the number of other particles in the cell of the mean particle.
+/// Returns the number of other particles in the cell of a particle, the mean over all particles.
 fn occupancy(bodies: &Bodies, grid: &Grid) -> f64 {
     let columns = u64::from(grid.columns);
     let key =

@@ -43,7 +43,7 @@ impl<R: Rules> NullaryFnOnce for Approach<'_, R> {
         let within = (CUTOFF + layout.skin(1.0)).powi(2) * (1.0 + 1e-9);
         let mut near_now = [[0; 2]; ROOM];
         for some in pairs.into_iter().flat_map(|pairs| pairs.chunks(ROOM)) {
-            // Their distance alone excludes most pairs.
+            // The present distance alone excludes most pairs.
             let len = filter(some, bodies.positions(), within, &mut near_now);
             let some = &near_now[..len];
             for (k, pair) in some.iter().enumerate() {

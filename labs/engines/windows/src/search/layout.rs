@@ -18,24 +18,25 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
-    /// Returns the distance within which reference paths make a pair that is computed.
+    /// Returns the distance of two reference paths up to which their pair is computed.
     pub(crate) fn near(&self) -> f64 {
         let margin = if self.span.steps == 1 { 0.0 } else { self.margin };
         CUTOFF + self.span.rounding() + margin
     }
 
-    /// Returns the distance within which reference paths make a pair that is computed or watched.
+    /// Returns the distance of two reference paths up to which their pair is computed or watched.
     pub(crate) fn watched(&self) -> f64 {
         self.near() + WATCHED_MARGIN
     }
 
-    /// Returns the skin of a list that contains all these pairs for `windows` such windows.
+    /// Returns the skin of a list that contains all computed and watched pairs of `windows` such
+    /// windows.
     pub(crate) fn skin(&self, windows: f64) -> f64 {
         self.watched() - CUTOFF + 2.0 * windows * self.reach
     }
 
-    /// Returns how far both particles of an unwatched pair may be off their paths together without
-    /// touching.
+    /// Returns the sum of the distances by which the particles of an unwatched pair may leave their
+    /// paths and still not touch.
     pub(crate) fn slack(&self) -> f64 {
         self.margin + WATCHED_MARGIN
     }

@@ -75,7 +75,8 @@ fn farthest(bodies: &Bodies, x: &[f64], y: &[f64]) -> f64 {
     most.into_iter().fold(0.0, f64::max).sqrt()
 }
 
-/// Returns the differences of up to eight coordinates; missing ones are 0.
+/// Returns the differences of up to eight coordinates. If there are fewer coordinates, the other
+/// differences are 0.
 #[inline(always)]
 fn off(now: &[f64], then: &[f64]) -> [f64; EIGHT] {
     std::array::from_fn(|l| if l < now.len() { now[l] - then[l] } else { 0.0 })

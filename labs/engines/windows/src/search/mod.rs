@@ -26,7 +26,7 @@ pub(crate) use listed::Listed;
 pub(crate) struct Found {
     /// Pairs that are to be computed. A pair may occur more than once.
     pub(crate) close: Vec<Pair>,
-    /// Pairs that come nearly as close. They are checked after the window.
+    /// Pairs that come nearly as close as the pairs in `close`. They are checked after the window.
     pub(crate) watched: Vec<Pair>,
     /// Number of pairs that were tested.
     pub(crate) tested: u64,
@@ -78,7 +78,7 @@ impl Search<'_> {
         let Some(cells) = &listed.list.cells else { return 0 };
         let path = span.path::<R>(&bodies.get(i as usize));
         let time = span.forces();
-        // The cells are those of the positions for which the particles were listed.
+        // The cells belong to the positions for which the particles were listed.
         let pad = CUTOFF + path.spread + most + span.rounding() + reach + listed.moved;
         let far = CUTOFF + path.spread + most + span.rounding() + 2.0 * reach;
         let dx = path.wx * time;

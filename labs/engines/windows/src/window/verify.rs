@@ -20,8 +20,8 @@ impl Window {
     /// actual positions are compared, step by step.
     ///
     /// With `last`, only the members of the last batch have changed since the pairs were verified.
-    /// So only these members are tested, and the other particle of a pair may be the one that was
-    /// off further.
+    /// So only these members are tested, and the other particle of a pair may be further off its
+    /// path than the member.
     pub(crate) fn verify<R: Rules>(
         &self,
         search: &Search<'_>,
@@ -63,8 +63,8 @@ impl Window {
     /// Returns the pairs of members of `batch` that touched, and the number of pairs that were
     /// tested.
     ///
-    /// The other particle of a pair is off its path by no more than the member, or by no more than
-    /// `other`.
+    /// The other particle of a pair is off its path by at most `other`, or by at most as much as
+    /// the member if that is more.
     fn broken<R: Rules>(&self, batch: &Batch, other: f64, search: &Search<'_>) -> (Vec<Pair>, u64) {
         let Search { layout, .. } = search;
         let mut broken = Vec::new();

@@ -9,15 +9,13 @@ use lab_measure::clock::{Span, Times};
 /// change a grade.
 const QUIET: f64 = 1.06;
 
-/// Multiple of a trusted program's work on as many processors that is impossible. The kit's fastest
-/// program is 25 times as fast as the slowest that is timed.
+/// Greatest possible ratio of the speeds of two programs on as many processors. The kit's fastest
+/// program is 25 times as fast as the slowest program that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// Bounds that define waiting: the share of the time spent working, and the seconds of waiting.
-///
-/// A program with a processor has waited if it worked for less than this share, and waited for more
-/// than these seconds in each take. Shorter waits are errors of the clock.
+/// Share of its time that a program with a processor works, unless it waits.
 const MOSTLY: f64 = 0.7;
+/// Seconds in a take above which a pause counts as waiting. Shorter pauses are errors of the clock.
 const LONG: f64 = 0.01;
 
 /// All runs of a record, and the measure that they are for.
@@ -59,8 +57,8 @@ impl<'r> Runs<'r> {
             let work = net(self.all, trusted)?.min * trusted.workers as f64;
             if shortest * run.workers as f64 * IMPOSSIBLE < work {
                 let why = format!(
-                    "it took {shortest:.1e} s for {} particles, which is impossible: what its time is \
-                     taken from is not this work",
+                    "it took {shortest:.1e} s for {} particles, which is impossible: it does not \
+                     do all of the work while it is timed",
                     run.n
                 );
                 return Err((Verdict::Wrong, why));

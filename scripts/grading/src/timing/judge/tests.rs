@@ -57,7 +57,8 @@ fn the_slope_decides() {
 
 #[test]
 fn to_dawdle_on_small_scenes_makes_no_line_flat() {
-    // The program computes all pairs and waits as long as the large scene takes.
+    // The program computes all pairs. On small scenes it waits until it has taken as long as on the
+    // largest scene.
     let (grade, words) = complexity(|n| (1e-9 * n * n).max(4.0));
     assert!(grade.unwrap() < 30.0 && words.contains("begins at the solution's"), "{words}");
     let (grade, _) = complexity(|n| 2e-6 * n + 1.0);
@@ -66,8 +67,8 @@ fn to_dawdle_on_small_scenes_makes_no_line_flat() {
 
 #[test]
 fn to_sleep_on_small_scenes_makes_no_line_flat() {
-    // The program is quadratic and sleeps until it is five times as slow as the solution, as it is
-    // on the largest scene.
+    // The program is quadratic. On the largest scene it is five times as slow as the solution. On
+    // smaller scenes it sleeps until it is as slow as that.
     let rubric = Facts { complexity: timed(64_000), ..Facts::default() };
     let work = |n: f64| 1.5e-10 * n * n;
     let mut record = record(&rubric, 2, |whose, n, _| {

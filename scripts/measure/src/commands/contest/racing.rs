@@ -23,9 +23,11 @@ const LEAST: f64 = 1e-7 * CUTOFF;
 /// Greatest distance (rms) between the ends of two runs, as a share of the official step's error.
 const ROUNDING: f64 = 0.01;
 
-/// Greatest growth of memory in the steps between two runs, in bytes, and the numbers of steps.
+/// Greatest growth of memory between a short run and a long run, in bytes.
 const GROWTH: u64 = 4 << 20;
+/// Number of steps of the short run.
 const SHORT: u64 = 100;
+/// Number of steps of the long run.
 const LONG: u64 = 3000;
 
 /// Settings that all runs share.
@@ -83,8 +85,8 @@ impl Contest {
         Ok(())
     }
 
-    /// Runs the first scene again, and runs it for longer. A second end that differs by more than
-    /// rounding is a fault, and so is memory that grows with the steps.
+    /// Runs the first scene again, and runs it for longer. Two faults are possible: the second run
+    /// ends differently, by more than rounding, or the memory grows with the steps.
     pub(super) fn repeat(&self, runner: &Runner, drawn: &Drawn, entry: &mut Entry) -> Result<()> {
         if !entry.faults.is_empty() {
             return Ok(());

@@ -12,13 +12,13 @@ use crate::columns::Columns;
 use crate::job::{Job, RunOutput};
 use crate::runner::Runner;
 
-/// Floating-point operations (multiplications, additions, divisions and roots) that the formulas
-/// need.
+/// Floating-point operations that the distance of two particles needs.
 ///
-/// They are for the distance of two particles, for the force on one of them, and for the move of a
-/// particle.
+/// Multiplications, additions, divisions and roots count as one operation each.
 const DISTANCE: f64 = 5.0;
+/// Floating-point operations that the force of a pair on one of its particles needs.
 const FORCE: f64 = 9.0;
+/// Floating-point operations that the move of a particle needs.
 const MOVE: f64 = 8.0;
 
 #[derive(Deserialize, Serialize)]
@@ -46,7 +46,7 @@ pub(super) struct Row {
 #[derive(Deserialize, Serialize)]
 pub(super) struct Shared {
     pub(super) time: f64,
-    /// An equal share of one worker's time, as a share of the time.
+    /// The time of one worker, divided by the number of workers and by the time of this run.
     reached: f64,
     /// Shares of the time, as means of the workers; `None` if they are not counted.
     waiting: Option<f64>,

@@ -88,7 +88,8 @@ impl Candidate {
             return *counted;
         }
         // An engine with windows touches every particle once in each window. The other counts are
-        // work in groups, which may continue beyond the last step to the end of its window.
+        // evaluations in groups. A group may be computed beyond the last step, to the end of its
+        // window.
         let touched = counters.get("particles touched per particle and step");
         if let (Some(touched), Some(windows)) = (touched, counters.get("windows")) {
             return touched * STEPS as f64 - windows;

@@ -57,7 +57,7 @@ impl Method {
     pub(super) fn step(self, size: f64, before: &[Particle]) -> Vec<Option<Expected>> {
         let (official, magnitudes) = modelled(size, before);
         let expected = match self {
-            // Seven digits of a position are too few if the force is steep.
+            // If the force is steep, the seven digits of a position do not determine it.
             Self::SinglePrecision if magnitudes.iter().any(|a| steep(*a)) => None,
             Self::Better => better(size, before, &magnitudes),
             _ => Some(official.into_iter().zip(magnitudes).map(Some).collect()),

@@ -67,7 +67,8 @@ impl Cell {
     /// Returns the milliseconds of a step on the device outside its kernels: recording commands,
     /// copying, waiting.
     ///
-    /// For soft discs this is all the rest of the step. For hard discs the host computes, too.
+    /// For soft discs this is the whole rest of the step. For hard discs, the rest also includes
+    /// the host's computations.
     pub(super) fn way_and_waiting(&self) -> Option<f64> {
         let kernels = self.kernels()?;
         match self.timing.job.program.is_hard() {

@@ -100,8 +100,8 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Prints the description of a device, and returns its name. The name of a software device says
-/// that it is not a GPU.
+/// Prints the description of a device, and returns its name. The name of a software device contains
+/// the information that it is not a GPU.
 fn device_name(kit: &Kit, runner: &Runner) -> Result<String> {
     let mut cargo = kit.cargo();
     cargo.args(["run", "--release", "--quiet", "--package", "device"]);

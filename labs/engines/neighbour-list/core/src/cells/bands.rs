@@ -21,7 +21,7 @@ pub(super) struct Located<'a> {
 impl Located<'_> {
     /// Returns the pieces that may have particles in `cells`.
     ///
-    /// A piece is the index of its first particle, and the cells of all its particles.
+    /// An item is the index of the piece's first particle, and the cells of all its particles.
     fn among(&self, cells: Range<u32>) -> impl Iterator<Item = (usize, &[u32])> {
         let pieces = (0..).step_by(PIECE).zip(self.cell.chunks(PIECE)).zip(&self.spans);
         let near = pieces.filter(move |(_, span)| span.start < cells.end && cells.start < span.end);

@@ -56,7 +56,8 @@ impl Extent {
 
 /// Returns the least and the greatest of `values`.
 ///
-/// Eight partial results are kept, because with one each comparison would wait for the one before.
+/// There are eight partial results. With a single result, each comparison would wait for the
+/// previous comparison.
 fn least_and_most(values: &[f64]) -> (f64, f64) {
     let mut least = [f64::MAX; 8];
     let mut most = [f64::MIN; 8];

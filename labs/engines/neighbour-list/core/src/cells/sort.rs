@@ -29,15 +29,16 @@ use super::table::{Cells, Kind};
 use crate::particles::{Bodies, make_room};
 use crate::threads::{cut, pieces};
 
-/// Approximate number of particles in a band, and the greatest number of bands.
+/// Approximate number of particles in a band.
 const BAND: usize = 4096;
+/// Greatest number of bands.
 const BANDS: usize = 256;
 
 /// The memory of a sort, kept for the next one.
 #[derive(Default)]
 pub struct Sorter {
     /// The memory for the next result. After a sort it contains the particles in their order before
-    /// it.
+    /// that sort.
     pub spare: Bodies,
     /// The cell of each particle, in the order before the sort.
     cell: Vec<u32>,
@@ -100,8 +101,7 @@ impl Sorter {
     }
 }
 
-/// Returns where each of several runs ends that follow one another; `lengths` are the lengths of
-/// the runs.
+/// Returns the end of each run, if runs of these lengths follow one another from 0 on.
 fn running_ends(lengths: &[usize]) -> Vec<usize> {
     let mut end = 0;
     let mut ends = Vec::with_capacity(lengths.len());

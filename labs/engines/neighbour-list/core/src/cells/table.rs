@@ -115,8 +115,9 @@ impl Cells {
         let k = self.home[i] as usize;
         match &self.kind {
             Kind::Dense { starts } => {
-                // The last column and the last row are empty. So every cell has a next row, and the
-                // cell before the first of a row is the last of the row before.
+                // The last column and the last row are empty. So every cell has a row above it, and
+                // the cell before the first cell of a row is the empty last cell of the previous
+                // row.
                 let width = self.grid.columns as usize;
                 let next = starts[k + width - 1] as usize..starts[k + width + 2] as usize;
                 [i + 1..starts[k + 2] as usize, next]
@@ -169,8 +170,8 @@ impl Cells {
     }
 }
 
-/// An iterator over the rows of a rectangle of cells. It borrows nothing; [`next`](Self::next) is
-/// given the cells.
+/// An iterator over the rows of a rectangle of cells. It does not borrow the [`Cells`]: they are an
+/// argument of [`next`](Self::next).
 pub struct Rows {
     left: u32,
     right: u32,

@@ -35,8 +35,8 @@ impl<P: Primitives> Across<P> {
         }
     }
 
-    /// Returns the particles of `block` that come second in a pair, with the first one's
-    /// acceleration.
+    /// Returns the particles of `block` that come second in a pair, each with the acceleration of
+    /// the first particle.
     pub(super) fn into(&self, block: &Range<usize>) -> impl Iterator<Item = (u32, [f64; 2])> {
         let pairs = self.pairs.iter().map(|&([_, j], a)| (j, a));
         pairs.filter(|(j, _)| block.contains(&(*j as usize)))

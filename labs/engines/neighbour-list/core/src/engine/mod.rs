@@ -1,7 +1,7 @@
 //! The engine: it computes forces and moves particles in one pass over each block.
 //!
-//! Start with [`NeighbourList`]. The pass is in `sweep.rs`; pairs of particles in two blocks are in
-//! `across.rs`.
+//! Start with [`NeighbourList`]. The pass is in `sweep.rs`; pairs whose particles are in different
+//! blocks are in `across.rs`.
 
 mod across;
 mod counts;

@@ -127,7 +127,8 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         kept.resize(self.bodies.len());
     }
 
-    /// Begins a step: rebuilds an expired inner list, and computes the pairs of two blocks.
+    /// Begins a step: rebuilds an expired inner list, and computes the pairs whose particles are in
+    /// different blocks.
     pub fn begin(&mut self) {
         self.rebuild_inner_if_due();
         self.count(self.list.blocks.iter().map(|block| block.pairs().len() as u64).sum());
@@ -155,8 +156,8 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         self.sweep(External::default(), |block| !block.has_any(waiting));
     }
 
-    /// Moves the other blocks under `external` too, and ends the step. Returns an upper bound of
-    /// the distance that the fastest particle went.
+    /// Moves the other blocks, on which the accelerations `external` act too, and ends the step.
+    /// Returns an upper bound of the distance that the fastest particle went.
     pub fn move_outer(&mut self, external: External<'_>) -> f64 {
         self.sweep(external, |block| block.has_any(external.indices));
         let over = self.passes.iter().fold(1.0, |over: f64, pass| over.max(pass.fast.over));
@@ -210,7 +211,8 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     fn official_step(&mut self) {
         self.observer = O::default();
         self.advance();
-        // An observer sees the forces of an official step, which are those of its first small step.
+        // An observer sees the forces of the first small step only; they are the forces of the
+        // official step.
         let seen = std::mem::take(&mut self.observer);
         for _ in 1..self.divide {
             self.advance();
@@ -232,8 +234,7 @@ impl<O: Observer, P: Primitives> Simulation for NeighbourList<O, P> {
     }
 
     fn run(&mut self, steps: u64) {
-        let workers = self.crew.workers().clone();
-        workers.within(|| (0..steps).for_each(|_| self.official_step()));
+        (0..steps).for_each(|_| self.official_step());
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {

@@ -1,8 +1,9 @@
 //! Sums of accelerations for the particles that a pass currently works on.
 
-/// The accelerations of consecutive particles: those of a piece and of the particles ahead of it.
+/// The accelerations of consecutive particles: the particles of a piece, and the particles ahead of
+/// it.
 ///
-/// They are so few that they stay in the cache.
+/// There are so few of them that the sums stay in the cache.
 #[derive(Default)]
 pub(super) struct Sums {
     /// The index of the first particle.

@@ -21,9 +21,9 @@ pub trait Primitives: Default + Send + Sync + 'static {
     /// `i`.
     ///
     /// The pairs are in ascending order, and a distance of exactly `reach` counts as within.
-    /// `list[..len]` contains the pairs that were found before; behind them is room for all of
-    /// `range` and eight more. `i` is not in `range`, and `range` may be empty. Returns the new
-    /// number of pairs.
+    /// `list[..len]` contains the pairs that were found before; after them there is room for all of
+    /// `range` and eight more pairs. `i` is not in `range`, and `range` may be empty. Returns the
+    /// new number of pairs.
     fn collect(
         list: &mut [Pair],
         len: usize,
@@ -36,8 +36,8 @@ pub trait Primitives: Default + Send + Sync + 'static {
 
     /// Copies the pairs whose squared distance is at most `squared` to `near`, in their order.
     ///
-    /// There are at most [`ROOM`] pairs. Returns how many were copied; the elements of `near`
-    /// behind them do not matter.
+    /// There are at most [`ROOM`] pairs. Returns the number of pairs that were copied. Later
+    /// elements of `near` have no meaning.
     fn filter(
         pairs: &[Pair],
         positions: Positions<'_>,

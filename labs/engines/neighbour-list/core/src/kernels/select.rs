@@ -67,8 +67,8 @@ pub struct Positions<'a> {
 }
 
 impl Positions<'_> {
-    /// Returns x and y of eight particles from index `start` on. Particles that do not exist are
-    /// infinitely far away.
+    /// Returns x and y of eight particles from index `start` on; x and y are infinite for particles
+    /// that do not exist.
     #[inline(always)]
     pub fn eight(&self, start: usize) -> ([f64; EIGHT], [f64; EIGHT]) {
         let start = start - self.first;

@@ -13,7 +13,8 @@ use crate::cells::Cells;
 use crate::kernels::{EIGHT, Kernel, Pair, Positions, Primitives, ROOM, Signs, make_room};
 use crate::particles::Bodies;
 
-/// Number of particles that move together after their forces: so few that they stay in the cache.
+/// Number of particles that are moved together as soon as their forces are known: so few that they
+/// stay in the cache.
 const PIECE: usize = 1000;
 
 /// Consecutive particles of the sorted order with their pairs. One thread at a time works on a
@@ -47,9 +48,9 @@ pub struct Pairs {
 /// The pairs of the particles of a piece.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece {
-    /// The end of these pairs in `inside`. They begin where the pairs of the piece before end.
+    /// The end of these pairs in `inside`. They begin where the pairs of the previous piece end.
     pub pairs: usize,
-    /// The index behind the last particle of these pairs.
+    /// The index after the last particle of these pairs.
     pub ahead: usize,
 }
 

@@ -11,7 +11,8 @@ use crate::kernels::Primitives;
 pub struct Budget {
     /// The list contains every pair that was within the cutoff plus this length.
     pub skin: f64,
-    /// The distance that no particle of the list has exceeded; infinite if there is no list.
+    /// The greatest distance that a particle may have moved since the list was built; infinite if
+    /// there is no list.
     pub displacement: f64,
 }
 
@@ -36,8 +37,8 @@ impl Budget {
 /// Returns the number of steps that an inner list should last, or `None` if no inner list is
 /// cheaper.
 ///
-/// The outer list looks `skin` beyond the cutoff, and no particle goes further than `displacement`
-/// in a step.
+/// The outer list contains the pairs within the cutoff plus `skin`, and no particle goes further
+/// than `displacement` in a step.
 pub fn lasting(skin: f64, displacement: f64) -> Option<f64> {
     let share = |steps: f64| {
         let reach = CUTOFF + 2.0 * (steps - 1.0) * displacement;

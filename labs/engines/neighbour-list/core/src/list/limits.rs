@@ -9,14 +9,16 @@ use super::outliers::{Outlier, Outliers};
 use crate::kernels::Primitives;
 use crate::particles::{Bodies, Sample};
 
-/// A new list may be too slow for one particle in this number of particles.
+/// A new list is made for a speed that one particle in this number of particles exceeds.
 const PARTICLES_PER_FAST_PARTICLE: usize = 1000;
 /// Number of particles whose speeds are sampled.
 const SAMPLE: usize = 1024;
-/// With more than n / `PARTICLES_PER_OUTLIER` + `SPARE_OUTLIERS` outliers among n particles, a new list is cheaper.
+/// Number of particles for each outlier that a list tolerates.
 ///
-/// Most particles have then become faster, and the new list allows for their speed.
+/// If there are more outliers, most particles have become faster, and a new list that allows for
+/// their speed is cheaper.
 const PARTICLES_PER_OUTLIER: usize = 50;
+/// Number of outliers that a list tolerates in addition, even with few particles.
 const SPARE_OUTLIERS: usize = 32;
 /// The greatest factor by which the fastest particle is expected to exceed the speed limit.
 ///
@@ -140,9 +142,9 @@ impl Limits {
         fast: impl Iterator<Item = u32>,
         workers: &Workers,
     ) -> u64 {
-        // The steps that are left are divided into equal periods, so that the last inner list is
-        // not built for a step or two. A list is first used before any particle has moved, so it
-        // has one step more.
+        // The steps that are left are divided into equal periods, so that no inner list is built
+        // for the last one or two steps only. A list is first used before any particle has moved,
+        // so it lasts one step longer.
         let left = 0.5 * list.budget.skin - list.budget.displacement;
         let steps_left = 1.0 + left / self.displacement;
         let periods = (steps_left / self.steps.unwrap_or(1.0)).round().max(1.0);
@@ -178,7 +180,8 @@ const CHUNK: usize = 16;
 pub struct SpeedLimit<'a> {
     /// The limit for all particles that are not outliers.
     pub usual: f64,
-    /// Whether to record which particles are faster, and not only by what factor.
+    /// Whether to record the faster particles themselves, in addition to the factor by which they
+    /// are faster.
     pub noted: bool,
     /// The outliers in sorted order, which have higher limits.
     pub outliers: &'a [Outlier],

@@ -45,7 +45,7 @@ impl<P: Primitives> Neighbours<P> {
         self.budget = Budget::default();
     }
 
-    /// Returns the skin that makes a step cheapest in which particles go `displacement`.
+    /// Returns the skin with the cheapest steps, if particles go at most `displacement` in a step.
     ///
     /// The density is estimated from the last list, or from the extent of the particles if there is
     /// no list.

@@ -1,9 +1,9 @@
 //! Outliers: the few particles that are too fast for a list.
 //!
 //! A list that allows for the fastest particle would expire early for all particles. Among 100,000
-//! particles the fastest is half as fast again as all but a hundred. So the list is built for the
-//! usual speed. In the time in which a usual particle goes at most d, an outlier goes at most ratio
-//! · d:
+//! particles, the fastest has 1.5 times the speed that all but a hundred particles stay below. So
+//! the list is built for the usual speed. In the time in which a usual particle goes at most d, an
+//! outlier goes at most ratio · d:
 //!
 //! ```text
 //! usual ●─▶   ◀─● usual        in the inner list if closer than cutoff + d + d
@@ -107,8 +107,8 @@ impl Outliers {
             let Outlier { index, x, y, ratio } = *outlier;
             Disc { x, y, radius: 0.5 * list.reach(2.0 * ratio * displacement), index }
         };
-        // One piece of work is the pairs of two outliers. Each other piece is some outliers with
-        // usual particles.
+        // The first task finds the pairs of two outliers. Each other task finds the pairs of some
+        // outliers with usual particles.
         let some = self.all.chunks(pieces(self.all.len(), OUTLIERS_PER_TASK, 64)).map(Some);
         let found = workers.map(std::iter::once(None).chain(some).collect(), |some| {
             let Some(some): Option<&[Outlier]> = some else {
@@ -138,7 +138,7 @@ impl Outlier {
         let Some(cells) = &list.cells else { return };
         let Outlier { index, x, y, ratio } = *self;
         let reach = list.reach(displacement + ratio * displacement);
-        // The cells are those of the positions at which the list was built.
+        // The cells belong to the positions at which the list was built.
         let pad = reach + list.budget.displacement;
         let mut rows = cells.rows_of(&[x - pad, x + pad, y - pad, y + pad]);
         while let Some(range) = rows.next(cells) {
@@ -176,7 +176,7 @@ impl Disc {
 
 /// Returns the pairs of `discs` that overlap, and the number of pairs that were tested.
 ///
-/// A pair has the lower index first.
+/// The lower index of a pair is first.
 ///
 /// Along x a disc can overlap only the discs that begin before it ends.
 pub fn overlapping(mut discs: Vec<Disc>) -> (Vec<[u32; 2]>, u64) {
