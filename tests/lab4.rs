@@ -53,8 +53,8 @@ oracle::questions! {
             => "A meter that takes free locks, and locks that another thread holds: locks taken, locks waited for, and \
                 time waited after each.",
         free_locks = meters::free
-            => "A free lock that is taken many times: locks taken, locks waited for, and the number of looks at the \
-                clock, which must be 0.",
+            => "A free lock that is taken many times, by a new meter and by a meter that has waited before: locks \
+                taken, locks waited for, and the number of looks at the clock, which must be 0.",
         held_locks = meters::held
             => "Two locks that another thread holds: locks taken, locks waited for, and the time of both waits.",
     }
@@ -106,7 +106,7 @@ oracle::questions! {
                 each owner has made them.",
         by_one after "4.1" = handovers::by_one
             => "Any changes in any number of buffers: the bins that hold each particle after one thread has made the \
-                changes.",
+                changes, and the number of locks that it takes, which must be 0.",
         by_owners after "4.1" = handovers::by_owners
             => "Any changes in any number of buffers: the bins that hold each particle after the owners have made the \
                 changes.",

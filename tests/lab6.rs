@@ -63,7 +63,7 @@ oracle::questions! {
                                         particles (ids) that it keeps.",
         shares after "6.1" => "Scenes of 1 to 70,000 particles: the row at which each block starts, the particles that \
                                a rank keeps, and the number of times that it replays the scene.",
-        large_scene after "6.1" => "A million particles on 64 ranks: the number of particles that a rank keeps, and \
+        large_scene after "6.1" => "Four million particles on 256 ranks: the number of particles that a rank keeps, and \
                                     the memory that it needs for them.",
         dense_box after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
             = |_, ask| halo(&[1, 2, 3, 4, 5]).bits_of_all_pairs(ask, &[scenes::dense()], 20)

@@ -53,8 +53,10 @@ oracle::questions! {
                             on each pair.",
         slow_contacts => "Discs in contact that approach so slowly that they may seem to move apart in single \
                           precision: the pairs passed on, which must be all contacts.",
-        a_full_list => "As many pairs as a list has room for, and more: the number of pairs counted, in the list, and \
-                        different.",
+        at_the_bounds => "Pairs at exactly the reach or `receding`, and beyond: the pairs passed on. Only those beyond \
+                          are ruled out.",
+        a_full_list => "As many pairs as a list has room for, and more: the number of pairs counted, in the list, \
+                        different, and behind the list, where nothing may be written.",
         filter_in_single => "Discs of all kinds, in single precision: the pairs passed on. Every colliding pair must \
                              be passed on once, and hardly any other.",
         filter_in_double => "Discs of all kinds, in double precision: the pairs passed on. Every colliding pair must \
@@ -65,8 +67,8 @@ oracle::questions! {
                            confirms, and their times.",
         confirmed => "Lists of candidates that a device passed on, one after another: kind, discs and time of each \
                       candidate that is confirmed.",
-        kernel_runs => "A list with room for all candidates, and a list without: the number of runs of the kernels, and \
-                        of times that the list grows.",
+        kernel_runs => "A list with room for all candidates, and a list without: the number of runs of the kernels, the \
+                        number of times that the list grows, and its room afterwards.",
         grown => "Lists that grow, and devices with little memory: the number of candidates found, and the number of \
                   different candidates.",
         disc_turns = |_, ask| turns(ask, Deal::Discs)
@@ -101,7 +103,7 @@ oracle::questions! {
                           counts before it, in its own block and in all.",
         meetings => "Numbers that a workgroup shares: the first conflict, which is two accesses of two invocations to \
                      one number without a barrier in between, and the invocations that come to each barrier, which \
-                     must be all.",
+                     must be all. A round needs two barriers.",
         scans => "Few and many numbers, and workgroups of any size: for each number the sum of the numbers before it.",
     }
     task_9_7 {
@@ -109,7 +111,8 @@ oracle::questions! {
                              it.",
         bins => "Few bins: the particles in the order of bins and ids, and the index at which each bin begins.",
         double_steps => "The variant `soft-f64` with few bins: the state after each step, compared with the model.",
-        statistics => "The variant `soft-f64` with few bins: dmin, davg and navg of each step.",
+        statistics => "The variant `soft-f64` with few bins: dmin, davg and navg of each step, and the pair tests of a \
+                       step.",
         many_bins after "9.6" => "More bins than a workgroup has invocations: the particles in the order of bins and \
                                   ids, and the index at which each bin begins.",
         double_steps_of_many after "9.6" => "The variant `soft-f64` in scenes of all kinds: the state after each step, \

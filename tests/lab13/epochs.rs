@@ -1,10 +1,11 @@
 //! Questions about the number of correct steps of an epoch, on one rank and on all ranks.
 
 use common::soft::CUTOFF;
-use common_mpi::calls_made;
 use lab13::{confirm, right_steps};
-use oracle::{Ask, Random, no_other_calls};
+use oracle::{Ask, Random};
 use oracle_mpi::on_each;
+
+use super::messages::one_reduction;
 
 /// Returns the depth of ghosts that `steps` steps with these moves need.
 fn needed(moves: &[f64], steps: usize) -> f64 {
@@ -73,7 +74,7 @@ pub(crate) fn confirmations(random: &mut Random, ask: &mut impl Ask) {
                 || [vec![right as f64], all].concat(),
                 || agreed(&sent, steps, width),
             );
-            no_other_calls(&calls_made(), &["MPI_Allreduce"], &name, ask);
+            one_reduction(&name, ask);
         }
     });
 }

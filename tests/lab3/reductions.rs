@@ -130,6 +130,9 @@ pub(crate) fn ordered(_: &mut Random, ask: &mut impl Ask) {
 /// The number of observers that are being merged at this moment.
 static MERGING: AtomicUsize = AtomicUsize::new(0);
 
+/// The greatest number of observers that were being merged at the same moment.
+static MOST: AtomicUsize = AtomicUsize::new(0);
+
 /// The number of merges that have waited for another merge.
 static WAITS: AtomicUsize = AtomicUsize::new(0);
 
@@ -143,7 +146,8 @@ impl Observer for Slow {
     }
     fn seen(&mut self, _r2: f64) {}
     fn merge(&mut self, other: &Self) {
-        MERGING.fetch_add(1, Ordering::SeqCst);
+        let merging = 1 + MERGING.fetch_add(1, Ordering::SeqCst);
+        MOST.fetch_max(merging, Ordering::SeqCst);
         if WAITS.fetch_add(1, Ordering::SeqCst) < 20 {
             let until = Instant::now() + Duration::from_millis(20);
             while MERGING.load(Ordering::SeqCst) < 2 && Instant::now() < until {
@@ -158,12 +162,17 @@ impl Observer for Slow {
     }
 }
 
-/// Asks for the sum of slow additions.
+/// Asks for the sum of slow additions, and whether one lock separates all of them.
 pub(crate) fn slow(_: &mut Random, ask: &mut impl Ask) {
-    let found = || pool(4).install(|| under_a_lock(&vec![Slow(1); 100])).0 as usize;
-    let question = "100 parts of 1 are added under a lock by four threads, slowly: the total. A total below 100 means \
-                    that one thread overwrote what another had added";
-    ask.exact(question, || integers([found()]), || integers([100]));
+    let found = || {
+        MOST.store(0, Ordering::SeqCst);
+        let total = pool(4).install(|| under_a_lock(&vec![Slow(1); 100])).0;
+        integers([total as usize, MOST.load(Ordering::SeqCst)])
+    };
+    let question = "100 parts of 1 are added under a lock by four threads, slowly: the total, and the greatest number \
+                    of additions at the same moment. A total below 100 means that one thread overwrote what another \
+                    had added. Two additions at the same moment are not under one lock";
+    ask.exact(question, found, || integers([100, 1]));
 }
 
 /// Asks for the sum when another thread interrupts few and many times.

@@ -133,12 +133,12 @@ pub(crate) fn shares(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Asks for the memory of a rank that keeps few of a million particles.
+/// Asks for the memory of a rank that keeps few of four million particles.
 pub(crate) fn large_scene(_: &mut Random, ask: &mut impl Ask) {
-    const ROWS: usize = 64;
-    const ALL: usize = 1 << 20;
-    let question = "1,048,576 particles in 64 rows on 64 ranks, rank 5: number of particles that it keeps, and bytes \
-                    that it needs at most during the replays or reserves for its share; 0 for less than 8 bytes for \
+    const ROWS: usize = 256;
+    const ALL: usize = 1 << 22;
+    let question = "4,194,304 particles in 256 rows on 256 ranks, rank 5: number of particles that it keeps, and bytes \
+                    that it needs at most during the replays or reserves for its share; 0 for less than a byte for \
                     each particle of the scene";
     ask.apart(|ask| ask.exact(question, || kept_of(ALL, ROWS), || integers([ALL / ROWS, 0])));
 }
@@ -158,7 +158,7 @@ fn kept_of(all: usize, rows: usize) -> Vec<f64> {
     let held = most.get() - before;
     let reserved = (share.capacity() * size_of::<Particle>()) as u64;
     let bytes = held.max(reserved);
-    vec![share.len() as f64, if bytes < 8 * all as u64 { 0.0 } else { bytes as f64 }]
+    vec![share.len() as f64, if bytes < all as u64 { 0.0 } else { bytes as f64 }]
 }
 
 /// Asks for the particles that one rank keeps.

@@ -230,6 +230,41 @@ fn to_many_or_all() -> Vec<f64> {
     vec![truth(many), others as f64]
 }
 
+/// Asks how often all ranks agree on a number in a step. They agree once on the range, once on a sum
+/// of zero, and once more if two discs of a strip collide.
+pub(crate) fn quiet_rounds(random: &mut Random, ask: &mut impl Ask) {
+    let runs = DiscsOnRanks::new("8.13", VARIANTS, "spatial-cuts", &[]);
+    on_each(ask, "8.13", &[3], random, |rank, _, ask| {
+        for pairs in [0, 1] {
+            let scene = at_rest_beside(pairs);
+            let mut engine = rank.call("loading", |world| {
+                let mut engine = runs.engine(world);
+                engine.load(&scene);
+                Some(engine)
+            });
+            rank.call("a step", |_| engine.iter_mut().for_each(|engine| engine.step()));
+            let question = format!(
+                "30 discs at rest and {pairs} pairs that collide far from a cut, {}: number of calls of Allreduce in \
+                 a step",
+                rank.name()
+            );
+            let made = calls_made();
+            let reductions = made.iter().filter(|call| **call == "MPI_Allreduce").count();
+            ask.exact(&question, || integers([reductions]), || integers([2 + pairs]));
+        }
+    });
+}
+
+/// Returns 30 discs at rest, and a pair that collides near the lower wall if `pairs` is 1.
+fn at_rest_beside(pairs: usize) -> Scene {
+    let place = |k: u32| 10.0 + 15.0 * f64::from(k);
+    let mut discs: Vec<Disc> =
+        (0..30).map(|k| Disc::new(place(k % 6), place(k / 6), 0.0, 0.0)).collect();
+    let pair = [(17.0, 2.0), (22.0, -2.0)].map(|(x, vx)| Disc::new(x, 17.0, vx, 0.0));
+    discs.extend_from_slice(&pair[..2 * pairs]);
+    Scene::new(100.0, 1.0, discs).expect("all are inside")
+}
+
 /// Asks whether the rank searches for wall collisions after it has sent the ghosts, and before it
 /// waits for the ghosts that arrive.
 pub(crate) fn walls_meanwhile(random: &mut Random, ask: &mut impl Ask) {

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use common::hard::{RandomScene, Scene};
+use common::hard::{Disc, RandomScene, Scene};
 use device::{Gpu, Real};
-use oracle::{Ask, Random, hard};
+use oracle::{Ask, Random, hard, integers};
 use solution7::pair_hit;
 
 use super::adapter::{adapter, adapter_with_doubles};
@@ -129,6 +129,33 @@ pub(crate) fn slow_contacts(random: &mut Random, ask: &mut impl Ask) {
     ask.exact(question, found, || (0..200).map(f64::from).collect());
 }
 
+/// Asks about pairs at the bounds of the filter, and beyond them. All numbers are exact in single
+/// precision.
+pub(crate) fn at_the_bounds(_: &mut Random, ask: &mut impl Ask) {
+    let Some(gpu) = adapter("9.2") else { return };
+    let pair = |x: f64, y: f64, d: [f64; 2], vx: f64| {
+        [Disc::new(x, y, 0.0, 0.0), Disc::new(x + d[0], y + d[1], vx, 0.0)]
+    };
+    let discs = [
+        pair(1.0, 1.0, [4.0, 0.0], 0.0),
+        pair(1.0, 8.0, [0.0, 4.25], 0.0),
+        pair(9.0, 3.0, [0.5, 0.0], 1.0 / 2048.0),
+        pair(9.0, 12.0, [0.5, 0.0], 1.0 / 1024.0),
+    ];
+    let scene = Scene::new(16.0, 0.1, discs.concat()).expect("all are inside");
+    let question = "discs 0 and 1 at a distance of 1/4, discs 2 and 3 of 17/64, discs 4 and 5 with d · D = 2^-20, discs 6 \
+                    and 7 with 2^-19; reach_squared is 1/16, and receding is 2^-20: both discs of each of these pairs in \
+                    the list";
+    let found = || {
+        let bounds = Some([0.0625, 1.0 / (1 << 20) as f32]);
+        let mut list = Search { bounds, ..Search::of(&scene, ALL_PAIRS) }.run::<f32>(gpu).list;
+        list.retain(|[a, b]| a / 2 == b / 2);
+        list.sort_unstable();
+        numbers(&list)
+    };
+    ask.exact(question, found, || integers([0, 1, 4, 5]));
+}
+
 /// Asks about more pairs than the list has room for, and about a number that fills the list.
 pub(crate) fn a_full_list(random: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.2") else { return };
@@ -139,14 +166,16 @@ pub(crate) fn a_full_list(random: &mut Random, ask: &mut impl Ask) {
     let all = n * (n - 1) / 2;
     for room in [2 + 2 * random.below(50) as u64, all] {
         let question = format!(
-            "{all} pairs, room for {room}: number of pairs counted, number in the list, and number of different pairs"
+            "{all} pairs, room for {room}: number of pairs counted, number in the list, number of different pairs, and \
+             number written behind the list"
         );
         let found = || {
             let search = Search { room, everything: true, ..Search::of(&scene, ALL_PAIRS) };
             let found = search.run::<f32>(gpu);
             let different: BTreeSet<_> = found.list.iter().filter(|[a, b]| a < b).collect();
-            vec![f64::from(found.count), found.list.len() as f64, different.len() as f64]
+            let lengths = integers([found.list.len(), different.len(), found.beyond]);
+            [vec![f64::from(found.count)], lengths].concat()
         };
-        ask.exact(&question, found, || vec![all as f64, room as f64, room as f64]);
+        ask.exact(&question, found, || vec![all as f64, room as f64, room as f64, 0.0]);
     }
 }

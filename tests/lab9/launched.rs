@@ -115,24 +115,51 @@ pub(super) struct Search<'a> {
     pub(super) everything: bool,
     /// Number of pairs for which the list has room.
     pub(super) room: u64,
+    /// The square of the reach, and `receding`, in single precision. `None` for those of the scene.
+    pub(super) bounds: Option<[f32; 2]>,
 }
 
 /// The number of pairs that a kernel has counted, and its list.
 pub(super) struct Found {
     pub(super) count: u32,
     pub(super) list: Vec<[u32; 2]>,
+    /// The number of pairs in the memory behind the list.
+    pub(super) beyond: usize,
+}
+
+/// The length of the list, as the filter asks for it.
+const LENGTH: &str = "arrayLength(&candidates)";
+
+/// The number of pairs for which there is memory behind the list.
+const BEHIND: u64 = 2;
+
+/// Returns the filter with a list that seems to end before its memory does. `None` if the filter
+/// asks for the length in other words.
+///
+/// A device ignores what is written behind the end of the memory, so it must not end there.
+fn with_shorter_list() -> Option<String> {
+    let shorter = format!("({LENGTH} - {BEHIND}u)");
+    let lines = Lab9::filter().lines().map(|line| {
+        let (code, comment) = line.split_at(line.find("//").unwrap_or(line.len()));
+        code.replace(LENGTH, &shorter) + comment + "\n"
+    });
+    let filter: String = lines.collect();
+    filter.contains(&shorter).then_some(filter)
 }
 
 impl<'a> Search<'a> {
     /// Returns a search with room for 100 pairs.
     pub(super) fn of(scene: &'a Scene, source: &'a str) -> Self {
-        Self { scene, source, rows: 0..0, everything: false, room: 100 }
+        Self { scene, source, rows: 0..0, everything: false, room: 100, bounds: None }
     }
 
     pub(super) fn run<R: Real>(&self, gpu: &Gpu) -> Found {
         let square = Square::of(self.scene);
         let discs = self.scene.discs();
-        let sources = [self.source, Lab9::filter(), R::ALIAS];
+        let shorter = with_shorter_list();
+        let behind = if shorter.is_some() { BEHIND } else { 0 };
+        let filter = shorter.as_deref().unwrap_or(Lab9::filter());
+        let sources = [self.source, filter, R::ALIAS];
         let kernel = Lab9::checked(gpu, "probe", || Kernel::new(gpu, "probe", &sources, 32, &[]))
             .unwrap_or_else(|error| panic!("{error}"));
         let everything = self.everything;
@@ -140,20 +167,27 @@ impl<'a> Search<'a> {
         let number = |value: f64| R::of(value / square.side);
         let numbers: Vec<[R; 4]> =
             discs.iter().map(|d| [d.x, d.y, d.vx, d.vy].map(number)).collect();
-        let parameters = margins.bytes::<R>(discs.len() as u32, self.rows.clone());
+        let mut parameters = margins.bytes::<R>(discs.len() as u32, self.rows.clone());
+        if let Some(bounds) = self.bounds {
+            // They follow four u32.
+            parameters[16..24].copy_from_slice(bounds.map(f32::to_ne_bytes).as_flattened());
+        }
         let parameters = gpu.uniform(&parameters);
         let positions = storage(gpu, numbers.len() as u64 * 4 * size_of::<R>() as u64);
         gpu.upload(&positions, &numbers);
         let count = storage(gpu, 4);
-        let list = storage(gpu, self.room * 8);
+        let list = storage(gpu, (self.room + behind) * 8);
         let buffers = [(0, &parameters), (1, &positions), (2, &count), (3, &list)];
         let bound = kernel.bind(gpu, &buffers);
         let mut work = Work::new(gpu, None);
         work.launch(&bound, SMALL);
         let [counted] = Readback::default().read::<u32, 1>(gpu, work, [(&count, 0..1)]);
         let held = u64::from(counted[0]).min(self.room);
-        let [list] = Readback::default().read(gpu, Work::new(gpu, None), [(&list, 0..held)]);
-        Found { count: counted[0], list }
+        let all = [(&list, 0..self.room + behind)];
+        let [mut list] = Readback::default().read::<[u32; 2], 1>(gpu, Work::new(gpu, None), all);
+        let beyond = list.drain(self.room as usize..).filter(|[a, b]| a < b).count();
+        list.truncate(held as usize);
+        Found { count: counted[0], list, beyond }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Questions about whole runs of soft discs.
 
-use common::soft::{CUTOFF, Scene};
+use common::soft::{CUTOFF, Scene, Simulation};
 use device_discs::soft::Grid;
 use lab9::VARIANTS;
 use oracle::{Ask, Random, Runs, scenes};
@@ -48,6 +48,44 @@ pub(crate) fn double_repeats(_: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn statistics(_: &mut Random, ask: &mut impl Ask) {
     let Some(runs) = double() else { return };
     runs.statistics_of_each_step(ask, &scenes::dense(), 5);
+    pair_tests(&runs.statistics(), &scenes::dense(), ask);
+}
+
+/// Asks for the pair tests of a step. A particle may be tested with itself or not.
+fn pair_tests(runs: &Runs, scene: &Scene, ask: &mut impl Ask) {
+    let of_run = scene.clone();
+    let found = move |engine: &mut dyn Simulation| {
+        engine.load(&of_run);
+        engine.step();
+        let statistics = engine.statistics().expect("the engine was built with statistics");
+        vec![statistics.pair_tests as f64]
+    };
+    let question = format!("{}, {} particles: pair tests of a step", runs.name(), scene.len());
+    ask.judge(
+        &question,
+        || runs.run(found),
+        |found| {
+            let all = tests_of_nine_bins(scene);
+            let others = all - scene.len();
+            match found {
+                [tests] if [all as f64, others as f64].contains(tests) => Ok(()),
+                _ => Err(format!(
+                    "     found: {found:?}\n  expected: {all}, or {others} without the tests of particles with \
+                     themselves: each particle with all particles of nine bins, also with distant ones"
+                )),
+            }
+        },
+    );
+}
+
+/// Returns the number of ordered pairs of particles in the same bin or in adjacent bins, each
+/// particle with itself included.
+fn tests_of_nine_bins(scene: &Scene) -> usize {
+    let grid = Grid::new(scene.size(), scene.len(), 1.0);
+    let index = |at: f64| ((at / grid.side) as u32).min(grid.columns - 1);
+    let bins: Vec<_> = scene.particles().iter().map(|p| [index(p.x), index(p.y)]).collect();
+    let are_near = |a: &[u32; 2], b: &[u32; 2]| (0..2).all(|k| a[k].abs_diff(b[k]) <= 1);
+    bins.iter().map(|a| bins.iter().filter(|b| are_near(a, b)).count()).sum()
 }
 
 /// Returns runs of `soft-f32`. `None` if there is no device.

@@ -70,7 +70,8 @@ oracle::questions! {
             => "Parts that are added up block by block, in order: dmin, davg, navg and pair tests of the sum, bit for \
                 bit.",
         slow_additions = reductions::slow
-            => "Parts that are added up slowly under a lock: the sum, from which no addition may be lost.",
+            => "Parts that are added up slowly under a lock: the sum, from which no addition may be lost, and the \
+                greatest number of additions at the same moment, which is 1.",
         interrupted_additions = reductions::interrupted
             => "An addition with atomics, interrupted by additions of another thread: the sum, from which nothing may \
                 be lost.",

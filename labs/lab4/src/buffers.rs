@@ -19,7 +19,7 @@ pub fn rebuild(regions: &mut Regions, grid: &Grid, particles: &[Particle]) {
 /// Makes the changes in all change `buffers`.
 ///
 /// The order does not matter, because each particle has at most one change. Only one thread runs
-/// this.
+/// this, so it takes no lock.
 ///
 /// Book: chapter 4, *Change buffers*.
 pub fn apply_all<'a>(regions: &mut Regions, buffers: impl Iterator<Item = &'a [Change]>) {

@@ -8,7 +8,7 @@ use crate::{Bin, Change, Cut, apply_own};
 /// Posts a change to the owners of its two bins, or once if both have the same owner.
 ///
 /// Thread r owns the bins of region r, and `queues[r]` is its queue. All threads post at the same
-/// time, and no thread waits: [`SegQueue::push`] needs no lock.
+/// time. They need not wait for each other: [`SegQueue::push`] needs no lock.
 ///
 /// Book: chapter 4, *Queues*.
 pub fn post(cut: Cut, queues: &[SegQueue<Change>], change: Change) {

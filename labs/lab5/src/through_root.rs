@@ -102,7 +102,8 @@ impl<O: Observer> ThroughRoot<O> {
     /// ghosts.
     ///
     /// At first, `self.changed` contains the particles that changed their bin, already taken out of
-    /// their old bins, and `self.remote` is empty. At the end, both are empty. In this order:
+    /// their old bins, and `self.remote` is empty. In the next step, neither list may still hold a
+    /// particle of this step. In this order:
     ///
     /// 1. Separate local and remote particles ([`take_leavers_of_block`]). Put the local particles
     ///    into their bins ([`VecBins::put`]).

@@ -23,7 +23,8 @@ oracle::questions! {
     task_5_1 {
         rows_and_owners => "Rows of bins on ranks: the rank that owns each row, and the block of rows of each rank.",
         few_rows => "1 to 30 rows on 1 to 30 ranks: the start and the end of each block, and the owner of each row.",
-        many_rows => "Up to 2^40 rows or ranks: the start and the end of some blocks, and the owner of some rows.",
+        many_rows => "Up to 2^50 rows or ranks: the start and the end of some blocks, and the owner of some rows. A \
+                      search through the ranks would take hours.",
     }
     task_5_2 {
         local_and_remote => "Three ranks with two rows each, and particles that left their bins in a step: the \

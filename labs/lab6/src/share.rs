@@ -11,8 +11,8 @@ use crate::balanced;
 /// `replay` yields the scene one particle at a time: `replay(&mut |particle| …)` calls the function
 /// with each particle. Every call draws the whole scene again, so call it twice and no more.
 ///
-/// No rank may keep the whole scene, and the cuts depend on the particles of all rows. So replay
-/// the scene twice:
+/// No rank may keep the whole scene, or a number for each particle of it. The cuts depend on the
+/// particles of all rows. So replay the scene twice:
 ///
 /// 1. Count the particles in each row of `grid`, and cut the rows ([`balanced`]).
 /// 2. Keep the particles of the rank's block.

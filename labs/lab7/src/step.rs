@@ -6,7 +6,7 @@ use hard_discs::{Collisions, Engine, Find, Window};
 ///
 /// 1. Clear `engine.found` ([`Found::clear`]). One list is enough.
 /// 2. Let the finder find the pairs of the window ([`Find::find`]). It may replace the lists.
-/// 3. Add the wall collisions whose time is in the window to the first list.
+/// 3. Add the wall collisions whose time is in the window to one of the lists.
 /// 4. Let `engine.choice` choose ([`Choice::take`], with `C`: `take::<C>`).
 ///
 /// `engine.walls` contains the wall collisions. If there are several windows, the wall collisions

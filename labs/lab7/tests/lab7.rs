@@ -134,8 +134,8 @@ oracle::questions! {
         part_table => "The iterations of a loop: those that each worker does in fixed parts, and those that each call \
                        takes from the queue.",
         parts => "A loop of any length in fixed parts: the begin and the end of each worker's part.",
-        queues => "A loop of any length from the queue: the begin and the end of each part, and no part after the end \
-                   of the loop.",
+        queues => "A loop of any length from the queue, from its first or a later iteration: the begin and the end of \
+                   each part, and no part after the end of the loop.",
         interrupted_queue => "Two workers at one queue; the second takes a part whenever the first is at a load or \
                               before a store: the begin and the end of each part.",
     }

@@ -33,8 +33,8 @@ fn decide<T: Deciding>(engine: &mut SpatialCuts<T>, partners: &[usize]) {
 
 /// Computes one step.
 ///
-/// 1. Agree on the `range` of this step ([`SpatialCuts::range`]). It determines the partners of this
-///    rank: [`Strips::partners`] within `range.furthest`.
+/// 1. Agree once on the `range` of this step ([`SpatialCuts::range`]). It determines the partners of
+///    this rank: [`Strips::partners`] within `range.furthest`.
 /// 2. Send ghosts to the partners ([`ghosts_for`], [`SpatialCuts::exchange`]). While they travel,
 ///    find the wall collisions of the rank's own discs ([`walls_of`] by the rules of [`Lab7`]). The
 ///    owner of a ghost finds its wall collisions. Nothing in `engine` can be borrowed during an

@@ -162,6 +162,9 @@ oracle::questions! {
         neighbours after "8.8, 8.9, 8.10, 8.11, 8.12" = messages::neighbours
             => "Slow discs on 5 ranks: the partners of each rank, at most its two neighbours, and the number of calls \
                 that bring lists to all ranks, which must be 0.",
+        quiet_rounds after "8.8, 8.9, 8.10, 8.11, 8.12" = messages::quiet_rounds
+            => "Discs at rest on 3 ranks, without a collision and with one: the number of calls of Allreduce in a \
+                step, one for the range and one for each round.",
         walls_meanwhile after "8.8, 8.9, 8.10, 8.11, 8.12" = messages::walls_meanwhile
             => "Slow discs on 3 ranks: whether the wall collisions are found while the ghosts travel, as they must \
                 be.",

@@ -26,9 +26,9 @@
 // own out.
 //
 // The invocations of a workgroup do not run in step. meet() holds each of them until all have
-// called it and all their writes are visible. Each round needs two barriers: one before any
-// invocation reads the numbers that its neighbours wrote in the previous round, and one before any
-// invocation overwrites a number that its neighbours have not read yet.
+// called it and all their writes are visible. Each round needs two barriers, and no more: one before
+// any invocation reads the numbers that its neighbours wrote in the previous round, and one before
+// any invocation overwrites a number that its neighbours have not read yet.
 //
 // Every invocation must call every meet(). So no meet() may depend on `local`. And the last block,
 // which may be partly empty, sums zeros instead of returning early.

@@ -19,8 +19,8 @@ use mpi::traits::*;
 /// report that ghosts have expired.
 ///
 /// All ranks must reach the same decision. Otherwise one rank sends positions while another rank
-/// sends movers, and both wait forever. So each rank contributes 0 or 1, and all ranks get the
-/// greatest of these numbers ([`CommunicatorCollectives::all_reduce_into`]).
+/// sends movers, and both wait forever. So each rank contributes 0 or 1, and in a single call all
+/// ranks get the greatest of these numbers ([`CommunicatorCollectives::all_reduce_into`]).
 ///
 /// Book: chapter 13, *When all must agree*.
 pub fn must_renew(

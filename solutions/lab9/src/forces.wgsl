@@ -52,8 +52,9 @@ fn look(tally: ptr<function, Tally>, d: vec2<real>) {
 //   far as they exist. j = i may be included, because it adds zero.
 // - d is separation(i, j, over), where `over` =
 //   (bin column of j − bin column of i, bin row of j − bin row of i). Both numbers are −1, 0 or 1.
-// - Take the bins in an order that is always the same, for example row by row. Take the particles of
-//   a bin in the order of the sorted arrays, from starts[bin] up to, not including, starts[bin + 1].
+// - Take the bins, and the particles of a bin, in an order that is always the same. For example,
+//   take the bins row by row. The particles of a bin begin at starts[bin], and end before
+//   starts[bin + 1].
 // - If STATISTICS is set, also call look(tally, d) for each j.
 fn acceleration(i: u32, tally: ptr<function, Tally>) -> vec2<real> {
     var a = vec2<real>();

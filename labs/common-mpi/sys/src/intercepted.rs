@@ -219,4 +219,12 @@ intercepted! {
         = between("MPI_Waitany");
     MPI_Waitsome(count: Int, requests: *mut MPI_Request, over: *mut Int, indices: *mut Int, status: *mut MPI_Status)
         = between("MPI_Waitsome");
+    MPI_Test(request: *mut MPI_Request, is_over: *mut Int, status: *mut MPI_Status) = between("MPI_Test");
+    MPI_Testall(count: Int, requests: *mut MPI_Request, are_over: *mut Int, status: *mut MPI_Status)
+        = between("MPI_Testall");
+    MPI_Testany(
+        count: Int, requests: *mut MPI_Request, index: *mut Int, is_over: *mut Int, status: *mut MPI_Status
+    ) = between("MPI_Testany");
+    MPI_Testsome(count: Int, requests: *mut MPI_Request, over: *mut Int, indices: *mut Int, status: *mut MPI_Status)
+        = between("MPI_Testsome");
 }

@@ -27,5 +27,6 @@ pub use intercepted::{
     Call, MPI_Allgather, MPI_Allgatherv, MPI_Allreduce, MPI_Alltoall, MPI_Alltoallv, MPI_Barrier,
     MPI_Bcast, MPI_Finalize, MPI_Gather, MPI_Gatherv, MPI_Irecv, MPI_Isend, MPI_Issend, MPI_Mprobe,
     MPI_Probe, MPI_Recv, MPI_Reduce, MPI_Scan, MPI_Scatter, MPI_Scatterv, MPI_Send, MPI_Sendrecv,
-    MPI_Ssend, MPI_Wait, MPI_Waitall, MPI_Waitany, MPI_Waitsome, share, watch,
+    MPI_Ssend, MPI_Test, MPI_Testall, MPI_Testany, MPI_Testsome, MPI_Wait, MPI_Waitall,
+    MPI_Waitany, MPI_Waitsome, share, watch,
 };

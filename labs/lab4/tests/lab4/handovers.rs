@@ -2,13 +2,16 @@
 //! channels.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
+use common_threads::Watch;
 use crossbeam::channel::unbounded;
 use crossbeam::queue::SegQueue;
 use lab4::{Bin, Change, Cut, Regions, apply_all, apply_own, post, receive, send, take};
 use oracle::{Ask, Random, integers};
 
 use super::bins::{places, regions_of};
+use super::meters::Requests;
 
 /// Particles with any ids in any bins, and changes of some of them, in several buffers.
 struct Changes {
@@ -149,8 +152,12 @@ pub(crate) fn by_one(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..40 {
         let all = Changes::drawn(random, case);
         let mut regions = all.regions();
+        let requests = Arc::<Requests>::default();
+        regions.watch(&(requests.clone() as Arc<dyn Watch>));
         apply_all(&mut regions, all.buffers());
         all.ask("made by one thread", &mut regions, ask);
+        let question = format!("{}; one thread is alone: locks that it takes", all.name());
+        ask.exact(&question, || integers([requests.count()]), || integers([0]));
     }
 }
 

@@ -9,30 +9,44 @@ use common_threads::{Lock, Stopwatch, Watch};
 use lab4::Meter;
 use oracle::{Ask, Random, Table, integers};
 
-/// Asks about a lock that no other thread wants.
+/// Asks about a lock that no other thread wants, with a new meter and with a meter that has waited.
 pub(crate) fn free(random: &mut Random, ask: &mut impl Ask) {
-    let times = 257 + random.below(500);
-    let found = || {
-        let lock = Lock::new(0, 5.0);
-        let mut meter = Meter::default();
-        let before = Stopwatch::started();
-        (0..times).for_each(|_| *meter.lock(&lock) += 1.0);
-        let started = Stopwatch::started() - before;
-        let guarded = *lock.lock();
-        let counts = [meter.locks, meter.contended].map(|count| count as f64);
-        vec![guarded, counts[0], counts[1], meter.waiting.as_secs_f64(), started as f64]
-    };
-    let question = format!(
-        "a free lock that guards the number 5 and is taken {times} times; 1 is added each time: the number, locks \
-         taken, locks waited for, seconds waited, stopwatches started"
-    );
-    let times = times as f64;
-    ask.exact(&question, found, || vec![times + 5.0, times, 0.0, 0.0, 0.0]);
+    for waits in [0, 1 + random.below(9)] {
+        let times = 257 + random.below(500);
+        let waited = Duration::from_millis(3 * waits as u64);
+        let found = || {
+            let lock = Lock::new(0, 5.0);
+            let contended = waits as u64;
+            let mut meter =
+                Meter { locks: contended, contended, waiting: waited, ..Meter::default() };
+            let before = Stopwatch::started();
+            (0..times).for_each(|_| *meter.lock(&lock) += 1.0);
+            let started = Stopwatch::started() - before;
+            let guarded = *lock.lock();
+            let counts = [meter.locks, meter.contended].map(|count| count as f64);
+            vec![guarded, counts[0], counts[1], meter.waiting.as_secs_f64(), started as f64]
+        };
+        let question = format!(
+            "a meter that has waited for {waits} locks before, and a free lock that guards the number 5 and is taken \
+             {times} times; 1 is added each time: the number, locks taken, locks waited for, seconds waited, \
+             stopwatches started"
+        );
+        let [times, waits] = [times, waits].map(|count| count as f64);
+        let right = vec![times + 5.0, times + waits, waits, waited.as_secs_f64(), 0.0];
+        ask.exact(&question, found, || right);
+    }
 }
 
 /// A counter of lock requests.
 #[derive(Default)]
-struct Requests(AtomicUsize);
+pub(crate) struct Requests(AtomicUsize);
+
+impl Requests {
+    /// Returns the number of requests so far.
+    pub(crate) fn count(&self) -> usize {
+        self.0.load(Ordering::SeqCst)
+    }
+}
 
 impl Watch for Requests {
     fn asks(&self, _lock: usize) {
@@ -78,7 +92,7 @@ impl Waits {
                 waited += start.elapsed();
             });
         }
-        Self { meter, waited, requests: requests.0.load(Ordering::SeqCst) }
+        Self { meter, waited, requests: requests.count() }
     }
 }
 
@@ -128,7 +142,7 @@ fn wait_for_it(meter: &mut Meter) {
             held.send(()).expect("the meter waits");
             let end = Instant::now() + Duration::from_secs(2);
             // The first of the counted requests is this thread's own.
-            while requests.0.load(Ordering::SeqCst) < 3 && Instant::now() < end {
+            while requests.count() < 3 && Instant::now() < end {
                 thread::yield_now();
             }
             thread::sleep(Duration::from_millis(5));

@@ -117,7 +117,8 @@ fn overlap(found: &[f64], least: usize, most: usize) -> Result<(), String> {
     } else if later > 0.0 {
         format!(
             "{later} calls after `work` do not wait for messages. Start all messages before `work`: it must overlap \
-             with the messages that carry the items, and not only with their lengths"
+             with the messages that carry the items, and not only with their lengths. Then wait for each message, and \
+             do not ask in a loop whether it has arrived"
         )
     } else if under_way < least as f64 {
         format!(

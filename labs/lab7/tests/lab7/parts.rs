@@ -58,19 +58,21 @@ fn are_even_parts(found: &[f64], n: usize, workers: usize) -> Result<(), String>
 pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(70_000) {
         for chunk in [1, 2, 7, n.max(1), n + 1, 1 + random.below(n + 1)] {
+            let begin = [0, random.below(n + 1)][random.below(2)];
             let found = || {
                 let next = SharedCount::default();
+                next.fetch_add(begin);
                 // Asks for a few parts more than there are, so that parts after the end are
                 // noticed.
                 let parts = (0..n.div_ceil(chunk) + 2).filter_map(|_| next_part(&next, n, chunk));
                 integers(parts.flat_map(|part| [part.start, part.end]))
             };
             let question = format!(
-                "{n} iterations from the queue in chunks of {chunk}, with two more calls after the end: begin and end \
-                 of each part"
+                "{n} iterations from the queue in chunks of {chunk}, of which {begin} iterations are taken already, \
+                 with at least two calls after the end: begin and end of each part"
             );
             ask.exact(&question, found, || {
-                integers((0..n).step_by(chunk).flat_map(|start| [start, n.min(start + chunk)]))
+                integers((begin..n).step_by(chunk).flat_map(|start| [start, n.min(start + chunk)]))
             });
         }
     }

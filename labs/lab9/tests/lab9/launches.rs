@@ -23,7 +23,7 @@ impl Order {
     /// Draws few and many workgroups: at the limits of a device, just below and above the limits,
     /// and more than 24 bits can count.
     fn drawn(random: &mut Random, case: usize) -> Self {
-        let most = [65_535, 2 + random.below(2000) as u32][case % 2];
+        let most = [65_535, 2 + random.below(2000) as u32, 65_535, 1 << 16][case % 4];
         let wide = [128, 512][random.below(2)];
         let rows = [1, 2, 300, 1000, most][random.below(5)].min(most);
         let edge = u64::from(most) * u64::from(rows) + random.below(3) as u64;

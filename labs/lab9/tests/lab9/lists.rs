@@ -122,15 +122,19 @@ pub(crate) fn kernel_runs(_: &mut Random, ask: &mut impl Ask) {
         let mut search = Counted { room, runs: 0, grown: 0 };
         let mut all = Vec::new();
         let question = format!(
-            "room for {room} candidates, and {rows} candidates: how often the kernels run, how often the list grows, and \
-             how many candidates are collected"
+            "room for {room} candidates, and {rows} candidates: how often the kernels run, how often the list grows, how \
+             many candidates are collected, and for how many there is room then"
         );
         let found = || match Lab9::collect(&mut search, 0..rows, &mut all) {
-            Ok(()) => integers([search.runs, search.grown, all.len()]),
+            Ok(()) => integers([search.runs, search.grown, all.len(), search.room as usize]),
             Err(error) => panic!("{error}"),
         };
         let fits = u64::from(rows) <= room;
-        let right = || integers([if fits { 1 } else { 2 }, usize::from(!fits), rows as usize]);
+        let right = || {
+            let runs = if fits { 1 } else { 2 };
+            let most = room.max(rows.into()) as usize;
+            integers([runs, usize::from(!fits), rows as usize, most])
+        };
         ask.exact(&question, found, right);
     }
 }

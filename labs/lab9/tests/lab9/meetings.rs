@@ -12,7 +12,7 @@ use oracle::{Ask, Random};
 
 use super::adapter::adapter;
 
-/// Number of barriers that are counted; a correct program needs fewer.
+/// Number of barriers that are counted. A correct program needs fewer: two in each round.
 const MEETINGS: u32 = 64;
 
 /// Factor of the barrier count in the code of a conflict. The code is the number of barriers before
@@ -166,6 +166,14 @@ fn verdict(found: &[f64], threads: u32) -> Result<(), String> {
         ));
     }
     if *conflict < 0.0 {
+        let rounds = threads.next_power_of_two().ilog2();
+        let calls = met.iter().filter(|met| **met != 0.0).count() as u32;
+        // One barrier more may be before the first round, and one after the last.
+        if calls > 2 * rounds + 2 {
+            return Err(format!(
+                "each invocation calls meet() {calls} times, but {rounds} rounds need two calls each"
+            ));
+        }
         return Ok(());
     }
     let (before, number) = (*conflict as u32 / PLACES - 1, *conflict as u32 % PLACES);
