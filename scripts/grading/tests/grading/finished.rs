@@ -93,7 +93,7 @@ fn a_class_gets_the_same_marks_twice_and_is_then_passed_over_without_a_build() {
     let words = String::from_utf8(output.stdout).unwrap();
     assert!(
         words.contains(
-            "which its student can set: name a file of times in class.toml. Folders: bounce_"
+            "and a student can change it: name a file of times in class.toml. Folders: bounce_"
         ),
         "{words}"
     );
