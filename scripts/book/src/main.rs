@@ -21,6 +21,7 @@ mod reports;
 mod sections;
 mod snippets;
 mod tasks;
+mod understanding;
 mod variants;
 
 use std::process::ExitCode;
