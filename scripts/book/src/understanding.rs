@@ -141,7 +141,9 @@ impl Question {
 
     /// Returns a fold with the answers. Of the folds with this `name` one is open at a time.
     fn folded(&self, name: &str) -> String {
-        let mut out = format!("<details class=\"quiz\"><summary>\n\n{}\n\n</summary>\n\n", self.says);
+        // The number is no list of one item.
+        let says = self.says.replacen(". ", "\\. ", 1);
+        let mut out = format!("<details class=\"quiz\"><summary>\n\n{says}\n\n</summary>\n\n");
         for Answer { says, reply, is_right } in &self.answers {
             out += &choice(name, says, *is_right, reply);
         }
@@ -170,7 +172,7 @@ mod tests {
         let order = [
             "1. No question.",
             "Two questions.",
-            "<details class=\"quiz\"><summary>\n\n1. Why are bins wide?\n",
+            "<details class=\"quiz\"><summary>\n\n1\\. Why are bins wide?\n",
             "<details name=\"lab2-question-1\"><summary>\n\nFor fun.\n",
             "No. It is none.",
             "<details name=\"lab2-question-1\" class=\"right\"><summary>\n\nThey must be.\n",
