@@ -64,10 +64,11 @@
   function remember(quiz) {
     const answers = [...quiz.querySelectorAll("details[name]")];
     const key = `cutoff-answer ${page} ${answers[0].getAttribute("name")}`;
-    const mark = make(quiz.querySelector("summary > p") ?? quiz.querySelector("summary"), "span", {});
+    const question = quiz.querySelector("summary");
+    const mark = make(question.querySelector("p") ?? question, "span", {});
     const say = chosen => {
-      mark.className = chosen.matches(".right") ? "chosen right" : "chosen";
-      mark.textContent = chosen.matches(".right") ? "answered" : "answered, not right yet";
+      mark.className = chosen.matches(".is-right") ? "chosen is-right" : "chosen";
+      mark.textContent = chosen.matches(".is-right") ? "answered" : "answered, not right yet";
     };
     answers.forEach((answer, k) =>
       answer.addEventListener("toggle", () => {

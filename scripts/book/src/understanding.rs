@@ -175,7 +175,7 @@ mod tests {
             "<details class=\"quiz\"><summary>\n\n1\\. Why are bins wide?\n",
             "<details name=\"lab2-question-1\"><summary>\n\nFor fun.\n",
             "No. It is none.",
-            "<details name=\"lab2-question-1\" class=\"right\"><summary>\n\nThey must be.\n",
+            "<details name=\"lab2-question-1\" class=\"is-right\"><summary>\n\nThey must be.\n",
             "Yes. Neighbours.",
             "No. Not so.",
             "Then rest.\n\n## Go further\n\n1. More.\n",

@@ -125,7 +125,7 @@ fn rendered(quiz: &Quiz, wrong: &Wrong, code: &str) -> String {
 ///
 /// Of the folds with the same `name` one is open at a time.
 pub fn choice(name: &str, says: &str, is_right: bool, reply: &str) -> String {
-    let (class, verdict) = if is_right { (" class=\"right\"", "Yes") } else { ("", "No") };
+    let (class, verdict) = if is_right { (" class=\"is-right\"", "Yes") } else { ("", "No") };
     format!(
         "<details name=\"{name}\"{class}><summary>\n\n{says}\n\n</summary>\n\n{verdict}. {reply}\n\n</details>\n\n"
     )
