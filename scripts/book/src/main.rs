@@ -21,6 +21,7 @@ mod query;
 mod reports;
 mod sections;
 mod snippets;
+mod understanding;
 mod variants;
 
 use std::process::ExitCode;

@@ -1,6 +1,6 @@
 //! mdBook's preprocessor: changes each page before mdBook renders it.
 //!
-//! It replaces markers, inserts hints, renders formulas as MathML and makes drawings links. Pages
+//! It replaces markers, inserts hints, folds questions, renders formulas as MathML and makes drawings links. Pages
 //! also get the scripts of their figures, and a foot.
 
 use std::env;
@@ -16,7 +16,9 @@ use lab_kit::Kit;
 
 use crate::ending::Page;
 use crate::entries::Data;
-use crate::{alignment, chapter_tasks, drawings, ending, markers, math, predictions};
+use crate::{
+    alignment, chapter_tasks, drawings, ending, markers, math, predictions, understanding,
+};
 
 /// Environment variable that makes the preprocessor omit the hints.
 pub(crate) const WITHOUT_HINTS: &str = "CUTOFF_BOOK_WITHOUT_HINTS";
@@ -61,7 +63,8 @@ fn page(data: &mut Data, chapter: &Chapter, with_hints: bool) -> Result<String> 
     let file = chapter.path.as_deref().unwrap_or(Path::new(""));
     let mut text = markers::fill(data, &chapter.content)?;
     text = chapter_tasks::placed(data.kit, file, &text, with_hints)?;
-    text = alignment::aligned(&predictions::unfolded(&text)?);
+    text = understanding::folded(file, &predictions::unfolded(&text)?, with_hints)?;
+    text = alignment::aligned(&text);
     let folder = data.kit.path("book/src").join(file.parent().unwrap_or(Path::new("")));
     let text = drawings::link(&math::render(&text)?, &folder);
     Ok(ending::scripts(text, file.components().count().saturating_sub(1)))

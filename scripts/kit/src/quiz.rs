@@ -114,16 +114,21 @@ fn rendered(quiz: &Quiz, wrong: &Wrong, code: &str) -> String {
         quiz.question.trim()
     );
     for Answer { line, why, refutation } in answers {
-        let reply = match refutation {
-            Some(refutation) => format!("No. {refutation}"),
-            None => format!("Yes. {}", wrong.story),
-        };
-        out += &format!(
-            "<details name=\"{}\"><summary>\n\n`{line}`: {why}\n\n</summary>\n\n{reply}\n\n</details>\n\n",
-            quiz.program
-        );
+        let says = format!("`{line}`: {why}");
+        let reply = refutation.as_ref().unwrap_or(&wrong.story);
+        out += &choice(&quiz.program, &says, refutation.is_none(), reply);
     }
     out + "</details>\n"
+}
+
+/// Returns an answer of a quiz: a fold with the reply to it.
+///
+/// Of the folds with the same `name` one is open at a time.
+pub fn choice(name: &str, says: &str, is_right: bool, reply: &str) -> String {
+    let (class, verdict) = if is_right { (" class=\"is-right\"", "Yes") } else { ("", "No") };
+    format!(
+        "<details name=\"{name}\"{class}><summary>\n\n{says}\n\n</summary>\n\n{verdict}. {reply}\n\n</details>\n\n"
+    )
 }
 
 /// Returns the function around a known-wrong program's region, with the wrong body in it.
