@@ -3,8 +3,9 @@
 //! Each test starts this test program again on ranks, to run one of the parts below. A plain run of
 //! the tests ignores the parts.
 
+use std::fs;
 use std::panic::catch_unwind;
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 use std::time::{Duration, Instant};
 
 use common_mpi::{Ghost, Wire, as_rank, together};
@@ -45,6 +46,29 @@ fn particles_travel() {
         for other in 0..size as u64 {
             assert_eq!(all[other as usize], Wire { id: other, ..mine });
             assert_eq!(ghosts[other as usize], Ghost { id: other, ..ghost });
+        }
+        ExitCode::SUCCESS
+    });
+}
+
+/// A file that exists from the first silent end of a rank on.
+const ENDED_ONCE: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/ended-once");
+
+#[test]
+fn a_job_that_ends_without_a_message_runs_once_more() {
+    // The file is missing if this is the first run of the test.
+    let _ = fs::remove_file(ENDED_ONCE);
+    Job::part("0.0", "a_rank_ends_silently_once", 2).succeed();
+    assert!(fs::exists(ENDED_ONCE).unwrap());
+}
+
+#[test]
+#[ignore = "a part of a_job_that_ends_without_a_message_runs_once_more"]
+fn a_rank_ends_silently_once() {
+    on_ranks(|world| {
+        if world.rank() == 0 && fs::File::create_new(ENDED_ONCE).is_ok() {
+            let own = std::process::id().to_string();
+            Command::new("kill").args(["-KILL", &own]).status().unwrap();
         }
         ExitCode::SUCCESS
     });

@@ -86,6 +86,9 @@ fn is_of_all(call: &str) -> bool {
     !OF_ONE_MESSAGE.iter().any(|part| name.contains(part))
 }
 
+/// The message of a failure if neither ranks nor launcher say anything about it.
+pub(super) const SILENT: &str = "a rank ended the job without a message";
+
 /// Returns the messages of ranks and launcher without noise.
 pub(super) fn of_a_failure(stderr: &str) -> String {
     let is_noise = |line: &&str| {
@@ -97,7 +100,7 @@ pub(super) fn of_a_failure(stderr: &str) -> String {
     let meanings = MEANINGS.iter().filter(|(words, _)| stderr.contains(words));
     lines.splice(0..0, meanings.map(|(_, meaning)| *meaning));
     if lines.is_empty() {
-        lines.push("a rank ended the job without a message");
+        lines.push(SILENT);
     }
     lines.join("\n")
 }
@@ -113,7 +116,7 @@ fn is_frame(line: &str) -> bool {
 mod tests {
     use std::time::Duration;
 
-    use super::{MISSING_CALL, NOT_KNOWN, of_a_failure, of_no_answer};
+    use super::{MISSING_CALL, NOT_KNOWN, SILENT, of_a_failure, of_no_answer};
 
     #[test]
     fn a_call_is_missing_only_where_all_ranks_wait() {
@@ -149,7 +152,7 @@ mod tests {
             message.starts_with("A message was longer than its buffer")
                 && !message.contains("vm:3")
         );
-        assert_eq!(of_a_failure(""), "a rank ended the job without a message");
+        assert_eq!(of_a_failure(""), SILENT);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! all entries run it in turns, and the run that is timed is also the run whose error is measured.
 //! So a program that is fast when timed and exact when checked gains nothing.
 
-mod class;
+mod class_page;
 mod entry;
 mod racing;
 mod ranking;
@@ -96,7 +96,7 @@ impl Options {
 /// Measures, and prints and writes the results.
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     if let Some(folder) = &options.class {
-        class::write(kit, folder)?;
+        class_page::write(kit, folder)?;
         return Ok(ExitCode::SUCCESS);
     }
     if options.quick {
