@@ -34,9 +34,12 @@ pub(crate) fn folded(file: &Path, text: &str, with_answers: bool) -> Result<Stri
     let page = file.file_stem().unwrap_or_default().to_string_lossy();
     let mut out = text[..begin].to_owned();
     for block in blocks(&text[begin..end]) {
-        let Block::Question(lines) = block else {
-            out += &block.text();
-            continue;
+        let lines = match block {
+            Block::Question(lines) => lines,
+            Block::Line(line) => {
+                out += line;
+                continue;
+            }
         };
         let question = Question::of(&lines);
         if !with_answers {
@@ -57,15 +60,6 @@ enum Block<'a> {
     Question(Vec<&'a str>),
     /// A line of other text.
     Line(&'a str),
-}
-
-impl Block<'_> {
-    fn text(&self) -> String {
-        match self {
-            Self::Question(lines) => lines.concat(),
-            Self::Line(line) => (*line).to_owned(),
-        }
-    }
 }
 
 /// Returns the section in parts.
