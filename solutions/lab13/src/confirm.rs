@@ -41,8 +41,7 @@ pub fn right_steps(moves: &[f64], width: f64) -> usize {
 ///
 /// - `numbers`: first the greatest distance that a particle of this rank moved in each step, then
 ///   other numbers, from which the next epoch is planned. Replace each number by the greatest
-///   number that any rank has at this index. A single reduction
-///   suffices for all numbers.
+///   number that any rank has at this index. A single reduction suffices for all numbers.
 /// - `width`: the depth with which ghosts were chosen, a length. It is the same on all ranks.
 ///
 /// A rank knows the moves of its own particles. But an error on a rank comes from the particles of
