@@ -10,7 +10,6 @@
 mod asking;
 mod build;
 mod class;
-mod escape;
 mod record;
 mod regrade;
 mod report;

@@ -6,11 +6,11 @@ use std::process::ExitCode;
 use anyhow::{Result, bail, ensure};
 use clap::Args;
 
-use crate::escape::line;
 use crate::record::{self, Record};
 use crate::report;
 use crate::roster::ClassFile;
 use lab_kit::Kit;
+use lab_kit::escape::line;
 use lab_kit::rubric;
 
 /// Mark records again with the present rubric (for instructors)

@@ -7,9 +7,9 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 use clap::Args;
 
-use crate::escape::line;
 use crate::submission;
 use crate::submission::names::named;
+use lab_kit::escape::line;
 use lab_kit::files::write_file;
 use lab_kit::sources::{Sources, of_solution};
 use lab_kit::starter;

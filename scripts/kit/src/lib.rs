@@ -11,6 +11,7 @@ pub mod answers;
 pub mod binaries;
 pub mod cargo;
 pub mod command;
+pub mod escape;
 pub mod excerpt;
 pub mod facts;
 pub mod files;

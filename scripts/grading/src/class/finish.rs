@@ -11,13 +11,13 @@ use super::Named;
 use super::batch::{bar, done};
 use super::grader::{Grader, Reference};
 use crate::build::Tree;
-use crate::escape::line;
 use crate::record::{self, Findings, Record, Status, scale};
 use crate::roster::ClassFile;
 use crate::roster::late::file_time;
 use crate::score::score;
 use crate::submission::known_wrong;
 use crate::{report, timing};
+use lab_kit::escape::line;
 
 /// Times one submission after another. Returns whether all could be timed.
 ///

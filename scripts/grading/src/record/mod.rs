@@ -11,9 +11,9 @@ use anyhow::{Context, Result, ensure};
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 
-use crate::escape::line;
 use lab_kit::Lab;
 use lab_kit::answers::RegionId;
+use lab_kit::escape::line;
 use lab_kit::files::{read_bytes, write_file};
 
 pub(crate) use by_hand::{Attempt, Decision, Lateness};

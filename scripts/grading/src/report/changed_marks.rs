@@ -3,8 +3,8 @@
 use similar::{ChangeTag, TextDiff};
 
 use super::{Words, letter, points};
-use crate::escape::line;
 use crate::record::Record;
+use lab_kit::escape::line;
 
 /// Describes the differences; `None` if nothing that matters changed.
 ///

@@ -3,8 +3,8 @@
 use anyhow::Result;
 
 use super::{points, scale, trouble};
-use crate::escape;
 use crate::record::Record;
+use lab_kit::escape;
 
 /// Writes the table: names, totals, points of each task and measure, and the first mistake.
 pub(crate) fn csv(records: &[Record]) -> Result<String> {

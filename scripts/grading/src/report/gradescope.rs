@@ -7,8 +7,8 @@
 use serde_json::{Value, json};
 
 use super::{Words, letter, sentences};
-use crate::escape::line;
 use crate::record::Record;
+use lab_kit::escape::line;
 
 /// Converts a record for Gradescope: a test for each task and each measure.
 pub(crate) fn results(record: &Record, words: &Words) -> Value {

@@ -1,8 +1,8 @@
 //! `feedback/NAME.md`: the letter to a student.
 
 use super::{Words, points, sentences, trouble};
-use crate::escape::{fenced, line, markdown};
 use crate::record::{Attempt, Record, Status, Task};
+use lab_kit::escape::{fenced, line, markdown};
 
 /// Writes the letter, in Markdown.
 pub(crate) fn letter(record: &Record, words: &Words) -> String {

@@ -6,9 +6,9 @@ use serde::Deserialize;
 
 use super::export::{Export, Member};
 use super::students::{Roster, Student, key};
-use crate::escape::line;
 use crate::record::{Attempt, Record};
 use crate::submission::names::{bare, composed};
+use lab_kit::escape::line;
 
 /// Rule for the submission that counts if a student has several.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]

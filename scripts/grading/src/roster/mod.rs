@@ -21,7 +21,6 @@ use anyhow::{Context, Error, Result, ensure};
 use hmac_sha256::HMAC;
 use serde::Deserialize;
 
-use crate::escape::line;
 use crate::record::{Decision, Record, scale};
 use crate::score::score;
 use crate::submission::names::composed;
@@ -29,6 +28,7 @@ use export::Export;
 pub(crate) use join::Attendance;
 use join::{Attempts, Join, Members};
 use lab_kit::Facts;
+use lab_kit::escape::line;
 use late::Late;
 use students::Roster;
 

@@ -14,11 +14,11 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
 
-use crate::escape::{cut, line};
 use crate::record::LeftOut;
 use crate::roster;
 pub(crate) use folder::read;
 use folder::unpacker;
+use lab_kit::escape::{cut, line};
 use lab_kit::sources::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
 use lab_kit::{Given, Kit, Lab};
 use loose::Loose;

@@ -1,5 +1,6 @@
 //! Draws figures with plotters.
 
+use lab_kit::escape::html;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -26,8 +27,7 @@ pub fn svg(rows: &[Vec<Chart>], form: Form) -> String {
             .expect("drawing into a string does not fail");
     }
     let titles: Vec<&str> = rows.iter().flatten().map(|chart| &*chart.title).collect();
-    let escaped = titles.join("; ").replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-    text.replacen('>', &format!("><title>{escaped}</title>"), 1)
+    text.replacen('>', &format!("><title>{}</title>", html(&titles.join("; "))), 1)
 }
 
 fn draw(rows: &[Vec<Chart>], layouts: &[Layout], page: &Area<'_>) -> Drawn {

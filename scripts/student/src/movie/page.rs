@@ -6,6 +6,7 @@
 use std::fmt::Write;
 
 use anyhow::{Result, ensure};
+use lab_kit::escape::html;
 use lab_kit::facts;
 use lab_kit::files::read_text;
 use lab_kit::{Discs, Kit};
@@ -78,13 +79,11 @@ pub(super) fn write(kit: &Kit, run: &Run, movie: &Movie) -> Result<String> {
         scripts += &read_text(&kit.path("book/src/live").join(name))?;
     }
     let says = says(run, movie);
-    let escaped =
-        |text: &str| text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
     let page = include_str!("page.html")
         .replace("STYLE", &read_text(&kit.path("book/theme/live.css"))?)
-        .replace("TITLE", &escaped(&run.title))
+        .replace("TITLE", &html(&run.title))
         .replace("PICTURE", &picture(run, movie))
-        .replace("SAYS", &escaped(&says))
+        .replace("SAYS", &html(&says))
         .replace("SCRIPTS", &scripts)
         // The data must not contain the end tag of the script around it.
         .replace("MOVIE", &data.to_string().replace('<', "\\u003c"));

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use maud::{Markup, html};
 
-use crate::escape::{cut, line};
 use crate::record::Record;
 use crate::report::Words;
+use lab_kit::escape::{cut, line};
 
 /// Maximal number of characters shown of a message.
 const SHOWN: usize = 200;

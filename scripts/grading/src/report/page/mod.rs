@@ -11,8 +11,8 @@ use pulldown_cmark::html::push_html;
 use pulldown_cmark::{Options, Parser};
 
 use super::{Words, letter, points, scale, trouble};
-use crate::escape::line;
 use crate::record::Record;
+use lab_kit::escape::line;
 
 /// A matter that an instructor must attend to, and the students or submissions concerned.
 type ToSeeTo = (&'static str, Vec<String>);

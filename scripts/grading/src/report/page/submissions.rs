@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 
 use super::bars::bar;
-use crate::escape::line;
 use crate::record::{Attempt, Measure, Record, Task, Verdict};
 use crate::report::{points, scale, sentences, trouble};
+use lab_kit::escape::line;
 
 /// Writes the table.
 pub(crate) fn table(records: &[Record]) -> Markup {

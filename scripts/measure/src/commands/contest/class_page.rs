@@ -5,8 +5,9 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
+use lab_kit::escape::{cell, html};
 use lab_kit::facts::Goal;
-use lab_kit::files::{digest, read_bytes, write_file};
+use lab_kit::files::{digest, write_file};
 use lab_kit::{Kit, Lab};
 use serde::Deserialize;
 
@@ -38,18 +39,20 @@ pub(super) fn write(kit: &Kit, folder: &Path) -> Result<()> {
     for (name, entries) in files {
         students.extend(best(name, entries, &goals, &landmarks)?);
     }
-    let mut list = String::from("name,entry,points\n");
+    let mut list = csv::Writer::from_writer(Vec::new());
+    list.write_record(["name", "entry", "points"])?;
     let mut points = String::new();
     for (number, student) in (1..).zip(&mut students) {
         let Student { name, entry, points: earned } = student;
         entry.alias = Some(format!("no. {number}"));
-        writeln!(list, "{name},{number},{earned}")?;
+        list.write_record([cell(name), number.to_string(), earned.to_string()])?;
         writeln!(points, "no. {number:<4} {earned:>4}")?;
     }
     let entries: Vec<Entry> = students.into_iter().map(|student| student.entry).collect();
     let tables = show::tables(&entries, &landmarks);
     let text = format!("{tables}\n\n{}\n{points}", rules(&goals));
     let plane = svg(&[vec![show::chart(&entries, &landmarks)]], Form::Page);
+    let list = String::from_utf8(list.into_inner()?)?;
     let into = kit.memory().join(FOLDER);
     for (name, text) in
         [("index.html", page(lab, &text)), ("plane.svg", plane), ("points.csv", list)]
@@ -73,7 +76,9 @@ fn read(folder: &Path) -> Result<Vec<(String, Vec<Entry>)>> {
         if path.extension().is_none_or(|extension| extension != "json") {
             continue;
         }
-        let results = Results::deserialize(DataFile::read(&path)?.results);
+        let measured = DataFile::read(&path)?.results;
+        let order = digest(measured.to_string().as_bytes());
+        let results = Results::deserialize(measured);
         let results = results.with_context(|| format!("{}: no contest", path.display()))?;
         let first = *seed.get_or_insert(results.seed);
         ensure!(
@@ -84,7 +89,7 @@ fn read(folder: &Path) -> Result<Vec<(String, Vec<Entry>)>> {
         );
         ensure!(!results.entries.is_empty(), "{}: no entry", path.display());
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        files.push((digest(&read_bytes(&path)?), name, results.entries));
+        files.push((order, name, results.entries));
     }
     ensure!(!files.is_empty(), "{} has no file NAME.json", folder.display());
     // Nobody but the instructor knows the measured times, on which the digests depend.
@@ -139,7 +144,7 @@ fn rules(goals: &[Goal]) -> String {
 /// Writes the page around the tables.
 fn page(lab: Lab, text: &str) -> String {
     // A message about an entry may quote its program.
-    let text = text.replace('&', "&amp;").replace('<', "&lt;");
+    let text = html(text);
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width\">\n\

@@ -1,10 +1,10 @@
-//! Escapes foreign text for the grader's pages.
+//! Escapes foreign text for pages, letters, tables and the terminal.
 //!
 //! Students choose the names of submissions and the messages of panics. This text must not become
 //! markup, a spreadsheet formula, or a terminal command.
 
 /// Returns at most `most` characters of a foreign text, which may have megabytes.
-pub(crate) fn cut(text: &str, most: usize) -> String {
+pub fn cut(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {
         Some((end, _)) => format!("{}\u{2026}", &text[..end]),
         None => text.to_owned(),
@@ -12,7 +12,7 @@ pub(crate) fn cut(text: &str, most: usize) -> String {
 }
 
 /// Replaces terminal control characters and marks of writing direction by U+FFFD.
-pub(crate) fn plain(text: &str) -> String {
+pub fn plain(text: &str) -> String {
     let steers = |c: char| {
         (c.is_control() && c != '\n' && c != '\t')
             || matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
@@ -22,12 +22,12 @@ pub(crate) fn plain(text: &str) -> String {
 }
 
 /// Puts a text on one line.
-pub(crate) fn line(text: &str) -> String {
+pub fn line(text: &str) -> String {
     plain(text).split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// Escapes a text for the middle of a line of Markdown, so that it contains no markup and no link.
-pub(crate) fn markdown(text: &str) -> String {
+pub fn markdown(text: &str) -> String {
     let text = line(text);
     let mut out = String::with_capacity(text.len());
     let mut rest = text.chars().peekable();
@@ -48,8 +48,13 @@ pub(crate) fn markdown(text: &str) -> String {
     out
 }
 
+/// Escapes a text for HTML and SVG, between tags and in quoted attributes.
+pub fn html(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+}
+
 /// Makes a code block in Markdown, even if the text contains backticks.
-pub(crate) fn fenced(text: &str) -> String {
+pub fn fenced(text: &str) -> String {
     let text = plain(text);
     let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
     let fence = "`".repeat(longest.max(2) + 1);
@@ -59,7 +64,7 @@ pub(crate) fn fenced(text: &str) -> String {
 /// Escapes a table cell. A possible formula gets an apostrophe before it.
 ///
 /// In many countries a semicolon ends a cell, so the text behind a semicolon is escaped too.
-pub(crate) fn cell(text: &str) -> String {
+pub fn cell(text: &str) -> String {
     let text = line(text);
     let guarded = text.split(';').map(|part| {
         let (blank, rest) = part.split_at(part.len() - part.trim_start().len());
@@ -71,10 +76,11 @@ pub(crate) fn cell(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{cell, fenced, line, markdown};
+    use super::{cell, fenced, html, line, markdown};
 
     #[test]
     fn markup_is_text() {
+        assert_eq!(html("<a href=\"b&c\">"), "&lt;a href=&quot;b&amp;c&quot;>");
         assert_eq!(markdown("[a](http://b) *c*\n# d"), "\\[a\\]\\(http\\://b\\) \\*c\\* \\# d");
     }
 
