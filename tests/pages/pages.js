@@ -29,6 +29,8 @@ function pages(folder) {
 
 // The address without the part that figures write their state into.
 const address = page => page.url().split("#")[0];
+// That part, asked in the page: `page.url()` hears of it a little later.
+const state = page => page.evaluate(() => location.hash);
 
 // In the page: what is cut off. Code may be scrolled, and on a phone a table may; paper cannot.
 function cutOff(wide) {
@@ -187,9 +189,9 @@ async function stepThrough(page) {
     });
     if (shown !== recorded) note("it does not show what was recorded");
     if ([moved, await picture()].every(now => now === drawn)) note("its picture does not change");
-    const [end, state] = [await said(), page.url()];
+    const [end, moment] = [await said(), await state(page)];
     await figure.getByRole("button", { name: "From the start" }).click();
-    await page.evaluate(url => (location.href = url), state);
+    await page.evaluate(hash => (location.hash = hash), moment);
     await page.waitForFunction(([figure, end]) => figure.querySelector("output").textContent === end, [
       await figure.elementHandle(),
       end,
@@ -216,9 +218,9 @@ async function restored(page) {
   const slider = figure.getByRole("slider").first();
   const begun = await slider.inputValue();
   await slider.press("End");
-  const [moved, state] = [await slider.inputValue(), page.url()];
+  const [moved, end] = [await slider.inputValue(), await state(page)];
   await slider.press("Home");
-  await page.evaluate(url => (location.href = url), state);
+  await page.evaluate(hash => (location.hash = hash), end);
   await page.waitForTimeout(50);
   return moved !== begun && (await slider.inputValue()) === moved ? [] : ["the address does not restore a slider"];
 }
@@ -331,7 +333,8 @@ async function present(page, wide) {
     await page.keyboard.press("n");
   }
   for (let k = 1; k < slides; k++) await page.keyboard.press(k % 2 ? "ArrowRight" : "Space");
-  if (!page.url().endsWith(`#slide-${slides}`)) note(`the keys lead to ${page.url().split("#")[1]} of ${slides}`);
+  const end = await state(page);
+  if (end !== `#slide-${slides}`) note(`the keys lead to ${end} of ${slides}`);
   return found;
 }
 
