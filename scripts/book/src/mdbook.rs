@@ -5,7 +5,7 @@
 //! [`glossary`]), and lychee reads the built pages.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode, Stdio};
+use std::process::{Child, Command, ExitCode, Stdio};
 use std::{env, fs, io};
 
 use anyhow::{Context, Result, bail};
@@ -34,17 +34,13 @@ pub(crate) struct Options {
 
 /// Runs mdbook. Its exit code is the exit code of the command.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let mut mdbook = mdbook(kit, if options.serve { "serve" } else { "build" })?;
     if options.serve {
-        mdbook.arg("--open");
+        let served = succeeds(mdbook(kit, "serve")?.arg("--open"))?;
+        return Ok(if served { ExitCode::SUCCESS } else { ExitCode::FAILURE });
     }
-    if !succeeds(&mut mdbook)? {
+    if !build(kit)? {
         return Ok(ExitCode::FAILURE);
     }
-    if options.serve {
-        return Ok(ExitCode::SUCCESS);
-    }
-    index_without_hints(kit)?;
     if options.check && !check(kit)? {
         return Ok(ExitCode::FAILURE);
     }
@@ -63,29 +59,40 @@ fn mdbook(kit: &Kit, what: &str) -> Result<Command> {
 }
 
 fn succeeds(mdbook: &mut Command) -> Result<bool> {
-    match mdbook.status() {
-        Ok(status) => Ok(status.success()),
+    Ok(start(mdbook)?.wait()?.success())
+}
+
+fn start(mdbook: &mut Command) -> Result<Child> {
+    match mdbook.spawn() {
         Err(e) if e.kind() == io::ErrorKind::NotFound => {
             bail!("mdbook is not installed: scripts/setup.sh installs it")
         }
-        Err(e) => Err(e).context("mdbook did not start"),
+        child => child.context("mdbook did not start"),
     }
 }
 
-/// Replaces the search index by the index of a book without hints.
+/// Builds the book, with the search index of a book without hints.
 ///
-/// So a search does not show the answer that a fold hides.
-fn index_without_hints(kit: &Kit) -> Result<()> {
+/// So a search does not show the answer that a fold hides. The two books are built at the same
+/// time.
+fn build(kit: &Kit) -> Result<bool> {
     let folder = tempfile::tempdir()?;
     let mut without = mdbook(kit, "build")?;
     without.arg("--dest-dir").arg(folder.path()).env(WITHOUT_HINTS, "");
+    without.env("MDBOOK_OUTPUT__HTML__PRINT__ENABLE", "false");
     without.stdout(Stdio::null()).stderr(Stdio::null());
-    if !succeeds(&mut without)? {
+    let mut without = start(&mut without)?;
+    let built = succeeds(&mut mdbook(kit, "build")?)?;
+    let indexed = without.wait()?.success();
+    if !built {
+        return Ok(false);
+    }
+    if !indexed {
         bail!("the book without hints cannot be built");
     }
     // The name contains a hash of the contents, which only has to be new if the contents are new.
     fs::copy(index(folder.path())?, index(&kit.path("book/build"))?)?;
-    Ok(())
+    Ok(true)
 }
 
 /// Returns the search index of a built book.
