@@ -1,5 +1,6 @@
 #!/bin/sh
-# Writes the archives of a release: the book, and for each lab a class's kit with this lab and all labs before it.
+# Writes the archives of a release: the book with the documentation of the libraries, and for each lab a class's kit
+# with this lab and all labs before it.
 #
 #   scripts/release.sh FOLDER
 set -eu
@@ -17,6 +18,13 @@ trap 'rm -rf "$trees"' EXIT
 pack() { tar -czf "$folder/$1${2:-}.tar.gz" -C "$trees" "$1" && echo "$folder/$1${2:-}.tar.gz"; }
 
 cargo lab book
+# The documentation of the libraries that the labs call is published beside the book, in its folder doc.
+libraries=$(sed -n 's/^name = "\(.*\)"/-p \1/p' labs/common*/Cargo.toml labs/engines/*/Cargo.toml)
+documentation=${CARGO_TARGET_DIR:-target}/doc
+# shellcheck disable=SC2086 # two words for each library
+rm -rf "$documentation"
+cargo doc --quiet --no-deps $libraries
+cp -R "$documentation" book/build/doc
 cp -R book/build "$trees/cutoff-book"
 pack cutoff-book
 for number in $(printf '%s\n' solutions/lab* | sed 's/.*lab//' | sort -n); do
