@@ -6,6 +6,9 @@ use super::{points, scale, trouble};
 use crate::record::Record;
 use lab_kit::escape;
 
+/// Most characters of a mistake that fit beside the points of a class. The letter has all of it.
+const LONGEST_TROUBLE: usize = 200;
+
 /// Writes the table: names, totals, points of each task and measure, and the first mistake.
 pub(crate) fn csv(records: &[Record]) -> Result<String> {
     let Some(first) = records.first() else { return Ok(String::new()) };
@@ -56,7 +59,7 @@ fn row(record: &Record, first: &Record, full: f64) -> Vec<(String, String)> {
         Some(task) => format!("{}: {}", task.id, task.message),
         None => String::new(),
     };
-    row.push(("first trouble".into(), trouble));
+    row.push(("first trouble".into(), escape::cut(&trouble, LONGEST_TROUBLE)));
     row
 }
 

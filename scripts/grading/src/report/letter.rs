@@ -96,11 +96,15 @@ fn tasks(record: &Record, words: &Words) -> String {
             (true, _) => " **by hand**",
             (false, true) => "",
             (false, false) if task.points > 0.0 => " **in part**",
-            (false, false) => " **lost**",
+            (false, false) => " **not right**",
         };
         out += &format!("| {} | {given} of {most}{mark} |\n", words.task(&task.id));
     }
     out.push('\n');
+    let in_part = |task: &Task| !task.passed && task.points > 0.0 && !record.is_by_hand(&task.id);
+    if record.tasks.iter().any(in_part) {
+        out += "A task that is right in part earns points in proportion to its right answers.\n\n";
+    }
     for task in &record.tasks {
         for sentence in sentences::by_hand(record, Some(&task.id)) {
             out += &format!("Task {}: {}\n\n", task.id, markdown(&sentence));
