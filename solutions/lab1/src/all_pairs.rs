@@ -15,7 +15,7 @@ pub struct AllPairs<O> {
 }
 
 impl<O: Observer> AllPairs<O> {
-    /// Computes the acceleration of each particle i due to all particles, into `accelerations[i]`.
+    /// Sets each `accelerations[i]` to the acceleration of particle i due to all particles.
     ///
     /// - The sum starts at zero and takes the neighbours in ascending order, j = 0 … n−1. The sum
     ///   may include j = i, because this pair adds zero.

@@ -47,7 +47,7 @@ pub struct Engine<O> {
     observer: O,
     steps: u64,
     rebuilds: u64,
-    /// The number of pair tests in both lists, without the tests of `collect` when it builds a list.
+    /// The number of pair tests in both lists, except the tests of `collect` when it builds a list.
     tests: u64,
 }
 

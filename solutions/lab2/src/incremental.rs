@@ -10,9 +10,9 @@ use crate::{Grid, VecBins};
 ///
 /// The other particles stay in `inside`, in any order.
 ///
-/// Closing the gap of a removed particle would move all particles after it. [`Vec::swap_remove`]
-/// moves only the last particle, into the gap. Remember that the moved particle has not been checked
-/// yet.
+/// Closing the gap of a removed particle would move all particles after the gap.
+/// [`Vec::swap_remove`] moves only the last particle, into the gap. Remember that the moved particle
+/// has not been checked yet.
 ///
 /// Book: chapter 2, *Incremental*.
 #[inline]

@@ -34,7 +34,7 @@ impl Barrier {
         Self { state: Mutex::new(state), change: Condvar::new() }
     }
 
-    /// Returns when all members that have not finished have called it.
+    /// Returns when all members that have not finished have called this.
     ///
     /// # Panics
     /// If a member has panicked.

@@ -7,7 +7,7 @@ use solution2::Grid;
 
 use crate::{Bin, Meter, Regions};
 
-/// The change of a particle that has left bin `from` and is now in bin `to`.
+/// The change of a particle that has moved from bin `from` to bin `to`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Change {
     /// The number of the particle.

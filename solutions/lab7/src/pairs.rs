@@ -5,9 +5,9 @@ use hard_discs::{Candidate, Hit};
 
 /// Returns the time λ at which discs a and b touch in this step, or `None` if they do not touch.
 ///
-/// Assume that nothing else stops the discs first. Both have radius r = `radius`. Let d be the
-/// vector from a to b. Let D be the velocity of b minus the velocity of a, so the vector at time λ
-/// is d + λ D. Let s = d · D.
+/// Assume that nothing else stops the discs first. Both discs have radius r = `radius`. Let d be
+/// the vector from a to b. Let D be the velocity of b minus the velocity of a, so the vector at
+/// time λ is d + λ D. Let s = d · D.
 ///
 /// - If s ≥ 0, the discs do not approach each other. Return `None`, even if they overlap.
 /// - Otherwise, if they overlap or touch already (|d|² ≤ 4 r²), they collide at once, at λ = 0.

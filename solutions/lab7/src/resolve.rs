@@ -34,7 +34,7 @@ pub fn stop_at_wall(disc: &mut Disc, square: Square) {
     // end 7.5
 }
 
-/// Lets a disc hit a wall at `time` (a λ), and travel on for the rest of the step.
+/// Lets a disc hit a wall at time λ = `time`, and travel on for the rest of the step.
 ///
 /// 1. Move the disc to the point where it hits the wall, by λ (vx, vy).
 /// 2. Change the sign of vx at an x wall, of vy at a y wall, and of both in a corner.
@@ -58,7 +58,7 @@ pub fn bounce(disc: &mut Disc, time: f64, hit: Hit, square: Square) {
     // end 7.6
 }
 
-/// Lets discs a and b collide at `time` (a λ), and travel on for the rest of the step.
+/// Lets discs a and b collide at time λ = `time`, and travel on for the rest of the step.
 ///
 /// 1. Move both discs to the point where they touch. Let n be the vector from a to b there, and w the
 ///    velocity of b minus the velocity of a.

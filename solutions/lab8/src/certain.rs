@@ -30,11 +30,11 @@ use solution7::order;
 /// candidate that is first in two queues comes up twice. The second time, its discs are already
 /// taken or waiting, and nothing changes.
 ///
-/// A [`BinaryHeap`] of [`Reverse`]d indices yields the earliest candidate, because a lower index is
-/// earlier. A loop over [all](hard_disc_ranks::Queues::all) candidates would give the same result.
-/// But this function is called in every round, and a crowd has millions of candidates and a hundred
-/// rounds. Nearly all of these candidates are in a queue behind an open candidate, and never enter
-/// the heap.
+/// A [`BinaryHeap`] of [`Reverse`]d indices yields the earliest candidate, because a candidate with
+/// a lower index is earlier. A loop over [all](hard_disc_ranks::Queues::all) candidates would give
+/// the same result. But this function is called in every round, and a crowd has millions of
+/// candidates and a hundred rounds. Nearly all of these candidates are in a queue behind an open
+/// candidate, and never enter the heap.
 ///
 /// A rival may be out of date. This does no harm: other ranks only lose candidates, so a candidate
 /// that comes before an old rival also comes before all remaining candidates.

@@ -22,8 +22,8 @@ impl HardKernels for Lab9 {
     ///   must run again.
     /// - `finder.grow` returns an error if the device has too little memory. Then collect the first
     ///   half of the rows and the second half separately. If there is only one row, return the
-    ///   error. (The list always has room for the candidates of one row, which are at most as many
-    ///   as the discs.)
+    ///   error. (The list always has room for the candidates of one row: there are at most as many
+    ///   as discs.)
     ///
     /// Book: chapter 9, *A list that grows*.
     fn collect(

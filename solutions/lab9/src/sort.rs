@@ -14,7 +14,7 @@ impl SoftKernels for Lab9 {
     /// 1. On the way up, from level 0 to the last level, each level sums its blocks. So each level
     ///    can read the sums of the level below.
     /// 2. On the way down, the last level is already complete. Each level below it, from the last
-    ///    but one to level 0, adds the sums to its blocks.
+    ///    but one to level 0, adds the sums of the level above to its blocks.
     ///
     /// Book: chapter 9, *A prefix sum of any length*.
     fn record_scan(scan: &Scan, work: &mut Work<'_>) {
