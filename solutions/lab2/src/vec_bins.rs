@@ -25,7 +25,7 @@ impl VecBins {
     }
     // ANCHOR_END: vec_bins
 
-    /// Makes empty bins of `bin_size` cutoffs or more for the box of `scene`.
+    /// Makes empty bins for the box of `scene`, at least `bin_size` cutoffs wide.
     pub fn of_scene(scene: &Scene, bin_size: f64) -> Self {
         Self::new(Grid::of_scene(scene, bin_size))
     }
@@ -42,7 +42,7 @@ impl VecBins {
         &self.bins
     }
 
-    /// The bins, row by row, to be changed. `chunks_mut(columns)` yields the rows.
+    /// The bins, row by row, for changes. `chunks_mut(columns)` yields the rows.
     #[inline]
     pub fn bins_mut(&mut self) -> &mut [Vec<Particle>] {
         &mut self.bins
@@ -77,13 +77,15 @@ impl VecBins {
         // end 2.3b
     }
 
-    /// Sums the accelerations of `particle` by the particles in its bin and in the bins around it.
+    /// Returns the acceleration of `particle` due to the particles in its bin and in the bins
+    /// around it.
     ///
     /// - The sum starts at zero and takes the neighbours in the order in which they are found.
-    /// - [`Grid::near`] gives up to nine bins, and fewer at a wall. Visit each bin once.
+    /// - The rows and columns of [`Grid::near`] contain nine bins, or fewer at a wall. Visit each
+    ///   bin once.
     /// - The particle's own bin contains the particle itself, which adds zero.
-    /// - For each bin, report to `observer` how many particles were tested (`tested`, a `u64`).
-    ///   The particle itself counts as one. `add_pair` reports the pairs within the cutoff.
+    /// - For each bin, report the number of particles tested to `observer` (`tested`, a `u64`). The
+    ///   particle itself counts too. `add_pair` reports the pairs within the cutoff.
     ///
     /// Book: chapter 2, *Nine bins*.
     #[inline]
@@ -106,7 +108,7 @@ impl VecBins {
     // answer only
     /// Returns all bins that can contain a neighbour of `particle`, in the form that [`Gather`] takes.
     ///
-    /// Later labs use it. In this lab it would be the answer to task 2.4.
+    /// Later labs use this method. In this lab it would give away the answer to task 2.4.
     ///
     /// [`Gather`]: crate::Gather
     #[inline]

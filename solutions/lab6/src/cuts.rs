@@ -8,7 +8,7 @@ use halo::Cuts;
 ///   that has a row.
 /// - Beyond a wall there is no row: return `None` on that side.
 /// - A rank with an empty block has no neighbours, and is not a neighbour of any rank. `owner`
-///   skips it, because the adjacent row belongs to a rank further on.
+///   skips empty blocks, because the adjacent row belongs to a rank further on.
 ///
 /// Book: chapter 6, *Neighbours*.
 pub fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
@@ -26,7 +26,7 @@ pub fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
 
 /// Cuts the rows of bins into `ranks` blocks with nearly equal numbers of particles.
 ///
-/// - `counts[row]` is the number of particles in each row. There is at least one row and one rank.
+/// - `counts[row]` is the number of particles in a row. There is at least one row and one rank.
 /// - Of all N particles, k · N / `ranks` (rounded down) should be before block k. But a cut must be
 ///   between two rows. So block k starts at the first row that has at least that many particles
 ///   before it. No block then has more than N / `ranks` + 1 particles, plus the particles of one

@@ -12,7 +12,7 @@ use std::ops::Range;
 ///
 /// Book: chapter 6, *Meanwhile*.
 pub fn interior_rows(block: &Range<usize>, rows: usize) -> Range<usize> {
-    // task 6.5: which rows can be computed before the ghosts are there
+    // task 6.5: which rows can be computed before the ghosts arrive
     let start = if block.start == 0 { 0 } else { (block.start + 1).min(block.end) };
     let end = if block.end == rows { rows } else { block.end.saturating_sub(1) };
     start..end.max(start)
