@@ -15,15 +15,15 @@ pub struct AllPairs<O> {
 }
 
 impl<O: Observer> AllPairs<O> {
-    /// Computes the acceleration of each particle i by all particles into `accelerations[i]`.
+    /// Sets each `accelerations[i]` to the acceleration of particle i due to all particles.
     ///
-    /// - The sum starts at zero and takes the neighbours in ascending order, j = 0 … n−1. It may
-    ///   include j = i, which adds zero.
+    /// - The sum starts at zero and takes the neighbours in ascending order, j = 0 … n−1. The sum
+    ///   may include j = i, because this pair adds zero.
     /// - [`Particle::to`] returns the vector from a particle to its neighbour. [`add_pair`] adds the
     ///   acceleration that this neighbour causes.
     /// - All forces come from the positions at the *start* of the step, so no particle moves before all
     ///   sums are complete.
-    /// - At the end, report to the observer how many ordered pairs were tested
+    /// - At the end, report the number of ordered pairs tested to the observer
     ///   ([`tested`](Observer::tested)).
     ///
     /// A floating-point sum depends on its order. A different order gives a different last digit,

@@ -5,13 +5,15 @@ use common::soft::{CUTOFF, MASS, MIN_R, Particle, Scene, Simulation, Statistics}
 
 use crate::{AllPairs, Tally};
 
-/// Returns the potential energy of two particles at distance vector `d`: the work that pushes them
-/// together from the cutoff.
+/// Returns the potential energy of two particles, where `d` is the vector from one to the other.
+///
+/// The potential energy is the work of pushing the particles together, from the cutoff to this
+/// distance.
 ///
 /// With the distance r = |d|, the cutoff c and the least distance q = [`MIN_R`]:
 ///
-/// - Beyond the cutoff, the energy is 0.
-/// - From q to the cutoff, it is U(r) = c/r − 1 − ln(c/r).
+/// - Beyond the cutoff, the energy U is 0.
+/// - From q to the cutoff, U(r) = c/r − 1 − ln(c/r).
 /// - Below q, the force is proportional to r, so the energy continues as a parabola:
 ///   U(q) + κ (q² − r²) / 2 with κ = (c/q − 1) / q².
 ///
@@ -30,13 +32,14 @@ pub fn kinetic_energy(particles: &[Particle]) -> f64 {
     todo!("task 1.5c: the energy of motion")
 }
 
-/// Returns the momentum, the sum of m v over all particles. Pairs do not change it; walls do.
+/// Returns the momentum, the sum of m v over all particles. The forces of pairs do not change it,
+/// but walls do.
 pub fn momentum(particles: &[Particle]) -> Vec2 {
     todo!("task 1.5d: the momentum")
 }
 
-/// All pairs, with the energy computed after every step. The energy should stay constant: its change is
-/// the error of the time step.
+/// The all-pairs program, which also computes the energy after every step. The exact energy is
+/// constant, so any change is the error of the time step.
 #[derive(Default)]
 pub struct WithEnergy {
     inner: AllPairs<Tally>,

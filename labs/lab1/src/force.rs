@@ -3,13 +3,16 @@
 use common::Vec2;
 use common::soft::{CUTOFF, MASS, MIN_R, Observer};
 
-/// Returns the acceleration that a neighbour causes, or `None` if it is beyond the cutoff.
+/// Returns the acceleration that a neighbour causes, or `None` if the neighbour is beyond the
+/// cutoff.
 ///
 /// `d` is the vector from the particle to its neighbour. With r² = |d|²:
 ///
-/// - If r² > cutoff², the result is `None`. At exactly the cutoff there is an acceleration, of zero.
-/// - Below [`MIN_R`] the force stops growing: use `MIN_R²` instead of a lesser r². Do not change the
-///   vector `d`, so that two particles at one position exert no force on each other.
+/// - If r² > cutoff², the result is `None`. At exactly the cutoff, the result is an acceleration of
+///   zero.
+/// - Below [`MIN_R`] the force stops growing: if r² is less than `MIN_R²`, use `MIN_R²` instead. Do
+///   not change the vector `d`, so that two particles at the same position exert no force on each
+///   other.
 /// - The acceleration is `coef * d` with `coef = (1 - CUTOFF / r) / r² / MASS`. `coef` is negative, so
 ///   the acceleration points away from the neighbour.
 ///

@@ -18,9 +18,9 @@ pub fn advance(particle: &mut Particle, a: Vec2, size: f64) {
     (particle.y, particle.vy) = bounce(particle.y + particle.vy * DT, particle.vy, size);
 }
 
-/// Reflects a coordinate `x` that may be outside the walls until it is between 0 and `size`.
+/// Reflects a coordinate `x`, which may be outside the walls, until it is between 0 and `size`.
 ///
-/// Returns the coordinate and its velocity.
+/// Returns the new coordinate and the new velocity along its axis.
 ///
 /// - While x < 0 or x > `size`, reflect x at that wall: x becomes −x or 2 `size` − x, and v
 ///   changes its sign. A particle on a wall is inside.
@@ -29,8 +29,8 @@ pub fn advance(particle: &mut Particle, a: Vec2, size: f64) {
 ///   repeats every 2 `size`, and [`f64::rem_euclid`] folds it. A folded coordinate beyond `size`
 ///   belongs to a particle on its way back.
 ///
-/// Loop and fold round differently, and every lab must have the same last digits. Therefore the number
-/// `MOST_REFLECTIONS` is fixed.
+/// The loop and the fold round differently, and all labs must compute the same last digits. Therefore
+/// the number `MOST_REFLECTIONS` is fixed.
 ///
 /// Book: chapter 1, *Walls*.
 #[inline]

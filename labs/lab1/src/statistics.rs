@@ -18,8 +18,8 @@ impl Observer for Tally {
     /// pairs `navg`. Distances are in units of the cutoff: the square root of
     /// `r2 / (CUTOFF * CUTOFF)`.
     ///
-    /// A pair at distance 0 does not count. It is a particle with itself, or two particles at one
-    /// position, which exert no force.
+    /// A pair at distance 0 does not count. It is a particle with itself, or two particles at the
+    /// same position, and there is no force between them.
     ///
     /// Book: chapter 1, *Statistics*.
     #[inline]

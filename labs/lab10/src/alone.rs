@@ -1,6 +1,6 @@
 //! The loops of tasks 10.1, 10.2 and 10.4 alone, without an engine.
 //!
-//! They are functions whose machine code you can inspect, and programs that you can time (`lab10-alone`).
+//! You can inspect the machine code of these functions, and time them as programs (`lab10-alone`).
 //!
 //! Book: chapter 10, *Is it vector code?*.
 

@@ -17,12 +17,13 @@ use neighbour_list_core::kernels::{EIGHT, Pair, Positions, Signs, pack};
 /// - `signs`: computes which of eight numbers have a minus sign, as one bit for each number.
 ///
 /// The processor would often mispredict a branch on the distance. It would also mispredict the end of a
-/// loop over `range`, which is short. So compare eight particles at a time, even if the range has fewer,
-/// and a longer range in pieces of eight. Keep only the particles in the range and within reach.
-/// [`Positions::eight`] fetches eight positions, and [`pack`] writes some of eight pairs.
+/// loop over a short `range`. So always compare eight particles at a time, even if the range has fewer.
+/// Take a longer range in pieces of eight. Keep only the particles in the range and within reach.
+/// [`Positions::eight`] fetches eight positions, and [`pack`] writes the pairs that you select from
+/// eight.
 ///
 /// [`Signs::negative`] takes eight `f32`. Compute in `f64`, and convert only the difference, at the very
-/// end. The conversion keeps the sign of the smallest difference, and a difference of 0 becomes +0.
+/// end. The conversion keeps the sign of even the smallest difference, and a difference of 0 becomes +0.
 ///
 /// Book: chapter 10, *The neighbours of a particle*.
 #[inline(always)]

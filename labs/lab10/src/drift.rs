@@ -5,7 +5,7 @@
 /// Use this order of operations, so that the last digit is right too.
 ///
 /// The walls are at 0 and at `size`. Returns whether any particle is now outside. The function does not
-/// reflect particles: its caller does so if the result is true.
+/// reflect particles: its caller reflects them if the result is true.
 ///
 /// `v` and `a` are at least as long as `x`. Do not change their entries beyond the length of `x`.
 ///

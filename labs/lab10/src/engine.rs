@@ -19,7 +19,8 @@ pub struct List {
     pub pairs: Vec<Pair>,
     /// The skin, a length: the list contains every pair that was within cutoff + skin when it was built.
     pub skin: f64,
-    /// The greatest distance that a particle may have moved since then; infinite before the first list.
+    /// The greatest distance that a particle may have moved since the list was built; infinite before
+    /// the first list.
     pub displacement: f64,
 }
 
@@ -46,7 +47,7 @@ pub struct Engine<O> {
     observer: O,
     steps: u64,
     rebuilds: u64,
-    /// The number of pair tests in both lists, without the tests of `collect` when it builds a list.
+    /// The number of pair tests in both lists, except the tests of `collect` when it builds a list.
     tests: u64,
 }
 
@@ -75,7 +76,8 @@ impl<O: Observer> Engine<O> {
     /// Builds a new inner list from the pairs of the outer list.
     ///
     /// The inner list contains the pairs within the [`reach`](Self::reach) of the inner skin, in the same
-    /// order. [`filter`] finds them: it takes at most [`ROOM`] pairs at a time, and the square of a distance.
+    /// order. [`filter`] finds these pairs. It takes at most [`ROOM`] pairs at a time, and the square of this
+    /// reach.
     ///
     /// [`inner_skin`](Self::inner_skin) returns the inner skin. Its argument is the distance that the fastest
     /// particle moves in a step. At the end, set the skin of the inner list, and set its displacement to 0.
@@ -147,8 +149,8 @@ impl<O: Observer> Engine<O> {
 
     /// Returns the skin of an inner list that lasts for the cheapest number of steps.
     ///
-    /// It lasts at most as long as the outer list. If an inner list does not pay, the result is the rest of
-    /// the outer skin.
+    /// The inner list lasts at most as long as the outer list. If an inner list does not pay, the result is
+    /// the rest of the outer skin.
     fn inner_skin(&self, displacement: f64) -> f64 {
         let left = self.outer.skin - 2.0 * self.outer.displacement;
         let steps = lasting(self.outer.skin, displacement).filter(|_| self.has_inner);

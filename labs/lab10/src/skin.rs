@@ -11,7 +11,7 @@ use neighbour_list_core::{LISTED, REBUILD, TESTED};
 ///   units of length; infinite if there is no list.
 /// - `skin`: the list contains every pair that was within cutoff + `skin` when it was built.
 ///
-/// Two particles can move towards each other, each by this displacement.
+/// Two particles can move towards each other, both by this displacement.
 ///
 /// Book: chapter 10, *A list that lasts*.
 pub fn expired(displacement: f64, skin: f64) -> bool {
@@ -20,9 +20,10 @@ pub fn expired(displacement: f64, skin: f64) -> bool {
 
 /// Returns the skin that makes a step cheapest, in units of length.
 ///
-/// The candidates are 0.05, 0.1, … 3 cutoffs. If several cost the same, the result is the narrowest.
+/// The candidates are 0.05, 0.1, … 3 cutoffs. If several skins cost the same, the result is the
+/// narrowest.
 ///
-/// - `density`: particles per area in the part of the box where particles are.
+/// - `density`: particles per area in the part of the box that contains particles.
 /// - `displacement`: the greatest distance that a particle moves in a step.
 ///
 /// A wide skin makes lists long, and a narrow skin makes rebuilds frequent. Derive the cost of a step for

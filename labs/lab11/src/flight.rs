@@ -39,8 +39,8 @@ pub fn closest_squared(dx: f64, dy: f64, wx: f64, wy: f64, span: f64) -> f64 {
 /// - `deviation`: the distance of the particle from its free flight, in units of length.
 /// - `margin`: the search listed all pairs whose free flights come within cutoff + `margin`.
 ///
-/// The other particle of an unlisted pair may also be off its path, by at most the same distance: the
-/// engine calls this function for the particle with the greater deviation.
+/// The other particle of an unlisted pair may also be off its path, by at most the same distance,
+/// because the engine calls this function for the particle with the greater deviation.
 ///
 /// Book: chapter 11, *A margin that is checked*.
 #[inline(always)]

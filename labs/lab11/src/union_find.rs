@@ -17,8 +17,8 @@ pub fn root(parent: &mut [u32], k: u32) -> u32 {
 
 /// Joins the groups of `a` and `b`, two particles that may touch.
 ///
-/// They may be in the same group already. The lesser root becomes the root of the joined group, so that no
-/// parent is ever greater than its child.
+/// The two may be in the same group already. The lesser root becomes the root of the joined group, so that
+/// no parent is ever greater than its child.
 ///
 /// Book: chapter 11, *Groups*.
 #[inline]

@@ -14,10 +14,10 @@ const SWEPT: f64 = 0.14;
 /// - `density`: particles per area.
 /// - `speed`: the mean speed of the particles.
 ///
-/// A longer window needs less sorting and searching, but more particles meet in it. In each step, of length
-/// [`DT`], a particle sweeps over an area relative to the other particles. The area is about 2 cutoffs times
-/// √2 times its displacement. The result is the greatest number of steps in which a particle sweeps over
-/// at most 0.14 (`SWEPT`) other particles.
+/// With longer windows, the engine sorts and searches less often, but more particles meet in a window. In
+/// each step, of length [`DT`], a particle sweeps over an area relative to the other particles. The area is
+/// about 2 cutoffs times √2 times the particle's displacement. The result is the greatest number of steps
+/// in which a particle sweeps over at most 0.14 (`SWEPT`) other particles.
 ///
 /// In a box without motion, you would divide by zero. The result is then [`LONGEST`].
 ///

@@ -2,7 +2,8 @@
 
 /// Particles that can drift and be kicked.
 pub trait Motion {
-    /// Moves all positions with their velocities for a time `dt`: x += v dt. The walls reflect.
+    /// Moves all positions with their velocities for a time `dt`: x += v dt. The walls reflect
+    /// particles.
     fn drift(&mut self, dt: f64);
 
     /// Changes all velocities by the forces for a time `dt`: v += a dt, with the forces at the current
@@ -12,8 +13,8 @@ pub trait Motion {
 
 /// A step that is composed of drifts and kicks: a drift, a kick, a drift, a kick, …, a drift.
 ///
-/// The numbers are fractions of the step. Some are negative and go back in time. The drifts add up to 1,
-/// and the kicks add up to 1.
+/// The numbers are fractions of the step. Some fractions are negative: these go back in time. The drifts
+/// add up to 1, and the kicks add up to 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Composition {
     /// The drifts. There is one more drift than there are kicks.
@@ -48,7 +49,7 @@ impl Composition {
     ///
     /// It has five drifts and four kicks, and it is symmetric: the drifts are the same in reverse order,
     /// and so are the kicks. The first drift is [`XI`], the second drift is [`CHI`], and the second kick is
-    /// [`LAMBDA`]. The remaining numbers follow.
+    /// [`LAMBDA`]. The remaining numbers follow from the symmetry and the sums.
     ///
     /// Book: chapter 12, *Drifts and kicks*.
     pub fn pefrl() -> Self {
@@ -57,7 +58,7 @@ impl Composition {
 
     /// Takes one step of length `dt`, in units of time.
     ///
-    /// Drifts and kicks take turns, beginning with the first drift. Each takes its fraction of `dt`.
+    /// Drifts and kicks alternate, beginning with the first drift. Each takes its fraction of `dt`.
     ///
     /// Book: chapter 12, *Drifts and kicks*.
     pub fn step(&self, motion: &mut dyn Motion, dt: f64) {

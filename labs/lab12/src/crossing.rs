@@ -14,9 +14,9 @@ use integrators::Watched;
 ///
 /// Two things can go wrong:
 ///
-/// - Both ends of the interval must close in. A guess at an end, or within rounding of it, moves
-///   nothing, and the next guess is the same. So keep guesses a little away from both ends, by less than
-///   half of 10⁻¹² of the whole interval.
+/// - Both ends of the interval must move inwards. A guess that is an end, or equals it except for
+///   rounding, moves neither end, and the next guess is the same. So keep guesses a little away from
+///   both ends, by less than half of 10⁻¹² of the whole interval.
 /// - `value` may be so close to zero everywhere that its product with a short time is 0. So divide
 ///   before you multiply.
 ///
@@ -30,7 +30,8 @@ pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
 /// The result is `None` if the number does not fall through zero in this step.
 ///
 /// - `start` and `end`: the value and the slope of the number at 0 and at `h`.
-/// - `at`: computes value and slope at any moment between, at the cost of a Runge-Kutta step.
+/// - `at`: computes the value and the slope at any moment between 0 and `h`, at the cost of a
+///   Runge-Kutta step.
 ///
 /// The step is so short that the slope changes its sign at most once.
 ///

@@ -6,8 +6,8 @@ use integrators::State;
 
 /// Returns the sum of the four slopes of a classical Runge-Kutta step, weighted 1, 2, 2, 1.
 ///
-/// The step has the length `h` and begins at `start`. The caller divides the sum by six and moves for a
-/// time `h` along this slope.
+/// The step has the length `h` and begins at `start`. The caller divides the sum by six, and moves
+/// along this mean slope for a time `h`.
 ///
 /// A slope is the rate of change of a state. Its `at` is the rate of the positions, which is the velocity.
 /// Its `v` is the rate of the velocities, which is the acceleration. The four slopes are taken at:

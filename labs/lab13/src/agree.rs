@@ -5,7 +5,7 @@ use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// Whether all ranks must make new lists before the next forces, because at least one must.
+/// Whether all ranks must make new lists before the next forces, because at least one rank must.
 ///
 /// - `list_has_expired`: whether the list of this rank's own particles has expired.
 /// - `moved`: the greatest distance that a particle of this rank may have moved since ghosts were
@@ -13,14 +13,14 @@ use mpi::traits::*;
 /// - `width`: the width with which ghosts were chosen, a length. It is the same on all ranks.
 ///
 /// Ghosts have expired when a pair across a border may be within the cutoff without being listed.
-/// Both particles of the pair may have moved, one on this rank and one on another rank, but a rank
-/// knows only the moves of its own particles. So each rank assumes that its partner's particles
-/// have moved as far as its own. The rank whose particles moved furthest is then the first to
-/// report that ghosts have expired.
+/// The two particles are on different ranks, and both may have moved. But a rank knows only the
+/// moves of its own particles. So each rank assumes that its partner's particles have moved as far
+/// as its own. The rank whose particles moved furthest is then the first to report that ghosts have
+/// expired.
 ///
 /// All ranks must reach the same decision. Otherwise one rank sends positions while another rank
-/// sends movers, and both wait forever. So each rank contributes 0 or 1, and in a single call all
-/// ranks get the greatest of these numbers ([`CommunicatorCollectives::all_reduce_into`]).
+/// sends movers, and both wait forever. So each rank contributes 0 or 1, and a single call gives
+/// all ranks the greatest of these numbers ([`CommunicatorCollectives::all_reduce_into`]).
 ///
 /// Book: chapter 13, *When all must agree*.
 pub fn must_renew(

@@ -5,7 +5,7 @@ use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// Returns the number of right steps in an epoch: those before the first that may be wrong, or all.
+/// Returns the number of right steps in an epoch: all steps before the first that may be wrong.
 ///
 /// The first step is always right.
 ///
@@ -29,13 +29,13 @@ pub fn right_steps(moves: &[f64], width: f64) -> usize {
 /// All ranks have taken `steps` steps. [`right_steps`] computes the number of right steps.
 ///
 /// - `numbers`: first the greatest distance that a particle of this rank moved in each step, then
-///   other numbers, from which the next epoch is planned. Replace each number by the greatest
+///   other numbers, from which the next epoch is planned. Replace each number with the greatest
 ///   number that any rank has at this index. A single reduction suffices for all numbers.
 /// - `width`: the depth with which ghosts were chosen, a length. It is the same on all ranks.
 ///
 /// A rank knows the moves of its own particles. But an error on a rank comes from the particles of
 /// another rank, which may have moved further. And all ranks must roll back together: a rank that
-/// alone rolls back to an earlier step would get the ghosts of a later step.
+/// rolls back alone to an earlier step would get the ghosts of a later step.
 ///
 /// Book: chapter 13, *And if it was wrong*.
 pub fn confirm(world: &SimpleCommunicator, numbers: &mut [f64], steps: usize, width: f64) -> usize {

@@ -6,11 +6,11 @@ use strips::Outlook;
 /// Returns the ghost depth, a length, that lets a rank take `steps` steps without a message.
 ///
 /// `steps` is at least 1. In a step, no particle of any rank moves further than `fastest`, a
-/// length. If the rank knows all particles of other ranks up to the ghost depth from its strip, its
+/// length. If the rank knows all particles of other ranks within the ghost depth of its strip, its
 /// own particles must be right in all of these steps.
 ///
 /// The rank receives whole particles once, before the first step. It accelerates and moves them
-/// like its own, and receives no message until the last step is over.
+/// like its own particles, and receives no message until the last step is over.
 ///
 /// The outermost ghosts lack neighbours that the rank does not know, so the first step already
 /// moves them wrongly. In the next step, they exert wrong forces on their neighbours. With each

@@ -8,7 +8,7 @@ use mpi::traits::*;
 /// Exchanges positions with all partners, and calls `meanwhile` once while the messages travel.
 ///
 /// Send `sent[k]` to rank `partners[k]`, and fill `received[k]` with the positions from that rank.
-/// Return when all of them have arrived.
+/// Return when all positions have arrived.
 ///
 /// Lab 6 had to send lengths first. Here both sides have known the number of ghosts since the list
 /// was made. So `received[k]` has the right length, and every partner gets only one message.
@@ -25,5 +25,5 @@ pub fn exchange_positions(
     received: &mut [Vec<f64>],
     meanwhile: impl FnOnce(),
 ) {
-    todo!("task 13.4: positions under way while inner particles move")
+    todo!("task 13.4: positions travel while inner particles move")
 }

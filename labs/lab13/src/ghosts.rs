@@ -8,23 +8,23 @@ use neighbour_list::kernels::{Pair, Positions};
 ///
 /// A particle is needed if its distance from the partner's `strip` is at most `width`.
 ///
-/// - `y`: the y coordinates of the rank's particles, in the engine's order. All of them are in this
-///   rank's strip, which is before or after the partner's strip.
+/// - `y`: the y coordinates of the rank's particles, in the engine's order. All these particles are
+///   in the rank's own strip, before or after the partner's strip.
 /// - `strip`: the partner's strip. An end of it may be infinite.
 /// - `width`: a length, like `y` and `strip`.
 ///
-/// The choice is made once, for all steps until the next list. The partner then knows each chosen
-/// particle by its index in the message, so the messages contain nothing but positions.
+/// The choice is made once, for all steps until the next list is made. The partner then knows each
+/// chosen particle by its index in the message, so the messages contain nothing but positions.
 ///
 /// Book: chapter 13, *What is sent when*.
 pub fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32> {
     todo!("task 13.3: the particles that a partner needs")
 }
 
-/// Returns the pairs of one of the rank's particles and a ghost whose distance is at most `reach`.
+/// Returns the pairs of one of the rank's particles and a ghost that are at most `reach` apart.
 ///
 /// A pair is [index into `own`, index into `ghosts`]. Pairs are sorted by the first index. The
-/// order of pairs with the same first index may depend on nothing but positions.
+/// order of pairs with the same first index may depend only on positions.
 ///
 /// The other rank lists the same pair, with its own particle first. Each of the two ranks
 /// accelerates only its own particle, so no force has to be sent.

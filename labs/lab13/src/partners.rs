@@ -1,4 +1,4 @@
-//! Task 13.2: ranks that need ghosts of each other.
+//! Task 13.2: ranks that need ghosts from each other.
 
 use mpi::Rank;
 use strips::Strips;
@@ -11,7 +11,7 @@ use strips::Strips;
 /// neither needs nor sends ghosts.
 ///
 /// Every rank computes its partners alone, without a message. So the results of two ranks must
-/// agree: a finds b exactly if b finds a.
+/// agree: rank a finds rank b exactly if b finds a.
 ///
 /// Book: chapter 13, *Which ranks are partners*.
 pub fn partners(strips: &Strips, rank: usize, width: f64) -> Vec<Rank> {

@@ -6,7 +6,7 @@ use strips::Scenery;
 /// Returns the ghost width, a length, that is enough for `steps` steps.
 ///
 /// `steps` is at least 1. In a step, no particle of any rank moves further than `fastest`, a
-/// length. A rank knows all particles of other ranks up to the ghost width from its strip.
+/// length. A rank knows all particles of other ranks within the ghost width of its strip.
 ///
 /// Ghosts are chosen by the positions of particles before the first step. A pair across the border
 /// must be known as soon as it is within the cutoff. Both particles of a pair move. Forces are
@@ -35,7 +35,7 @@ pub fn best_steps(scenery: Scenery) -> u32 {
 
 /// The cost of new lists for each particle, in nanoseconds on the book's machine.
 ///
-/// Costs affect nothing but speed. They are constants, so that every run computes the same.
+/// Costs affect only the speed. They are constants, so that every run computes the same results.
 pub const RENEWAL: f64 = 40.0;
 /// The cost of sending or receiving a ghost, in nanoseconds.
 pub const GHOST: f64 = 5.0;

@@ -6,11 +6,12 @@ use solution1::add_pair;
 
 /// A sum over the neighbours of a particle, in an order that depends only on their ids.
 ///
-/// All-pairs adds up neighbours in ascending id. Bins find neighbours in the order of memory.
-/// Threads and processes find some neighbours in the memory of other threads and processes. Sorting the
-/// few neighbours within the cutoff before the sum gives the same bits in all these cases.
+/// All-pairs adds up neighbours in ascending order of ids. A program with bins finds neighbours in the
+/// order of memory. Threads and processes find some neighbours in the memory of other threads and
+/// processes. Sorting the few neighbours within the cutoff before the sum gives the same bits in all
+/// these cases.
 ///
-/// A `Gather` keeps memory from one particle to the next, so make one for each thread and not one for
+/// A `Gather` reuses its memory for the next particle, so make one `Gather` for each thread, not for
 /// each particle.
 #[derive(Debug, Default)]
 pub struct Gather {
@@ -19,17 +20,17 @@ pub struct Gather {
 }
 
 impl Gather {
-    /// Returns the acceleration of `particle` by the `candidates` within the cutoff.
+    /// Returns the acceleration of `particle` due to the `candidates` within the cutoff.
     ///
-    /// - The sum starts at zero and takes the neighbours in ascending id.
-    /// - `candidates` are the bins around the particle: slices in any order, with particles in any order.
-    ///   No particle is in them twice.
+    /// - The sum starts at zero and takes the neighbours in ascending order of ids.
+    /// - `candidates` are the bins around the particle, as slices. The slices and the particles in each
+    ///   slice may be in any order. No particle occurs twice.
     /// - If `particle` itself is among the candidates, leave it out.
     /// - Report the number of all candidates to `observer` (`tested`). `add_pair` reports every pair
     ///   within the cutoff, so do not call `seen` yourself.
     ///
-    /// At this density nine of ten particles have no neighbour, and hardly any particle has two. Sort only
-    /// if there is something to sort.
+    /// At the official density, nine out of ten particles have no neighbour within the cutoff, and hardly
+    /// any particle has two. Sort only if there is something to sort.
     ///
     /// Book: chapter 2, *The same bits*.
     #[inline]

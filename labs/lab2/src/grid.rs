@@ -4,15 +4,15 @@ use std::ops::Range;
 
 use common::soft::{CUTOFF, Particle, Scene};
 
-/// The greatest number of bins for each particle.
+/// The greatest number of bins, as a multiple of the number of particles.
 ///
-/// At the official density and a bin size of one cutoff, there are 5. Without this limit, a scene
-/// with few particles in a wide box would have millions of bins.
+/// At the official density and a bin size of one cutoff, there are 5 bins for each particle.
+/// Without this limit, a scene with few particles in a wide box would have millions of bins.
 const BINS_PER_PARTICLE: usize = 8;
 
 /// The margin of the side of a bin, as a fraction of the least side.
 ///
-/// Bins are wider by this margin, so that rounding never puts two particles within the cutoff two
+/// Bins are wider by this margin. Otherwise rounding might put two particles within the cutoff two
 /// bins apart.
 const MARGIN: f64 = 1e-9;
 
@@ -28,7 +28,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Makes the grid for `n` particles in a box of side `size`, with bins of side `least` or more.
+    /// Makes the grid for `n` particles in a box of side `size`, with bins at least `least` wide.
     pub fn new(size: f64, least: f64, n: usize) -> Self {
         Self::with_bins_along(size, bins_along(size, least, n))
     }
@@ -38,7 +38,7 @@ impl Grid {
         Self { size, along, bins_per_length: along as f64 / size }
     }
 
-    /// Makes the grid for `scene`, with bins of `bin_size` cutoffs or more.
+    /// Makes the grid for `scene`, with bins at least `bin_size` cutoffs wide.
     pub fn of_scene(scene: &Scene, bin_size: f64) -> Self {
         Self::new(scene.size(), bin_size * CUTOFF, scene.len())
     }
@@ -90,9 +90,9 @@ impl Grid {
 
     /// Returns the row or column that contains the coordinate `x`, 0 ≤ x ≤ `size`.
     ///
-    /// Two cases belong to the last bin. A particle may be exactly on the wall, at x = `size`. And
-    /// just below the wall, the product of `x` and `bins_per_length` may be rounded up to the number
-    /// of bins.
+    /// Two special cases belong to the last bin. A particle may be exactly on the wall, at x =
+    /// `size`. And for a particle just below the wall, the product of `x` and `bins_per_length` may
+    /// be rounded up to the number of bins.
     ///
     /// Book: chapter 2, *The bins*.
     #[inline]
@@ -100,7 +100,7 @@ impl Grid {
         todo!("task 2.1b: which bin a coordinate lies in")
     }
 
-    /// Returns `index` and the indices next to it. At a wall, there is only one of these.
+    /// Returns `index` and the indices next to it. At a wall, only one index is next to it.
     ///
     /// These are the rows (or columns) in which a particle of row (or column) `index` can have
     /// neighbours.
@@ -114,12 +114,12 @@ impl Grid {
 
 /// Returns the number of bins that fit along a wall of length `size`, at least 1.
 ///
-/// - Bins fill the box evenly, so the side of a bin is `size` divided by their number. Divide `size` by
-///   `least` · (1 + [`MARGIN`]), and round down. With the margin, a side is never less than `least`,
-///   even if the division rounds up.
-/// - Memory must grow with the particles, not with the box. So rows times columns must be at most
-///   [`BINS_PER_PARTICLE`] · `n`, and the limit along a wall is the square root of this. Wider bins are
-///   always right, only slower.
+/// - Bins fill the box evenly, so the side of a bin is `size` divided by the number of bins. Divide
+///   `size` by `least` · (1 + [`MARGIN`]), and round down. With the margin, a side is never less than
+///   `least`, even if the division rounds up.
+/// - Memory must grow with the number of particles, not with the box. So rows times columns must be at
+///   most [`BINS_PER_PARTICLE`] · `n`, and the limit along a wall is the square root of this product.
+///   Wider bins always give right results, but take longer.
 /// - The box may be smaller than one bin. It may also be so large that `size / least` is greater than
 ///   any integer. (`as usize` saturates.)
 ///

@@ -10,8 +10,9 @@ use crate::{Grid, VecBins};
 ///
 /// The other particles stay in `inside`, in any order.
 ///
-/// Closing the gap of a removed particle would move all particles after it. [`Vec::swap_remove`]
-/// moves only the last particle, into the gap. Remember that this particle has not been checked yet.
+/// Closing the gap of a removed particle would move all particles after the gap.
+/// [`Vec::swap_remove`] moves only the last particle, into the gap. Remember that the moved particle
+/// has not been checked yet.
 ///
 /// Book: chapter 2, *Incremental*.
 #[inline]
@@ -28,10 +29,10 @@ pub fn take_leavers(
 /// to its new bin (CSC581 report, section 3.3; CS267 report, section 3.1.2).
 ///
 /// In a time step of the official scene, one particle in forty crosses an edge of these bins.
-/// Neighbours in the box stay close in memory: they are in the same list or in the next.
+/// Neighbours in the box stay close in memory: they are in the list of one bin or of adjacent bins.
 ///
-/// Results are repeatable, because neighbours are summed bin by bin. The order in a bin depends on the
-/// particles that came and went.
+/// Results are repeatable, because neighbours are summed bin by bin. The order of the particles in a
+/// bin depends on which particles came and went.
 #[derive(Default)]
 pub struct Incremental<O> {
     bin_size: f64,
@@ -43,7 +44,7 @@ pub struct Incremental<O> {
 }
 
 impl<O: Observer> Incremental<O> {
-    /// Makes an engine whose bins have sides of `bin_size` cutoffs or more.
+    /// Makes an engine with bins at least `bin_size` cutoffs wide.
     pub fn new(bin_size: f64) -> Self {
         Self { bin_size, ..Self::default() }
     }

@@ -22,7 +22,7 @@ use common::soft::Simulation;
 use common::{Parameter, Variant, bitwise, deterministic, observed};
 use solution1::Tally;
 
-/// Returns the parameter for the least side of a bin, which every variant of this lab has.
+/// Returns the parameter of every variant of this lab: the least side of a bin.
 ///
 /// `default` is the value in the program that the variant reproduces.
 pub const fn bin_size(default: f64) -> Parameter {

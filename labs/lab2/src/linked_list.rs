@@ -11,13 +11,13 @@ use crate::Grid;
 /// The number that marks the end of a list.
 const NONE: u32 = u32::MAX;
 
-/// A linked list of particles for each bin, whose nodes are made once and used again.
+/// A linked list of particles for each bin. The nodes are made once and used again.
 ///
-/// Particle i has node i, and a node is in one list at a time. So all links fit in one array:
+/// Particle i has node i, and a node is in one list at a time. So two arrays are enough:
 ///
 /// - `heads[b]` is the first particle of bin b.
 /// - `next[i]` is the particle after i in its list.
-/// - `NONE` ends a list.
+/// - `NONE` marks the end of a list.
 #[derive(Debug, Default)]
 pub struct BinLists {
     heads: Vec<u32>,
@@ -73,7 +73,7 @@ impl BinLists {
 /// Writes the forward bins of bin (`row`, `column`) into `bins`, and returns their number.
 ///
 /// The forward bins are the neighbouring bins that come after the bin: the bin to its right and the
-/// three bins in the next row, as far as they exist. If every bin handles the pairs inside it and the
+/// three bins in the next row, where they exist. If every bin handles the pairs inside it and the
 /// pairs with its forward bins, every pair of neighbouring bins is handled once.
 ///
 /// Compare rows and columns instead of bin numbers. For a bin in the last column, bin + 1 is at the
@@ -87,9 +87,9 @@ pub fn forward(grid: &Grid, row: usize, column: usize, bins: &mut [usize; 4]) ->
 
 /// The engine with linked lists and two-way forces (CSC367 report, section 2.1).
 ///
-/// It tests each pair once, and applies the force to both particles, with opposite signs. So it
-/// tests half as many pairs. In return, several pairs write the acceleration of one particle. This
-/// is harmless here, but in lab 4 it becomes the problem.
+/// The engine tests each pair once, and applies the force to both particles, with opposite signs.
+/// So it tests half as many pairs as the other engines. But several pairs write to the acceleration
+/// of one particle. This is harmless on one thread, but in lab 4 it becomes the problem.
 ///
 /// Results are repeatable, because the program finds the pairs in the same order in every run.
 #[derive(Default)]
@@ -103,7 +103,7 @@ pub struct LinkedList<O> {
 }
 
 impl<O: Observer> LinkedList<O> {
-    /// Makes an engine whose bins have sides of `bin_size` cutoffs or more.
+    /// Makes an engine with bins at least `bin_size` cutoffs wide.
     pub fn new(bin_size: f64) -> Self {
         Self { bin_size, ..Self::default() }
     }
@@ -121,7 +121,7 @@ impl<O: Observer> LinkedList<O> {
         for row in 0..self.grid.rows() {
             for column in 0..self.grid.columns() {
                 let bin = row * self.grid.columns() + column;
-                // If a bin's side is one cutoff, four of five bins are empty.
+                // If a bin's side is one cutoff, four out of five bins are empty.
                 if self.lists.is_empty(bin) {
                     continue;
                 }
@@ -131,13 +131,13 @@ impl<O: Observer> LinkedList<O> {
         }
     }
 
-    /// Adds the forces of the pairs of a bin to both particles of each pair.
+    /// Adds the force of every pair of a bin to both particles.
     ///
-    /// One particle of a pair is in `bin`. The other comes after it in the list of `bin`, or is in one of
-    /// the bins `ahead`.
+    /// One particle of a pair is in `bin`. The other particle comes after it in the list of `bin`, or is
+    /// in one of the bins `ahead`.
     ///
     /// Report each pair to `self.observer` once as tested (`tested`). If the pair is within the cutoff,
-    /// also report its squared distance twice (`seen`), because it is two ordered pairs.
+    /// also report its squared distance twice (`seen`), because it counts as two ordered pairs.
     ///
     /// Book: chapter 2, *Every pair once*.
     #[inline]

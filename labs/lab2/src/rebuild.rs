@@ -22,7 +22,7 @@ pub struct Rebuild<O> {
 }
 
 impl<O: Observer> Rebuild<O> {
-    /// Makes an engine whose bins have sides of `bin_size` cutoffs or more.
+    /// Makes an engine with bins at least `bin_size` cutoffs wide.
     pub fn new(bin_size: f64) -> Self {
         Self { bin_size, ..Self::default() }
     }

@@ -9,7 +9,7 @@ use crate::{Gather, Grid, SortedBins};
 /// The sorting engine: the particles are in memory in the order of their bins, and are sorted again after
 /// each step.
 ///
-/// It gives the bits of all-pairs on any scene, because [`Gather`] sums in ascending id.
+/// It gives the bits of all-pairs on any scene, because [`Gather`] sums in ascending order of ids.
 #[derive(Default)]
 pub struct Sorted<O> {
     bin_size: f64,
@@ -21,7 +21,7 @@ pub struct Sorted<O> {
 }
 
 impl<O: Observer> Sorted<O> {
-    /// Makes an engine whose bins have sides of `bin_size` cutoffs or more.
+    /// Makes an engine with bins at least `bin_size` cutoffs wide.
     pub fn new(bin_size: f64) -> Self {
         Self { bin_size, ..Self::default() }
     }

@@ -12,10 +12,10 @@ use crate::{Gather, Grid};
 ///
 /// Bin b begins at `starts[b]`, where bin b − 1 ends. One more entry marks the end of the last bin.
 /// The bins of a row follow each other in memory. So three neighbouring bins of a row are one slice,
-/// and a particle must look at three slices.
+/// and the nine bins around a particle are three slices.
 ///
-/// The bins cover the rows `rows` of a grid: either all rows, or the rows of a process and one more row
-/// on either side for the ghosts of its neighbours. Row numbers are those of the whole grid.
+/// The bins cover the rows `rows` of a grid. These are either all rows, or the rows of a process and
+/// one more row on either side for ghosts. Rows are numbered as in the whole grid.
 #[derive(Debug, Default)]
 pub struct SortedBins {
     grid: Grid,
@@ -33,7 +33,7 @@ impl SortedBins {
         Self { grid, rows, starts, particles: Vec::new(), unsorted: Vec::new() }
     }
 
-    /// Replaces all particles. The new particles must be in these rows.
+    /// Replaces all particles. The new particles must be in the rows of these bins.
     pub fn refill(&mut self, particles: impl IntoIterator<Item = Particle>) {
         self.particles.clear();
         self.particles.extend(particles);
@@ -69,7 +69,8 @@ impl SortedBins {
         self.particles.swap_remove(index)
     }
 
-    /// Adds a particle in these rows. Call [`sort`](Self::sort) afterwards.
+    /// Adds a particle, which must be in the rows of these bins. Call [`sort`](Self::sort)
+    /// afterwards.
     pub fn put(&mut self, particle: Particle) {
         self.particles.push(particle);
     }
@@ -105,10 +106,10 @@ impl SortedBins {
     /// Sorts the particles by the bins that contain them now, with a counting sort.
     ///
     /// 1. Count the particles of each bin.
-    /// 2. Add up the counts, so that the entry of each bin is its end.
+    /// 2. Add up the counts, so that the entry of each bin is the index at which it ends.
     /// 3. Go through the particles from the last to the first. Move the end of the particle's bin down by
-    ///    one index, and copy the particle there. In this direction, the particles of a bin keep their
-    ///    order.
+    ///    one index, and copy the particle there. Because the loop runs backwards, the particles of a bin
+    ///    keep their order.
     ///
     /// After the last copy, each entry is the start of its bin.
     ///

@@ -23,7 +23,7 @@ impl VecBins {
         Self { grid, bins: vec![Vec::new(); grid.bins()] }
     }
 
-    /// Makes empty bins of `bin_size` cutoffs or more for the box of `scene`.
+    /// Makes empty bins for the box of `scene`, at least `bin_size` cutoffs wide.
     pub fn of_scene(scene: &Scene, bin_size: f64) -> Self {
         Self::new(Grid::of_scene(scene, bin_size))
     }
@@ -40,7 +40,7 @@ impl VecBins {
         &self.bins
     }
 
-    /// The bins, row by row, to be changed. `chunks_mut(columns)` yields the rows.
+    /// The bins, row by row, for changes. `chunks_mut(columns)` yields the rows.
     #[inline]
     pub fn bins_mut(&mut self) -> &mut [Vec<Particle>] {
         &mut self.bins
@@ -66,13 +66,15 @@ impl VecBins {
         todo!("task 2.3b: clear and fill again")
     }
 
-    /// Sums the accelerations of `particle` by the particles in its bin and in the bins around it.
+    /// Returns the acceleration of `particle` due to the particles in its bin and in the bins
+    /// around it.
     ///
     /// - The sum starts at zero and takes the neighbours in the order in which they are found.
-    /// - [`Grid::near`] gives up to nine bins, and fewer at a wall. Visit each bin once.
+    /// - The rows and columns of [`Grid::near`] contain nine bins, or fewer at a wall. Visit each
+    ///   bin once.
     /// - The particle's own bin contains the particle itself, which adds zero.
-    /// - For each bin, report to `observer` how many particles were tested (`tested`, a `u64`).
-    ///   The particle itself counts as one. `add_pair` reports the pairs within the cutoff.
+    /// - For each bin, report the number of particles tested to `observer` (`tested`, a `u64`). The
+    ///   particle itself counts too. `add_pair` reports the pairs within the cutoff.
     ///
     /// Book: chapter 2, *Nine bins*.
     #[inline]

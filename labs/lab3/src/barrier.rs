@@ -7,8 +7,8 @@ use std::time::Duration;
 /// A barrier that breaks when a member panics.
 ///
 /// At [`std::sync::Barrier`], the other members would wait forever for a thread that has panicked.
-/// Here they panic too, so a mistake ends the run, and its own message comes first. Members do not
-/// wait for a member that has finished.
+/// Here the other members panic too, so a mistake ends the run, and the message of the mistake
+/// comes first. Members do not wait for a member that has finished.
 #[derive(Debug)]
 pub struct Barrier {
     state: Mutex<State>,
@@ -20,8 +20,8 @@ struct State {
     /// The number of members that have not finished yet.
     members: usize,
     waiting: usize,
-    /// The number of times that all members have met. A member leaves when this number changes, not
-    /// when `waiting` does: by then the first member may be waiting at the next barrier.
+    /// The number of times that all members have met. A member leaves when this number changes. It
+    /// cannot watch `waiting`, because another member may already be waiting at the next barrier.
     meetings: u64,
     broken: bool,
 }
@@ -33,7 +33,7 @@ impl Barrier {
         Self { state: Mutex::new(state), change: Condvar::new() }
     }
 
-    /// Returns when all members that have not finished have called it.
+    /// Returns when all members that have not finished have called this.
     ///
     /// # Panics
     /// If a member has panicked.
@@ -66,7 +66,7 @@ impl Barrier {
 
     /// Returns when all *other* members wait here, or the barrier is broken.
     ///
-    /// This holds a member back for as long as the others can continue without it.
+    /// A member that calls this is held back for as long as the others can continue without it.
     pub fn be_last(&self) {
         while !self.others_wait() {
             thread::sleep(Duration::from_micros(20));

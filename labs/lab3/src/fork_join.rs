@@ -23,7 +23,7 @@ pub enum Rebinning {
 ///
 /// Both loops run on rayon's threads. In the first loop, each worker sums the forces on its
 /// particles, and all workers read `bins`. In the second loop, each worker moves its particles. It
-/// then has the bins of its own rows, which [`own_bins`] cuts out.
+/// then has only the bins of its own rows, which [`own_bins`] returns.
 ///
 /// `W` wraps a [`Worker`], so you can call the methods of `Worker` on it.
 ///
@@ -64,11 +64,11 @@ pub fn rebin_by_one<'a>(bins: &mut VecBins, buffers: impl Iterator<Item = &'a [P
     todo!("task 3.7: rebinning by one thread")
 }
 
-/// Puts those particles of the change buffers that are in the worker's rows into their bins.
+/// Puts particles of the change buffers into their bins, if these bins are in the worker's rows.
 ///
-/// `own` are the bins of the worker's rows. The first of them has number `first_bin` in `grid`.
-/// `buffers` are the change buffers of *all* workers, including this one. All workers read all
-/// buffers at the same time.
+/// `own` are the bins of the worker's rows. The first of these bins has number `first_bin` in
+/// `grid`. `buffers` are the change buffers of *all* workers, including this one. All workers read
+/// all buffers at the same time.
 ///
 /// Book: chapter 3, *Rebinning by all*.
 pub fn take_arrivals<'a>(
@@ -80,10 +80,10 @@ pub fn take_arrivals<'a>(
     todo!("task 3.8: rebinning by all")
 }
 
-/// The fork-join engine: parallel loops over workers, at the end of which all threads wait.
+/// The fork-join engine: parallel loops over workers. All threads wait at the end of each loop.
 ///
-/// `W` keeps the memory of each worker apart. `CachePadded<Worker<O>>` has its own cache lines;
-/// `Box<Worker<O>>` is wherever the allocator puts it.
+/// `W` decides where each worker is in memory. A `CachePadded<Worker<O>>` has its own cache lines.
+/// A `Box<Worker<O>>` is wherever the allocator puts it.
 pub struct ForkJoin<O, W> {
     pool: ThreadPool,
     bin_size: f64,
@@ -98,7 +98,7 @@ where
     O: Observer,
     W: DerefMut<Target = Worker<O>> + From<Worker<O>> + Send + Sync,
 {
-    /// Makes an engine for `threads` threads, with bins of `bin_size` cutoffs or more.
+    /// Makes an engine for `threads` threads, with bins at least `bin_size` cutoffs wide.
     pub fn new(threads: usize, bin_size: f64, rebinning: Rebinning) -> Self {
         Self {
             pool: pool(threads),

@@ -34,8 +34,8 @@ const PADDING: Parameter = Parameter::switch(
     true,
 );
 
-/// The thread that comes last in every part of a step, which exposes threads that do not wait for
-/// it.
+/// The thread that must finish last in every part of a step. It exposes threads that do not wait
+/// for it.
 const LATE: Parameter = Parameter {
     name: "late",
     about: "this thread (1, 2, ...) does each part when all others have done theirs; 0: none",

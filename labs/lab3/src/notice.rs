@@ -5,7 +5,7 @@ use std::sync::atomic::Ordering;
 use common::soft::Statistics;
 use common_threads::Atomic;
 
-/// The [`Statistics`] of a step, posted once by one thread, which other threads may read.
+/// The [`Statistics`] of a step, which one thread posts once and other threads may read.
 ///
 /// `dmin` and `davg` are the bits of an `f64` ([`f64::to_bits`]).
 #[derive(Debug, Default)]
@@ -37,8 +37,8 @@ impl Notice {
     /// Returns the posted numbers, or `None` if they have not been posted yet.
     ///
     /// Read the flag once, and do not wait for it. Each [`Atomic::load`] takes an [`Ordering`]:
-    /// again, choose the weakest that suffices. All numbers in the result must be the posted ones,
-    /// never older ones.
+    /// again, choose the weakest that suffices. All numbers in the result must be the posted
+    /// numbers, never older values.
     ///
     /// Book: chapter 3, *A flag instead of a lock*.
     pub fn read(&self) -> Option<Statistics> {

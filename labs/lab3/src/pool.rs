@@ -4,10 +4,10 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Makes a pool of exactly `threads` threads.
 ///
-/// They start now, and sleep until [`install`](ThreadPool::install) gives them work.
+/// The threads start now, and sleep until [`install`](ThreadPool::install) gives them work.
 ///
 /// # Panics
-/// If the system cannot start so large a number of threads.
+/// If the system cannot start so many threads.
 pub fn pool(threads: usize) -> ThreadPool {
     ThreadPoolBuilder::new()
         .num_threads(threads)

@@ -5,7 +5,7 @@ use common_threads::Word;
 use parking_lot::Mutex;
 use rayon::prelude::*;
 
-/// Adds up `parts` in one total behind one lock.
+/// Adds up `parts` in one total, which a lock protects.
 ///
 /// Rayon's threads share the parts. A thread holds the lock while it adds a part to the total.
 ///
@@ -31,7 +31,8 @@ pub struct AtomicStatistics {
 }
 
 impl AtomicStatistics {
-    /// Adds the counts and the sum of distances of `part`, and keeps the smaller least distance.
+    /// Adds the counts and the sum of distances of `part`, and keeps the lesser of the two least
+    /// distances.
     ///
     /// No atomic operation adds to an `f64`. [`Word::compare_exchange`] fails if another thread has
     /// changed the sum since you read it.
@@ -71,7 +72,7 @@ pub fn with_atomics(parts: &[Statistics]) -> Statistics {
     total.sum()
 }
 
-/// The number of parts in a block, which one thread adds up alone.
+/// The number of parts in a block. One thread adds up a whole block.
 pub const BLOCK: usize = 64;
 
 /// Adds up `parts` without a lock, with the same bits on any number of threads.

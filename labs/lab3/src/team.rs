@@ -17,14 +17,14 @@ use crate::{own_rows, rows_of_each};
 
 /// A team: each member is a thread with its own rows, and all members run the same program.
 ///
-/// This is called *single program, multiple data*. An OpenMP parallel region works like this
-/// inside, and MPI programs are written like this. The threads are started once for many steps.
-/// Each member keeps the particles of its rows in its own sorted bins. A particle that leaves the
-/// rows travels through a mailbox.
+/// This is called *single program, multiple data*. OpenMP parallel regions and MPI programs work in
+/// this way. The threads are started once for many steps. Each member keeps the particles of its
+/// rows in its own sorted bins. A particle that leaves these rows travels to its new member through
+/// a mailbox.
 ///
 /// A member's bins are behind a [`RwLock`], and a mailbox is behind a [`Mutex`]. The barriers alone
-/// keep the members apart, so no thread ever waits for a lock. Rust requires the locks: with them,
-/// a missing barrier cannot corrupt memory.
+/// keep members from disturbing each other, so no thread ever waits for a lock. Rust requires the
+/// locks, so that a missing barrier cannot corrupt memory.
 #[derive(Default)]
 pub struct Team<O> {
     bin_size: f64,
@@ -35,7 +35,8 @@ pub struct Team<O> {
     bins: Vec<RwLock<SortedBins>>,
     /// `mail[from][to]`: the particles that travel from one member to another.
     mail: Vec<Vec<Mutex<Vec<Particle>>>>,
-    /// The observers of each member: one for each of its rows, with the last step's pairs.
+    /// The observers of each member: one for each of its rows, which has seen the row's pairs in
+    /// the last step.
     seen: Vec<Mutex<Vec<O>>>,
     /// The member that owns each row.
     owners: Vec<usize>,
@@ -43,7 +44,7 @@ pub struct Team<O> {
     ended: Vec<CachePadded<AtomicU64>>,
 }
 
-/// The private data of a member, which lives as long as its thread.
+/// The private data of a member, kept for as long as its thread runs.
 #[derive(Default)]
 struct Member {
     number: usize,
@@ -64,7 +65,7 @@ impl<O: Observer> Team<O> {
     }
 
     /// Runs one part of a step for one member. The late member waits until all others have finished
-    /// it.
+    /// this part.
     fn part(&self, part: Part, member: &mut Member, barrier: &Barrier) {
         let before = self.ended[member.number].load(Ordering::Relaxed);
         for (other, ended) in self.ended.iter().enumerate() {
@@ -154,7 +155,7 @@ pub enum Part {
     Forces,
     /// Writes the member's own bins, and mail to other members.
     Moves,
-    /// Reads the mail to the member, and writes its own bins.
+    /// Reads the mail to the member, and writes the member's own bins.
     Arrivals,
 }
 
@@ -162,8 +163,8 @@ pub enum Part {
 ///
 /// - `mail[from][to]` contains the particles posted by member `from` to member `to`.
 /// - Take the particles of all senders, in the order of the senders.
-/// - Afterwards, `mail[from][number]` must be empty for every sender. Particles left there would
-///   arrive twice.
+/// - Afterwards, `mail[from][number]` must be empty for every sender. Particles left in a mailbox
+///   would arrive twice.
 ///
 /// No member posts while this runs, so you never have to wait for a lock.
 ///
@@ -177,10 +178,10 @@ pub fn take_posted(bins: &mut SortedBins, number: usize, mail: &[Vec<Mutex<Vec<P
 /// In each step, call `part` for [`Part::Forces`], [`Part::Moves`] and [`Part::Arrivals`]. All
 /// members run this function at the same time, each with its own `part`.
 ///
-/// [`Part`] says what each part reads and writes. Which parts may a member begin only when every
-/// other member has finished the previous part? Wait there: [`Barrier::wait`] returns when all
-/// members that have not finished have called it. In a small scene, a barrier costs more than a
-/// part, so use no barrier without need.
+/// The documentation of [`Part`] lists what each part reads and writes. Which parts may a member
+/// begin only when every other member has finished the previous part? Wait before these parts:
+/// [`Barrier::wait`] returns when all members that have not finished have called it. In a small
+/// scene, a barrier takes longer than a part, so use no barrier that is not needed.
 ///
 /// Book: chapter 3, *Barriers*.
 pub fn take_steps(steps: u64, mut part: impl FnMut(Part), barrier: &Barrier) {
@@ -189,7 +190,7 @@ pub fn take_steps(steps: u64, mut part: impl FnMut(Part), barrier: &Barrier) {
 
 /// Calls `work` on `threads` new threads at the same time, and returns when all have finished.
 ///
-/// The threads call `work` with the numbers 0, 1, … up to, not including, `threads`.
+/// The threads call `work` with the numbers 0, 1, … `threads` − 1.
 ///
 /// [`thread::scope`] lets the threads borrow `work`. If a thread panics, this function panics with
 /// the same message: pass the error of [`join`](thread::ScopedJoinHandle::join) to
@@ -197,7 +198,7 @@ pub fn take_steps(steps: u64, mut part: impl FnMut(Part), barrier: &Barrier) {
 ///
 /// Book: chapter 3, *Threads that stay*.
 pub fn on_threads(threads: usize, work: impl Fn(usize) + Sync) {
-    todo!("task 3.11: start the threads, and wait for their end")
+    todo!("task 3.11: start the threads, and wait for them to finish")
 }
 
 impl<O: Observer> Simulation for Team<O> {

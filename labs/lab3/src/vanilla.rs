@@ -10,14 +10,15 @@ use crate::pool;
 
 /// Lab 1's program with two parallel loops, like the vanilla OpenMP program of CS267.
 ///
-/// It scales, and it is still slower than one thread with bins (report, figure 8).
+/// The program scales, but it is still slower than a program with bins on one thread (report,
+/// figure 8).
 pub struct Vanilla<O> {
     pool: ThreadPool,
     size: f64,
     particles: Vec<Particle>,
     /// The acceleration of each particle.
     accelerations: Vec<Vec2>,
-    /// The observer of each particle, which has seen its pairs.
+    /// The observer of each particle, which has seen the particle's pairs.
     seen: Vec<O>,
 }
 
@@ -33,7 +34,7 @@ impl<O: Observer> Vanilla<O> {
         }
     }
 
-    /// Takes over the scene.
+    /// Loads the scene.
     pub fn load(&mut self, scene: &Scene) {
         self.size = scene.size();
         self.particles = scene.particles().to_vec();
@@ -44,10 +45,10 @@ impl<O: Observer> Vanilla<O> {
     /// Writes the acceleration of each particle i to `accelerations[i]`, in parallel.
     ///
     /// - The threads of `pool` share the particles.
-    /// - Like in lab 1, the acceleration of particle i is the sum over all particles, in ascending
+    /// - As in lab 1, the acceleration of particle i is the sum over all particles, in ascending
     ///   order.
-    /// - `seen[i]` becomes a new observer in each step. Report the pairs of particle i to it, and
-    ///   report all particles as tested.
+    /// - `seen[i]` becomes a new observer in each step. Report the pairs of particle i to this
+    ///   observer, and report all particles as tested.
     ///
     /// Book: chapter 3, *The quick win*.
     pub fn sum_forces(&mut self) {
@@ -75,7 +76,7 @@ impl<O: Observer> Simulation for Vanilla<O> {
     }
 
     fn statistics(&self) -> Option<Statistics> {
-        // The order of particles, so that the sum does not depend on the threads.
+        // Merge in the order of particles, so that the sum does not depend on the threads.
         merged(&self.seen)
     }
 }

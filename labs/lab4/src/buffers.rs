@@ -30,7 +30,7 @@ pub fn apply_all<'a>(regions: &mut Regions, buffers: impl Iterator<Item = &'a [C
 ///
 /// `bins` are the bins of region `own`. All threads run this at the same time, each with its own
 /// region and with the changes of *all* threads. A particle may leave a bin of the region, arrive
-/// in one, or both.
+/// in a bin of the region, or both.
 ///
 /// Book: chapter 4, *Change buffers*.
 pub fn apply_own(cut: Cut, own: usize, bins: &mut [Bin], changes: impl Iterator<Item = Change>) {

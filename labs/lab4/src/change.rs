@@ -7,7 +7,7 @@ use solution2::Grid;
 
 use crate::{Bin, Meter, Regions};
 
-/// The change of a particle that has left bin `from` and is now in bin `to`.
+/// The change of a particle that has moved from bin `from` to bin `to`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Change {
     /// The number of the particle.
@@ -35,10 +35,10 @@ pub fn remove(bin: &mut Bin, particle: u32) {
 ///
 /// - [`Regions::cut`] finds the region of a bin, and [`Regions::locks`] contains the lock of each
 ///   region. Take a lock with [`Meter::lock`].
-/// - Hold both locks until the change is complete. A thread that looks at both bins under their
-///   locks then finds the particle in exactly one of them.
-/// - Both bins may be in the same region. Then there is only one lock. A thread that takes it twice
-///   waits for itself.
+/// - Take both locks before you change a bin. A thread that looks at both bins under their locks
+///   then finds the particle in exactly one of them.
+/// - Both bins may be in the same region. Then there is only one lock, and a thread that takes it
+///   twice waits for itself forever.
 ///
 /// Two threads may want the same two locks at once. In which order should each thread take them?
 ///

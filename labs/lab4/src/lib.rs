@@ -24,7 +24,7 @@ use owner_lists::OwnerLists;
 use solution1::Tally;
 use solution2::{BIN_SIZE, bin_size};
 
-/// The number of locks for each thread, which is the number of regions with their own lock.
+/// The number of locks for each thread. Each lock guards one region of bins.
 const LOCKS: Parameter = Parameter {
     name: "locks",
     about: "locks for each thread (the CS267 report used 20)",

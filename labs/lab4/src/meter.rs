@@ -17,7 +17,7 @@ pub struct Meter {
     pub rebinning: Duration,
     /// The number of locks taken.
     pub locks: u64,
-    /// The number of locks that another thread held when this thread wanted them.
+    /// The number of times that another thread held a lock when this thread wanted it.
     pub contended: u64,
     /// The time spent waiting for the contended locks.
     pub waiting: Duration,
@@ -27,11 +27,11 @@ impl Meter {
     /// Takes the lock, and records the cost.
     ///
     /// - Count every lock in [`locks`](Self::locks).
-    /// - A free lock must cost no more than [`Lock::try_lock`]. Reading a clock takes longer than
-    ///   taking a free lock, so do not time it: you would measure the clock.
+    /// - A free lock must cost no more than a call of [`Lock::try_lock`]. Do not time this call:
+    ///   reading a clock takes longer than taking a free lock, so you would measure the clock.
     /// - If another thread holds the lock, also count it in [`contended`](Self::contended). Wait
-    ///   for it with [`Lock::lock`], measure the wait with a [`Stopwatch`], and add it to
-    ///   [`waiting`](Self::waiting).
+    ///   for the lock with [`Lock::lock`], measure the wait with a [`Stopwatch`], and add the time
+    ///   to [`waiting`](Self::waiting).
     ///
     /// Book: chapter 4, *Reading contention*.
     #[inline]

@@ -24,12 +24,12 @@ pub fn claim(cut: Cut, own: usize, bins: &mut [Bin], grid: &Grid, particles: &[P
 
 /// Fills a thread's sorted bins with the particles in its rows.
 ///
-/// `all` are the particles of all threads, in any order. Most of them are in the rows of other
-/// threads: with p threads, every particle is read p times. This is the price of needing no locks,
-/// no buffers and no agreement.
+/// `all` are the particles of all threads, in any order. Most of these particles are in the rows of
+/// other threads. With p threads, every particle is read p times. This is the price of needing no
+/// locks, no buffers and no agreement.
 ///
-/// [`SortedBins::rows`] returns the thread's rows. [`SortedBins::refill`] takes the particles, and
-/// keeps its memory.
+/// [`SortedBins::rows`] returns the thread's rows. [`SortedBins::refill`] replaces the particles of
+/// the bins, and keeps the memory.
 ///
 /// Book: chapter 4, *Owners*.
 pub fn take_own<'a>(own: &mut SortedBins, all: impl Iterator<Item = &'a Particle>) {
@@ -50,7 +50,7 @@ pub enum Forces {
 struct Worker<O> {
     /// The accelerations of the thread's particles, in the order of its bins.
     accelerations: Vec<Vec2>,
-    /// The accelerations that its particles give to the particles of the next owner's first row.
+    /// The accelerations that the thread's particles cause in the next owner's first row.
     across: Vec<Vec2>,
     gather: Gather,
     /// The observers of this step. One-way forces use an observer for each row. Two-way forces use
@@ -66,7 +66,7 @@ pub struct Owners<O> {
     grid: Grid,
     bins: Vec<SortedBins>,
     /// The bins of the next step. They are filled from `bins` while all threads read `bins`. Then
-    /// the two are swapped.
+    /// `bins` and `next` are swapped.
     next: Vec<SortedBins>,
     workers: Vec<Worker<O>>,
     /// The thread that owns each row.
@@ -74,7 +74,7 @@ pub struct Owners<O> {
 }
 
 impl<O: Observer> Owners<O> {
-    /// Makes an engine for `threads` threads, with bins of `bin_size` cutoffs or more.
+    /// Makes an engine for `threads` threads, with bins at least `bin_size` cutoffs wide.
     pub fn new(threads: usize, bin_size: f64, forces: Forces) -> Self {
         Self {
             pool: pool(threads),
@@ -115,8 +115,8 @@ fn sum_one_way<O: Observer>(
 
 /// Sums the forces of each pair once, in the thread that owns the lower row.
 ///
-/// The accelerations of the next owner's particles are kept apart. The next owner adds them when
-/// all threads have finished.
+/// The accelerations of the next owner's particles are stored separately, in `across`. The next
+/// owner adds them when all threads have finished.
 fn sum_two_way<O: Observer>(
     worker: &mut Worker<O>,
     own: &SortedBins,
@@ -191,9 +191,9 @@ impl<O: Observer> Simulation for Owners<O> {
     }
 }
 
-/// Adds the accelerations that were kept apart to the accelerations of the owners above the cuts.
+/// Adds the separately stored accelerations to those of the owners above the cuts.
 ///
-/// There are few of them: at most one row for each owner.
+/// There are few such accelerations: at most one row of them for each owner.
 fn add_across_cuts<O>(workers: &mut [Worker<O>], bins: &[SortedBins], owners: &[usize]) {
     for (number, own) in bins.iter().enumerate().filter(|(_, own)| !own.rows().is_empty()) {
         if let Some(&next) = owners.get(own.rows().end) {

@@ -5,10 +5,10 @@ use crossbeam::queue::SegQueue;
 
 use crate::{Bin, Change, Cut, apply_own};
 
-/// Posts a change to the owners of its two bins, or once if both have the same owner.
+/// Posts a change to the owners of its two bins, or only once if both bins have the same owner.
 ///
 /// Thread r owns the bins of region r, and `queues[r]` is its queue. All threads post at the same
-/// time. They need not wait for each other: [`SegQueue::push`] needs no lock.
+/// time. They need not wait for each other, because [`SegQueue::push`] needs no lock.
 ///
 /// Book: chapter 4, *Queues*.
 pub fn post(cut: Cut, queues: &[SegQueue<Change>], change: Change) {
@@ -25,10 +25,10 @@ pub fn take(cut: Cut, own: usize, bins: &mut [Bin], queue: &SegQueue<Change>) {
     todo!("task 4.7b: empty the own queue")
 }
 
-/// Sends a change to the owners of its two bins, or once if both have the same owner.
+/// Sends a change to the owners of its two bins, or only once if both bins have the same owner.
 ///
-/// Thread r owns the bins of region r, and receives what is sent through `senders[r]`. No channel
-/// is ever closed or full.
+/// Thread r owns the bins of region r, and receives the changes sent through `senders[r]`. No
+/// channel is ever closed or full.
 ///
 /// Book: chapter 4, *Channels*.
 pub fn send(cut: Cut, senders: &[Sender<Change>], change: Change) {
@@ -37,8 +37,8 @@ pub fn send(cut: Cut, senders: &[Sender<Change>], change: Change) {
 
 /// Makes the changes that have been sent to the owner of region `own`, and returns.
 ///
-/// `bins` are the bins of region `own`. The senders still exist, because the next step needs them,
-/// so a loop until all senders are gone ([`iter`](Receiver::iter)) would wait forever.
+/// `bins` are the bins of region `own`. The senders still exist, because the next step needs them.
+/// So a loop that ends when all senders are gone ([`iter`](Receiver::iter)) would wait forever.
 ///
 /// Book: chapter 4, *Channels*.
 pub fn receive(cut: Cut, own: usize, bins: &mut [Bin], receiver: &Receiver<Change>) {

@@ -29,7 +29,7 @@ impl Cut {
 /// All bins of a box, divided into regions, with a lock for each region.
 ///
 /// The lock of a region owns the bins of the region. While other threads have access to the
-/// regions, the lock is the only way to the bins.
+/// regions, the bins can be reached only through the lock.
 pub struct Regions {
     /// The division of the bins into regions.
     pub cut: Cut,
@@ -41,7 +41,7 @@ impl Regions {
     /// Makes `bins` empty bins, in order, in at most `count` regions.
     ///
     /// - Every region has the same number of bins. Only the last region may have fewer.
-    /// - Choose the smallest number of bins in a region for which `count` regions suffice.
+    /// - Choose the smallest number of bins per region for which `count` regions suffice.
     /// - Every region has at least one bin.
     /// - Lock r guards the bins of region r.
     ///
@@ -60,8 +60,8 @@ impl Regions {
         self.locks.iter_mut().map(Lock::get_mut)
     }
 
-    /// Returns all bins, for all threads to read. This takes no lock. No thread can take a lock
-    /// while the view exists.
+    /// Returns a view of all bins, for all threads to read. This takes no lock. No thread can take
+    /// a lock while the view exists.
     pub fn view(&mut self) -> View<'_> {
         View { cut: self.cut, regions: self.parts_mut().map(|bins| &bins[..]).collect() }
     }

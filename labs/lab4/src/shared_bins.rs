@@ -25,27 +25,27 @@ use crate::{
 pub enum Way {
     /// One thread empties all bins and fills them again.
     Rebuild {
-        /// Whether bins allocate new memory in each step, instead of keeping theirs.
+        /// Whether bins allocate new memory in each step, instead of keeping their memory.
         fresh: bool,
     },
     /// Change buffers, emptied by one thread.
     BuffersByOne,
     /// Change buffers, emptied by all threads.
     BuffersByAll,
-    /// Each particle changes its bin as soon as it has moved, under this number of locks.
+    /// Each particle changes its bin as soon as it has moved. This is the number of locks.
     Locks(usize),
     /// Changes are passed through the owners' queues.
     Queues,
     /// Changes are passed through the owners' channels.
     Channels,
-    /// Every thread empties its own bins, and looks for their particles among all particles.
+    /// Every thread empties its own bins, and fills them from the list of all particles.
     Owners,
 }
 
-/// An engine that divides the particles among the threads by number, and shares the bins.
+/// An engine whose threads divide the particles by number, and share the bins.
 ///
-/// A thread sums the forces on its particles and moves them, wherever in the box they are. The ways
-/// differ only in how the bins are brought up to date.
+/// A thread sums the forces on its particles and moves them, wherever they are in the box. The
+/// [`Way`] determines only how the bins are brought up to date.
 pub struct SharedBins<O> {
     pool: ThreadPool,
     bin_size: f64,
@@ -69,7 +69,8 @@ pub struct SharedBins<O> {
 struct Worker<O> {
     /// The accelerations of the thread's particles, in the order of the particles.
     accelerations: Vec<Vec2>,
-    /// One observer for each block of the thread's particles, with the pairs of this step.
+    /// One observer for each block of the thread's particles. It has seen the block's pairs in this
+    /// step.
     seen: Vec<O>,
     gather: Gather,
     meter: Meter,
@@ -77,8 +78,8 @@ struct Worker<O> {
 
 /// The number of particles that share an observer.
 ///
-/// It is small, so that many threads have particles even in a small scene. It is fixed, so that
-/// sums do not depend on the number of threads.
+/// The number is small, so that many threads have particles even in a small scene. It is fixed, so
+/// that sums do not depend on the number of threads.
 const BLOCK: usize = 8;
 
 impl<O: Observer> Worker<O> {
@@ -128,8 +129,8 @@ impl<O: Observer> SharedBins<O> {
         self.particles.len().div_ceil(threads).next_multiple_of(BLOCK)
     }
 
-    /// Moves all particles, in all threads. Each thread reports a change of bin as soon as it
-    /// happens.
+    /// Moves all particles, in all threads. Each thread reports a change of bin as soon as the
+    /// change happens.
     fn move_all(&mut self) {
         let Self { way, grid, particles, regions, workers, buffers, queues, senders, .. } = self;
         let threads = workers.par_iter_mut().zip(buffers);

@@ -11,16 +11,16 @@ use solution2::SortedBins;
 /// ([`pair_acceleration`] of the vector from i to j), then i accelerates j by −a.
 ///
 /// To meet every pair once, each particle looks only at the particles that come after it in the
-/// order of bins. They are in two ranges of indices ([`SortedBins::span`] of neighbouring bins of a
-/// row):
+/// order of bins. These are in two ranges of indices, which [`SortedBins::span`] returns for
+/// neighbouring bins of a row:
 ///
 /// - the rest of its own bin, and the bin to the right;
-/// - the three bins in the row above ([`Grid::near`] of its column). If `bins` does not contain
-///   that row, this range is empty.
+/// - the three bins in the row above ([`Grid::near`] of the particle's column). If `bins` does not
+///   contain that row, this range is empty.
 ///
-/// Report every pair once in [`tested`](Observer::tested): for each particle, the number of
-/// particles in both ranges. Call [`seen`](Observer::seen) with the squared distance *twice* for a
-/// pair that touches: once for i, once for j.
+/// Report every pair once as [`tested`](Observer::tested): for each particle, report the number of
+/// particles in both ranges. For a pair that touches, call [`seen`](Observer::seen) *twice* with
+/// the squared distance: once for i and once for j.
 ///
 /// Book: chapter 4, *Every pair once*.
 ///
@@ -41,9 +41,9 @@ pub fn pairs_within<O: Observer>(bins: &SortedBins, accelerations: &mut [Vec2], 
 /// computed once.
 ///
 /// - Add the acceleration of particle i to `accelerations[i]`.
-/// - Add the acceleration of particle k of the next owner's first row to `across[k]`. It is zero at
-///   first. The next owner adds it later. (The next owner's thread writes its own accelerations at
-///   the same time, so you may not write there.)
+/// - Add the acceleration of particle k of the next owner's first row to `across[k]`. `across` is
+///   zero at first, and the next owner adds it later. (The next owner's thread writes its own
+///   accelerations at the same time, so you may not write there.)
 /// - Indices into `next` start at 0, with the first particle of its first row.
 /// - Report the pairs to the observer as in [`pairs_within`].
 ///

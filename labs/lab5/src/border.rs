@@ -12,10 +12,10 @@ use crate::Cut;
 ///
 /// - Copy *every* particle of the border rows. These are the rows of the block with a neighbouring
 ///   row on another rank ([`Cut::neighbours`] yields these ranks).
-/// - Copy a particle even if it did not change its bin in this step. It has moved, so the position
-///   of the previous copy is out of date.
+/// - Copy a particle even if it did not change its bin in this step. Every particle has moved, so
+///   the position in the previous copy is out of date.
 /// - Copy each particle once, even if the block is a single row with neighbours on both sides. The
-///   root sends the copy to both.
+///   root sends the copy to both ranks.
 /// - A block may be empty.
 ///
 /// [`VecBins::bins`] returns the bins row by row, with `columns` bins in each row. [`Wire::from`]
@@ -29,14 +29,14 @@ pub fn border_copies(bins: &VecBins, cut: &Cut, block: &Range<usize>) -> Vec<Wir
     copies
 }
 
-/// Replaces the ghosts of the previous step by the particles that arrived from the root.
+/// Replaces the ghosts of the previous step with the particles that arrived from the root.
 ///
 /// - First remove all particles from the ghost rows. These are the rows next to the block,
-///   `block.start − 1` and `block.end`, as far as the box has them. All other rows outside the
-///   block are empty.
+///   `block.start − 1` and `block.end`, if the box has these rows. All other rows outside the block
+///   are empty.
 /// - Then put every particle of `arrived` into its bin. It is either a ghost, or a particle that
-///   this rank owns from now on. Its row decides which, and [`VecBins::put`] finds the row, so
-///   treat both in the same way.
+///   this rank owns from now on. Only its row decides which of the two it is. [`VecBins::put`]
+///   finds the row, so treat both in the same way.
 /// - A rank with an empty block has no ghosts, and receives no particles.
 ///
 /// [`VecBins::bins_mut`] returns the bins row by row, with `columns` bins in each row.

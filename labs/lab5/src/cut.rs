@@ -28,11 +28,12 @@ impl Cut {
         todo!("task 5.1: the rows of a rank")
     }
 
-    /// Returns the rank that has `row`: the only rank whose [`block`](Self::block) contains it.
+    /// Returns the rank that has `row`: the only rank whose [`block`](Self::block) contains this
+    /// row.
     ///
     /// `row` is less than [`rows`](Self::rows). The root calls this for every particle that it
-    /// passes on, so do not search. Solve the inequality k · `rows` / `ranks` ≤ `row`, with its
-    /// left side rounded down, for the greatest k.
+    /// sends on, so compute the rank without a search. Solve the inequality k · `rows` / `ranks` ≤
+    /// `row`, with its left side rounded down, for the greatest k.
     ///
     /// Book: chapter 5, *Blocks of rows*.
     #[inline]
@@ -43,8 +44,8 @@ impl Cut {
     /// Yields the other ranks that need ghosts of the particles in `row`.
     ///
     /// They are the owners of the previous row and of the next row, unless these rows have the same
-    /// owner as `row`. A row inside a block has no such rank, a border row has one, and a block of
-    /// a single row has two.
+    /// owner as `row`. A row inside a block yields no rank, a border row yields one rank, and the
+    /// row of a single-row block yields two ranks.
     pub fn neighbours(&self, row: usize) -> impl Iterator<Item = usize> {
         let owner = self.owner(row);
         let before = row.checked_sub(1);

@@ -7,7 +7,7 @@ use solution2::Grid;
 
 /// Separates the particles that changed their bin in this step into local and remote ones.
 ///
-/// - At first, `changed` contains all of them.
+/// - At first, `changed` contains all these particles.
 /// - A particle that is now in one of the rows `block` is local: it has only changed its bin within
 ///   this rank. Leave it in `changed`.
 /// - A particle in any other row is remote. Take it out of `changed`, and add it to `remote`.

@@ -11,17 +11,17 @@ use crate::ROOT;
 
 /// Collects the `items` of each rank at the root.
 ///
-/// On the root, this returns one list for each rank, in the order of ranks, including its own. On
-/// the other ranks, it returns no lists.
+/// On the root, this returns one list for each rank, in the order of ranks, including the root's
+/// own list. On the other ranks, it returns no lists.
 ///
 /// The root does not know how many items each rank has, so two collective operations are needed:
 ///
 /// - The root gathers `count` from each rank. Call [`Root::gather_into`], and on the root
 ///   [`Root::gather_into_root`].
-/// - The root gathers that many items from each rank. Call [`Root::gather_varcount_into`], and on
-///   the root [`Root::gather_varcount_into_root`]. The root fills a [`PartitionMut`]: a buffer for
-///   the items of all ranks, the number of items from each rank, and the index at which each rank's
-///   items begin ([`displacements`]). [`total`] and [`split`] help.
+/// - The root gathers the items of each rank. Call [`Root::gather_varcount_into`], and on the root
+///   [`Root::gather_varcount_into_root`]. The root fills a [`PartitionMut`]: a buffer for the items
+///   of all ranks, the number of items from each rank, and the index at which each rank's items
+///   begin ([`displacements`]). [`total`] and [`split`] help with the buffer.
 ///
 /// All ranks call this together, even ranks without items.
 ///
@@ -32,7 +32,7 @@ pub fn gather_at_root(world: &SimpleCommunicator, items: &[Wire]) -> Vec<Vec<Wir
     todo!("task 5.4: from all ranks to the root")
 }
 
-/// Sends each rank its list from the root: rank k returns `lists[k]`. The root is a receiver too.
+/// Sends each rank its list from the root: rank k returns `lists[k]`. The root receives a list too.
 ///
 /// Only the root reads `lists`; on the other ranks it may be empty.
 ///

@@ -14,15 +14,17 @@ pub struct Parcel {
     pub copies: Vec<Wire>,
 }
 
-/// Sorts the parcels of all ranks into one list for each rank: the particles to send to it.
+/// Sorts the parcels of all ranks into one list for each rank: the particles to send to this rank.
 ///
-/// `parcels` are in the order of ranks. Each list may be in any order. The rows of `cut` are the
-/// rows of `grid`.
+/// `parcels` are in the order of ranks. Each list of the result may be in any order. The rows of
+/// `cut` are the rows of `grid`.
 ///
-/// - A leaver goes to the rank that owns the row in which it is now ([`Cut::owner`]). That may be
-///   anywhere in the box. If the row is a border row, its neighbours need the leaver as a ghost as
-///   well ([`Cut::neighbours`]). The rank that the particle left is usually one of them.
-/// - A copy goes only to the neighbours of its row. The owner of the row has the particle itself.
+/// - A leaver goes to the rank that owns the row in which it is now ([`Cut::owner`]). This row may
+///   be anywhere in the box. If it is a border row, its neighbours need the leaver as a ghost as
+///   well ([`Cut::neighbours`]). Usually, one of these neighbours is the rank that the particle
+///   left.
+/// - A copy goes only to the neighbours of its row. The owner of the row already has the particle
+///   itself.
 ///
 /// Book: chapter 5, *Sorting at the root*.
 pub fn sort_by_receiver(grid: &Grid, cut: &Cut, parcels: &[Parcel]) -> Vec<Vec<Wire>> {

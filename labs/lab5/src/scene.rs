@@ -14,7 +14,7 @@ use crate::ROOT;
 ///
 /// A broadcast ([`Root::broadcast_into`]) is the same call on all ranks: it reads the root's
 /// buffer, and overwrites the buffers of all other ranks, whatever they contain. Every buffer must
-/// have the right length before the call. So three calls are needed, and no more: the number of
+/// have the right length before the call. So exactly three calls are needed: for the number of
 /// particles (a `u64`), the side of the box (an `f64`), and the particles (a slice of [`Wire`]).
 ///
 /// All ranks call this together.

@@ -9,8 +9,8 @@ use crate::ROOT;
 
 /// Returns the combined statistics of all ranks on the root, and `None` on the other ranks.
 ///
-/// `own` are the statistics of the rank's block. The result contains the least `dmin`, the sum of
-/// all `davg`, the sum of all `navg` and the sum of all `pair_tests`.
+/// `own` contains the statistics of the rank's block. The result contains the least `dmin`, the sum
+/// of all `davg`, the sum of all `navg` and the sum of all `pair_tests`.
 ///
 /// Three reductions are enough, because the last two numbers can travel together as one slice. Call
 /// [`Root::reduce_into`], and on the root [`Root::reduce_into_root`]. The operations are

@@ -18,8 +18,8 @@ use crate::{
 
 /// The engine on one rank of the job.
 ///
-/// Its bins cover the whole box, like those of a serial program. Only the rows of its block, and a
-/// row of ghosts on either side, contain particles.
+/// Its bins cover the whole box, like the bins of a serial program. Only the rows of its block, and
+/// a row of ghosts on either side, contain particles.
 pub struct ThroughRoot<O> {
     world: SimpleCommunicator,
     bin_size: f64,
@@ -85,7 +85,7 @@ impl<O: Observer> ThroughRoot<O> {
         }
     }
 
-    /// Moves the rank's particles, and takes those that left their bin out of it.
+    /// Moves the rank's particles, and takes from each bin the particles that left it.
     fn move_particles(&mut self) {
         let grid = *self.bins.grid();
         let bins = self.block.start * grid.columns()..self.block.end * grid.columns();
@@ -98,18 +98,18 @@ impl<O: Observer> ThroughRoot<O> {
         }
     }
 
-    /// Moves every particle that changed its bin to its new bin, on any rank, and renews all
+    /// Moves every particle that changed its bin to the new bin, on whichever rank, and renews all
     /// ghosts.
     ///
-    /// At first, `self.changed` contains the particles that changed their bin, already taken out of
-    /// their old bins, and `self.remote` is empty. In the next step, neither list may still hold a
-    /// particle of this step. In this order:
+    /// At first, `self.changed` contains the particles that changed their bin. They are no longer
+    /// in their old bins. `self.remote` is empty. In the next step, neither list may still hold a
+    /// particle of this step. Proceed in this order:
     ///
     /// 1. Separate local and remote particles ([`take_leavers_of_block`]). Put the local particles
     ///    into their bins ([`VecBins::put`]).
     /// 2. Copy the border rows ([`border_copies`]), which now contain the local particles again.
-    /// 3. Gather the remote particles and the copies ([`Self::gather`], twice), in the same order on
-    ///    all ranks.
+    /// 3. Gather the remote particles and the copies, with one call of [`Self::gather`] each. The
+    ///    order of the two calls must be the same on all ranks.
     /// 4. On the root, make a [`Parcel`] of the two lists of each rank, and sort the parcels
     ///    ([`sort_by_receiver`]).
     /// 5. Scatter the lists ([`Self::scatter`]), and put the particles that arrive into the bins

@@ -2,24 +2,9 @@
 
 use halo::Cuts;
 
-/// Returns the ranks that have the row before and the row after the block of `rank`, in this order.
-///
-/// - For a block of rows a..b, these are rows a − 1 and b. [`owner`](Cuts::owner) returns the rank
-///   that has a row.
-/// - Beyond a wall there is no row: return `None` on that side.
-/// - A rank with an empty block has no neighbours, and is not a neighbour of any rank. `owner`
-///   skips it, because the adjacent row belongs to a rank further on.
-///
-/// Book: chapter 6, *Neighbours*.
-pub fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
-    let block = cuts.block(rank);
-    let rows = cuts.rows();
-    todo!("task 6.2: the neighbours of a rank")
-}
-
 /// Cuts the rows of bins into `ranks` blocks with nearly equal numbers of particles.
 ///
-/// - `counts[row]` is the number of particles in each row. There is at least one row and one rank.
+/// - `counts[row]` is the number of particles in a row. There is at least one row and one rank.
 /// - Of all N particles, k · N / `ranks` (rounded down) should be before block k. But a cut must be
 ///   between two rows. So block k starts at the first row that has at least that many particles
 ///   before it. No block then has more than N / `ranks` + 1 particles, plus the particles of one
@@ -32,4 +17,19 @@ pub fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
 /// Book: chapter 6, *Balance*.
 pub fn balanced(counts: &[u64], ranks: usize) -> Cuts {
     todo!("task 6.1: blocks of nearly equal numbers of particles")
+}
+
+/// Returns the ranks that have the row before and the row after the block of `rank`, in this order.
+///
+/// - For a block of rows a..b, these are rows a − 1 and b. [`owner`](Cuts::owner) returns the rank
+///   that has a row.
+/// - Beyond a wall there is no row: return `None` on that side.
+/// - A rank with an empty block has no neighbours, and is not a neighbour of any rank. `owner`
+///   skips empty blocks, because the adjacent row belongs to a rank further on.
+///
+/// Book: chapter 6, *Neighbours*.
+pub fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
+    let block = cuts.block(rank);
+    let rows = cuts.rows();
+    todo!("task 6.2: the neighbours of a rank")
 }

@@ -9,9 +9,9 @@ use mpi::{Count, Rank};
 
 /// Exchanges lists with other ranks, and calls `work` once while the lists travel.
 ///
-/// - `outgoing` contains the ranks and the list for each of them. These ranks call this function at
-///   the same time: if rank a is in b's `outgoing`, b is in a's. The lists and `outgoing` may be
-///   empty.
+/// - `outgoing` contains the other ranks, each with the list for it. These ranks call this function
+///   at the same time: if rank a is in rank b's `outgoing`, b is in a's. `outgoing` and its lists
+///   may be empty.
 /// - Return the lists received from the same ranks, in the order of `outgoing`, and the result of
 ///   `work`.
 ///
@@ -29,7 +29,7 @@ use mpi::{Count, Rank};
 ///    empty. You may send these or leave them out.)
 ///
 /// Until a request has been waited for, its buffer belongs to the message. A [`request::scope`]
-/// enforces this, so make the requests in one.
+/// enforces this, so make the requests in a scope.
 ///
 /// Book: chapter 6, *Both ways at once*.
 pub fn exchange_beside<T, R>(
@@ -43,7 +43,7 @@ where
     todo!("task 6.3: messages both ways at once")
 }
 
-/// Sends `lists[k]` to rank k, for every k, and returns the items that all ranks sent to this one.
+/// Sends `lists[k]` to rank k, for every k, and returns the items that all ranks sent to this rank.
 ///
 /// There is one list for each rank, including this rank. Most lists are empty. The result contains
 /// the received lists in sequence, in the order of ranks.

@@ -7,8 +7,8 @@ use solution2::Grid;
 /// Sorts `leavers` by their new owners.
 ///
 /// - `leavers` are particles that are no longer in the block of this rank. Each list of the result
-///   keeps their order.
-/// - `neighbours` are the ranks before and after this one, if they exist
+///   keeps the order of the leavers.
+/// - `neighbours` are the ranks before and after this rank, if they exist
 ///   ([`neighbours`](crate::neighbours)).
 ///
 /// In an ordinary step a particle moves a twentieth of a cutoff, and all leavers go to a neighbour.

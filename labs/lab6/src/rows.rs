@@ -12,5 +12,5 @@ use std::ops::Range;
 ///
 /// Book: chapter 6, *Meanwhile*.
 pub fn interior_rows(block: &Range<usize>, rows: usize) -> Range<usize> {
-    todo!("task 6.5: which rows can be computed before the ghosts are there")
+    todo!("task 6.5: which rows can be computed before the ghosts arrive")
 }

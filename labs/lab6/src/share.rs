@@ -9,9 +9,9 @@ use crate::balanced;
 /// Returns the cuts of a scene and the particles in `rank`'s block.
 ///
 /// `replay` yields the scene one particle at a time: `replay(&mut |particle| …)` calls the function
-/// with each particle. Every call draws the whole scene again, so call it twice and no more.
+/// with each particle. Every call draws the whole scene again, so call `replay` only twice.
 ///
-/// No rank may keep the whole scene, or a number for each particle of it. The cuts depend on the
+/// No rank may keep the whole scene, nor a number for each of its particles. The cuts depend on the
 /// particles of all rows. So replay the scene twice:
 ///
 /// 1. Count the particles in each row of `grid`, and cut the rows ([`balanced`]).

@@ -4,12 +4,13 @@ use hard_discs::{Candidate, LockedCount, SharedCount, Slots};
 
 /// Appends a candidate to an array into which all workers write.
 ///
-/// - `count` is the number of used slots. They are the first slots of `list`.
+/// - `count` is the number of used slots, which are the first slots of `list`.
 /// - All workers call this at the same time. Two workers may never write into the same slot, and no
 ///   slot below the count may stay empty.
 /// - [`LockedCount::locked`] is the critical section: while it runs, no other worker can access the
 ///   count. Between two critical sections, another worker can change it.
-/// - Do no more in the critical section than you must, because all other workers wait for its end.
+/// - Do no more in the critical section than you must, because all other workers wait for it to
+///   end.
 ///
 /// Book: chapter 7, *One list for all*.
 pub fn append_locked(list: &Slots, count: &LockedCount, candidate: Candidate) {

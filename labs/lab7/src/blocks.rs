@@ -15,7 +15,7 @@ use hard_discs::Span;
 /// - Small blocks have numbers 4 row + column, and medium blocks have numbers 16 + 2 row + column.
 ///   Row 0 is the lowest.
 /// - An edge at x is in column ⌊4 x / side⌋ of the small blocks. An edge exactly between two
-///   columns is therefore in the right one.
+///   columns is therefore in the column to its right.
 /// - An edge beyond the square is in the outermost row or column.
 ///
 /// Book: chapter 7, *The grid of three levels*.
@@ -38,8 +38,8 @@ pub fn blocks_around(block: usize) -> Vec<usize> {
 ///   `block`.
 /// - Two discs may meet if they are in the same block. They may also meet if the block of one is
 ///   [around](blocks_around) the block of the other.
-/// - This is called for every disc of every block. Each such pair must be found in exactly one of
-///   the two calls for its discs. No disc meets itself.
+/// - This is called for every disc of every block. Of the two calls for a pair of discs that may
+///   meet, exactly one must list the pair. No disc meets itself.
 ///
 /// Book: chapter 7, *The grid of three levels*.
 pub fn look_around(blocks: &[Vec<u32>], block: usize, index: usize, mut look: impl FnMut(&[u32])) {

@@ -8,7 +8,8 @@ use hard_discs::Candidate;
 ///
 /// - The earlier candidate comes first, whatever its kind.
 /// - At *exactly* the same time, walls come before pairs: corners, then x walls, then y walls.
-/// - Within a kind, the lower first number comes first, then the lower second number.
+/// - Within a kind, the candidate with the lower first disc number comes first. If the first
+///   numbers are equal, the lower second number decides.
 ///
 /// Compare times exactly. With a tolerance («closer than 1e-10 is the same»), a = b and b = c are
 /// possible while a < c, and a sort by such an order may do anything. Two zeros are the same time

@@ -7,13 +7,13 @@ use hard_discs::Entry;
 /// Returns the indices of the entries after `k` whose boxes share a column with the box of `k`.
 ///
 /// `entries` are sorted by cell. So the entries of a row are adjacent, in the order of the columns
-/// where their boxes begin. The boxes that begin in the columns of entry `k`, from its own cell to
-/// `further` columns on, directly follow entry `k`. The last column of a row and the first column
-/// of the next row have consecutive numbers, but no box extends beyond the last column.
+/// where their boxes begin. Directly after entry `k` come the entries whose boxes begin in its own
+/// column or in the `further` columns after it. The last column of a row and the first column of
+/// the next row have consecutive numbers, but no box extends beyond the last column.
 ///
-/// Over all k, this yields every two entries of a row whose boxes share a column, exactly once. Two
-/// discs may share several rows. The pair is then found in each of them, and the caller removes the
-/// duplicates.
+/// Over all k, this yields every pair of entries of a row whose boxes share a column exactly once.
+/// Two discs may share several rows. The pair is then found in each of these rows, and the caller
+/// removes the duplicates.
 ///
 /// Book: chapter 7, *Sorted occupied cells*.
 #[inline(always)]

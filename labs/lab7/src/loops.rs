@@ -13,7 +13,7 @@ use crate::schedule::parallel_for;
 
 /// Shares out the outer loop (the report's p1), with one fork and join.
 ///
-/// Worker w does whole rows, and writes into list w. [`parallel_for`] calls its `body` with the
+/// Worker w searches whole rows, and writes into list w. [`parallel_for`] calls its `body` with the
 /// number of a worker and a part of the loop.
 ///
 /// Book: chapter 7, *Which loop*.
@@ -28,7 +28,7 @@ pub fn outer(
 
 /// Shares out the inner loop (the report's p2), with n forks and joins.
 ///
-/// Worker w does a part of every row, and writes into list w. The row of disc a is a loop over
+/// Worker w searches a part of every row, and writes into list w. The row of disc a is a loop over
 /// `0..n - a - 1`. Its first iteration is disc a + 1.
 ///
 /// Book: chapter 7, *Which loop*.
@@ -43,8 +43,8 @@ pub fn inner(
 
 /// Shares out both loops (the report's p3).
 ///
-/// - `team` shares the outer loop by `schedule`.
-/// - Each worker of `team` shares each of its rows in fixed parts with its own team, which is
+/// - The members of `team` share the outer loop by `schedule`.
+/// - Each worker of `team` splits each of its rows into fixed parts for a team of its own, which is
 ///   started for this row: `Team::Fresh(team.count())`.
 /// - Several rows are searched at the same time, so there are more lists than members of a team.
 ///   Member m of worker w's teams has list w × (size of a team) + m.

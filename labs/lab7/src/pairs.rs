@@ -3,11 +3,11 @@
 use common::hard::Disc;
 use hard_discs::{Candidate, Hit};
 
-/// Returns the time λ at which discs a and b touch in this step, or `None` if they do not.
+/// Returns the time λ at which discs a and b touch in this step, or `None` if they do not touch.
 ///
-/// Assume that nothing stops the discs before. Both have radius r = `radius`. Let d be the vector
-/// from a to b. Let D be the velocity of b minus the velocity of a, so the vector at time λ is
-/// d + λ D. Let s = d · D.
+/// Assume that nothing else stops the discs first. Both discs have radius r = `radius`. Let d be
+/// the vector from a to b. Let D be the velocity of b minus the velocity of a, so the vector at
+/// time λ is d + λ D. Let s = d · D.
 ///
 /// - If s ≥ 0, the discs do not approach each other. Return `None`, even if they overlap.
 /// - Otherwise, if they overlap or touch already (|d|² ≤ 4 r²), they collide at once, at λ = 0.
@@ -30,7 +30,8 @@ pub fn pair_time(a: &Disc, b: &Disc, radius: f64) -> Option<f64> {
     todo!("task 7.2: two discs")
 }
 
-/// Returns the candidate of discs number `a` < `b`, or `None` if they do not collide in this step.
+/// Returns the candidate of discs `a` and `b` (`a` < `b`), or `None` if they do not collide in this
+/// step.
 #[inline]
 pub fn pair_hit(discs: &[Disc], a: u32, b: u32, radius: f64) -> Option<Candidate> {
     let time = pair_time(&discs[a as usize], &discs[b as usize], radius)?;

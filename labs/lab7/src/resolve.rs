@@ -9,10 +9,10 @@ use hard_discs::{Hit, Square};
 /// The disc has collided in this step. It goes back along its own path until it is inside the
 /// square:
 ///
-/// - Along each axis where the disc is beyond a wall `bound`, going back takes the time
-///   (x − bound) / vx.
-/// - The longest of these times, t, brings it inside along both axes: (x, y) −= t (vx, vy).
-/// - The velocity stays, so the disc hits the wall in the next step, at λ = 0.
+/// - Along each axis where the disc is beyond a wall at `bound`, going back takes the time (x −
+///   bound) / vx.
+/// - The longer of these times, t, brings the disc inside along both axes: (x, y) −= t (vx, vy).
+/// - The velocity stays the same, so the disc hits the wall in the next step, at λ = 0.
 ///
 /// Going back along one axis only would move the disc off its path.
 ///
@@ -25,9 +25,9 @@ pub fn stop_at_wall(disc: &mut Disc, square: Square) {
     todo!("task 7.5: wait at the wall")
 }
 
-/// Lets a disc hit a wall at `time` (a λ), and travel on for the rest of the step.
+/// Lets a disc hit a wall at time λ = `time`, and travel on for the rest of the step.
 ///
-/// 1. Move the disc to the point where it hits, by λ (vx, vy).
+/// 1. Move the disc to the point where it hits the wall, by λ (vx, vy).
 /// 2. Change the sign of vx at an x wall, of vy at a y wall, and of both in a corner.
 /// 3. Move the disc by (1 − λ) of its new velocity. If it ends beyond a wall, it waits there
 ///    ([`stop_at_wall`]).
@@ -38,13 +38,13 @@ pub fn bounce(disc: &mut Disc, time: f64, hit: Hit, square: Square) {
     todo!("task 7.6: off a wall")
 }
 
-/// Lets discs a and b collide at `time` (a λ), and travel on for the rest of the step.
+/// Lets discs a and b collide at time λ = `time`, and travel on for the rest of the step.
 ///
 /// 1. Move both discs to the point where they touch. Let n be the vector from a to b there, and w the
 ///    velocity of b minus the velocity of a.
 /// 2. Discs of equal mass exchange the components of their velocities along n. The velocity of a gains
-///    ((w · n) / |n|²) n, and the velocity of b loses it. The components across n stay. If |n|² is 0,
-///    the impulse has no direction, and both velocities stay.
+///    ((w · n) / |n|²) n, and the velocity of b loses it. The components across n stay the same. If
+///    |n|² is 0, the impulse has no direction, and both velocities stay.
 /// 3. Move both discs by (1 − λ) of their new velocities. A disc that ends beyond a wall waits there
 ///    ([`stop_at_wall`]).
 /// 4. Count one pair collision for each disc.
@@ -56,7 +56,7 @@ pub fn collide(a: &mut Disc, b: &mut Disc, time: f64, square: Square) {
     todo!("task 7.6b: off each other")
 }
 
-/// Moves a disc along its velocity for `time`, in steps.
+/// Moves a disc along its velocity for `time`, measured in steps.
 #[inline]
 pub fn travel(disc: &mut Disc, time: f64) {
     disc.x += time * disc.vx;

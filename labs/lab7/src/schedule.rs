@@ -6,8 +6,8 @@ use hard_discs::{Schedule, SharedCount, Team};
 
 /// Shares out a loop over `0..n` among the workers of a team.
 ///
-/// All workers call `body(worker, part)` at the same time, for parts that together are `0..n`.
-/// Returns when all parts are done.
+/// All workers call `body(worker, part)` at the same time, for parts that make up `0..n`. Returns
+/// when all parts are done.
 pub fn parallel_for(
     n: usize,
     team: Team,
@@ -31,8 +31,8 @@ pub fn parallel_for(
 
 /// Returns the part of worker number `worker` (0 .. `workers`) of a loop over `0..n`.
 ///
-/// The parts follow each other without gap or overlap. Worker 0 has the first. Their lengths differ
-/// by at most 1. If there are fewer iterations than workers, some parts are empty.
+/// The parts follow each other without gap or overlap. Worker 0 has the first part. The lengths of
+/// the parts differ by at most 1. If there are fewer iterations than workers, some parts are empty.
 ///
 /// Book: chapter 7, *Fixed parts*.
 pub fn fixed_part(n: usize, workers: usize, worker: usize) -> Range<usize> {

@@ -5,13 +5,14 @@ use hard_discs::{Collisions, Engine, Find, Window};
 /// Finds the collisions of one window, and marks them as taken.
 ///
 /// 1. Clear `engine.found` ([`Found::clear`]). One list is enough.
-/// 2. Let the finder find the pairs of the window ([`Find::find`]). It may replace the lists.
+/// 2. Let the finder find the pairs of the window ([`Find::find`]). The finder may replace the
+///    lists.
 /// 3. Add the wall collisions whose time is in the window to one of the lists.
 /// 4. Let `engine.choice` choose ([`Choice::take`], with `C`: `take::<C>`).
 ///
 /// `engine.walls` contains the wall collisions. If there are several windows, the wall collisions
-/// are sorted by time. Those before index `next_wall` belong to earlier windows. Return the index
-/// of the first wall collision that belongs to a later window.
+/// are sorted by time. The collisions before index `next_wall` belong to earlier windows. Return
+/// the index of the first wall collision that belongs to a later window.
 ///
 /// Book: chapter 7, *A step*.
 ///

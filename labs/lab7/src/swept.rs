@@ -4,9 +4,9 @@ use hard_discs::{Span, Window};
 
 /// Returns the interval that a disc can touch during `window` along one axis.
 ///
-/// The disc has its centre at `x`, velocity `v`, and flies straight. The interval reaches from the
-/// lesser to the greater of its positions at the two ends of the window, and `reach` further on
-/// both sides.
+/// The disc starts the step with its centre at `x` and velocity `v`, and flies straight. The
+/// interval reaches from the lesser to the greater of its positions at the two ends of the window,
+/// and extends further by `reach` on both sides.
 ///
 /// The step ends at 1, even if the window continues.
 ///

@@ -3,18 +3,19 @@
 use common::hard::Disc;
 use hard_discs::{Candidate, Hit, Square};
 
-/// Returns the collision of disc number `a` with the walls in this step, or `None` without one.
+/// Returns the collision of disc number `a` with the walls in this step, or `None` if there is
+/// none.
 ///
-/// Assume that nothing stops the disc before. Its centre must stay in
+/// Assume that nothing else stops the disc first. The disc's centre must stay in
 /// `square.least() ..= square.most()` along each axis. Look at each axis separately:
 ///
-/// - If the straight path ends below, x + vx < least, the time is λ = (least − x) / vx. If it ends
-///   above, x + vx > most, the time is λ = (most − x) / vx. Otherwise the disc hits no wall along
-///   this axis.
+/// - If the straight path ends below `least` (x + vx < least), the time is λ = (least − x) / vx. If
+///   it ends above `most` (x + vx > most), the time is λ = (most − x) / vx. Otherwise the disc hits
+///   no wall along this axis.
 /// - Rounding may have left the disc very slightly outside, so clamp λ to 0 ..= 1. A disc outside
 ///   with vx = 0 then hits the wall too: the quotient is infinite, and the clamp makes it 0 or 1.
-/// - The earlier of the two times counts. If both times are equal, the disc hits a corner, which is
-///   one collision.
+/// - The earlier of the times along the two axes counts. If both times are equal, the disc hits a
+///   corner, which is one collision.
 ///
 /// Book: chapter 7, *Walls*.
 #[inline]

@@ -9,18 +9,19 @@ use solution7::order;
 /// Takes every open candidate that is certain to happen, and drops those that cannot happen.
 ///
 /// This is lab 7's choice ([`solution7::take_in_order`]), made by a rank that does not have all
-/// candidates. Look at the candidates that are first in the queue of a free disc, always at the
-/// earliest of them. There are three cases:
+/// candidates. Among the candidates that are first in the queue of a free disc, always look at the
+/// earliest next. There are three cases:
 ///
-/// - *Dropped*: one of the candidate's discs is not free, so it cannot happen. If it is first in
-///   the queue of a free disc, [advance](hard_disc_ranks::Queues::advance) that queue. The queue
-///   then has a new first candidate, which you also look at, in its turn.
-/// - *Taken*: `waits` is false for all its discs, and it comes before the rival of each disc that
-///   has a rival. (The rival of a disc is its earliest open candidate on other ranks.) No other
-///   candidate, of this rank or another rank, can then come before it. Append it to `taken`, and
-///   mark its discs as not free.
+/// - *Dropped*: one of the candidate's discs is not free, so it cannot happen. If its other disc is
+///   still free, and the candidate is first in that disc's queue,
+///   [advance](hard_disc_ranks::Queues::advance) that queue. The queue then has a new first
+///   candidate, which you also look at, in its turn.
+/// - *Taken*: `waits` is false for all its discs, and the candidate comes before all their rivals.
+///   (The rival of a disc is the disc's earliest open candidate on other ranks, if there is one.)
+///   No other candidate, of this rank or another rank, can then come before it. Append it to
+///   `taken`, and mark its discs as not free.
 /// - *Left open*: it may or may not happen. Let its discs wait, because no later candidate of these
-///   discs is certain until this one is decided. If one of the discs did not wait before, the
+///   discs is certain until this candidate is decided. If one of the discs did not wait before, the
 ///   candidate is the earliest open candidate of that disc. Other ranks may need to know it, so
 ///   append it to `front`.
 ///
@@ -29,11 +30,11 @@ use solution7::order;
 /// candidate that is first in two queues comes up twice. The second time, its discs are already
 /// taken or waiting, and nothing changes.
 ///
-/// A [`BinaryHeap`] of [`Reverse`]d indices yields the earliest candidate, because a lower index is
-/// earlier. A loop over [all](hard_disc_ranks::Queues::all) candidates would give the same result.
-/// But this function is called in every round, and a crowd has millions of candidates and a hundred
-/// rounds. Nearly all of these candidates are in a queue behind one that is left open, and the heap
-/// never meets them.
+/// A [`BinaryHeap`] of [`Reverse`]d indices yields the earliest candidate, because a candidate with
+/// a lower index is earlier. A loop over [all](hard_disc_ranks::Queues::all) candidates would give
+/// the same result. But this function is called in every round, and a crowd has millions of
+/// candidates and a hundred rounds. Nearly all of these candidates are in a queue behind an open
+/// candidate, and never enter the heap.
 ///
 /// A rival may be out of date. This does no harm: other ranks only lose candidates, so a candidate
 /// that comes before an old rival also comes before all remaining candidates.

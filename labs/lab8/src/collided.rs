@@ -7,7 +7,7 @@ use hard_disc_ranks::DiscWire;
 use solution5::Cut;
 use solution7::Candidate;
 
-/// Returns the discs of the blocks `held` that have collided, and so cannot be moved by the worker.
+/// Returns the discs of the blocks `held` that have collided, which the worker cannot move.
 ///
 /// - `discs` are all discs, as they are after the step.
 /// - `held` are the numbers of the worker's blocks.
@@ -31,11 +31,11 @@ pub fn collided(
     todo!("task 8.6: the discs that have collided")
 }
 
-/// Moves a worker's discs to the end of the previous step, then inserts those that `arrived`.
+/// Moves a worker's discs to the end of the previous step, then inserts the discs that `arrived`.
 ///
 /// - `held` are the ranges of the worker's disc numbers.
 /// - If `moves` is true, each held disc flies straight by (vx, vy), whether it has collided or not.
-///   A disc that has collided is among those that arrived, and is overwritten.
+///   A disc that has collided is among the discs that arrived, and is overwritten.
 /// - `moves` is false if there was no previous step, or if all held discs arrive.
 /// - Compute exactly x + vx. The master computes the same sum, and the bits must agree.
 ///

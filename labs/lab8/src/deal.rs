@@ -13,17 +13,18 @@ pub fn deal_out(workers: usize) -> Deal {
 /// blocks. (Where the diagonal leaves the matrix, it continues on the other side.) The diagonal has
 /// W pairs, and each worker does one of them:
 ///
-/// 1. Among the offsets there are two, p and q, with q ≡ p + d modulo W. Take the first such p.
+/// 1. Find two offsets p and q with q ≡ p + d modulo W. Take the first such p.
 /// 2. The job of worker k is the pair of its blocks k + p and k + q, modulo W. The lesser block is
 ///    the row.
 ///
-/// All workers use the same pattern, turned by their numbers k, so no two workers have the same
+/// All workers use the same pattern, shifted by their numbers k, so no two workers have the same
 /// job.
 ///
-/// One diagonal is shorter. If W is even, the blocks at distance W / 2 are opposite each other on
-/// the ring. There are only W / 2 such pairs, and the rule above gives each of them to two workers.
-/// The worker with k + p < k + q (modulo W) does the first half of the row's discs. The other
-/// worker does the second half. All workers then have the same number of pairs to test.
+/// If W is even, one diagonal is shorter. Its pairs, at distance W / 2, are opposite each other in
+/// a ring of all blocks. There are only W / 2 such pairs, and the rule above gives each of them to
+/// two workers. The worker with k + p < k + q (both modulo W) does the first half of the row's
+/// discs. The other worker does the second half. All workers then have the same number of pairs to
+/// test.
 ///
 /// Book: chapter 8, *Dealing out the pairs*.
 pub fn jobs(deal: &Deal, worker: usize) -> Vec<Job> {
@@ -40,15 +41,15 @@ pub fn distance(i: usize, j: usize, workers: usize) -> usize {
 /// Returns the offsets of a worker's blocks: two of them are d apart, for every d = 0 … W / 2.
 ///
 /// W is the number of workers. W / 2 + 1 adjacent blocks, 0, 1, … W / 2, would be enough: block 0
-/// is at every distance from one of them. But q blocks have q (q − 1) / 2 pairs, so about √W blocks
-/// may be enough. For W = 7 they are 0, 1 and 3: the distance of 0 and 1 is 1, of 1 and 3 it is 2,
-/// of 0 and 3 it is 3. Fewer blocks mean fewer bytes.
+/// is at every distance from one of them. But m blocks have m (m − 1) / 2 pairs, so about √W blocks
+/// may be enough. For W = 7, blocks 0, 1 and 3 are enough: 0 and 1 are 1 apart, 1 and 3 are 2
+/// apart, and 0 and 3 are 3 apart. Fewer blocks mean fewer bytes.
 ///
 /// The rule: begin with 0. While a distance is missing, add one of the offsets 1 … W − 1. Choose
-/// the offset that yields the most missing distances to the offsets that are already there. Of
+/// the offset that yields the most missing distances to the offsets that are chosen already. Of
 /// several such offsets, choose the least. [`distance`] returns a distance.
 ///
-/// (Finding the fewest blocks is a hard problem, called difference bases. A few more blocks do no
+/// (Finding the fewest blocks is a hard problem, known as difference bases. A few more blocks do no
 /// harm here.)
 ///
 /// Book: chapter 8, *Few blocks*.

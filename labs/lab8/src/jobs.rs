@@ -5,7 +5,7 @@ use hard_disc_ranks::Job;
 use solution5::Cut;
 use solution7::{Candidate, look_along};
 
-/// Tests the pairs of a job, and returns their number. Appends those that collide to `list`.
+/// Tests the pairs of a job, and returns their number. Appends the pairs that collide to `list`.
 ///
 /// `discs` has an entry for every disc of the scene. Only the entries of this worker's blocks need
 /// to be filled. [`Cut::block`] returns the discs of block k: `blocks.block(k)`.

@@ -14,7 +14,7 @@ use crate::deal::deal_out;
 /// lab 7's [`resolve`].
 ///
 /// `engine.taken` contains the collisions of the previous step: replace them. `engine.tally.taken`
-/// counts the new ones.
+/// counts the new collisions.
 ///
 /// Book: chapter 8, *A step of master and workers*.
 fn decide<T: Dealing>(engine: &mut MasterWorkers<T>, mut candidates: Vec<Candidate>) {
@@ -25,16 +25,16 @@ fn decide<T: Dealing>(engine: &mut MasterWorkers<T>, mut candidates: Vec<Candida
 
 /// Computes one step.
 ///
-/// 1. In the first step after a scene was loaded, `engine.deal` is `None`. Then deal the pairs to the
-///    workers of the team ([`deal_out`]).
+/// 1. In the first step after a scene was loaded, `engine.deal` is `None`. In this case, deal the
+///    pairs to the workers of the team ([`deal_out`]).
 /// 2. The master makes its lists ([`MasterWorkers::lists`]). The other ranks have no lists. All
-///    ranks call [`MasterWorkers::send`], which counts, calls [`hand_out`] and returns what
-///    arrived.
+///    ranks call [`MasterWorkers::send`], which calls and counts [`hand_out`], and returns the
+///    discs that arrived.
 /// 3. A worker that is not the master updates the discs of its blocks ([`update`],
 ///    [`Deal::blocks`](hard_disc_ranks::Deal::blocks)). It must move them if this is not the first
 ///    step and workers keep their blocks. The master's discs are up to date.
-/// 4. Each worker finds candidates ([`MasterWorkers::find`]), and so does a master that works.
-/// 5. All ranks call [`MasterWorkers::receive`], which counts and calls [`collect`]. Then the master
+/// 4. Each worker, including a master that works, finds candidates ([`MasterWorkers::find`]).
+/// 5. All ranks call [`MasterWorkers::receive`], which calls and counts [`collect`]. Then the master
 ///    decides ([`decide`]).
 ///
 /// [`Team::worker`] returns the worker number of a rank. The methods that change `engine` cannot

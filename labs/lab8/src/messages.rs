@@ -9,8 +9,8 @@ use mpi::traits::*;
 ///
 /// Only the master reads `lists`. A master that does not work returns an empty list.
 ///
-/// - A worker does not know the length of its list, so it must ask the message before it makes a
-///   buffer. [`Source::receive_vec`] does this.
+/// - A worker does not know the length of its list, so it must get the length from the message
+///   before it makes a buffer. [`Source::receive_vec`] does this.
 /// - The master starts all sends ([`Destination::immediate_send`], within a [`request::scope`]; see
 ///   chapter 6, *Both ways at once*), and then waits for all of them. The report instead waits
 ///   after each send, so a worker that is not ready delays all later workers.
@@ -31,8 +31,8 @@ where
 ///
 /// All other ranks return an empty list. A master that does not work has no list.
 ///
-/// Again, the lists may have any length. Receive from one worker after the other, not in the order
-/// in which messages arrive. The result is then the same in every run.
+/// Again, the lists may have any length. Receive from the workers in order of their numbers, not in
+/// the order in which messages arrive. The result is then the same in every run.
 ///
 /// All ranks call it together.
 ///

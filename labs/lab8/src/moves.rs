@@ -10,10 +10,10 @@ use solution7::{Square, resolve};
 ///
 /// - A disc in a candidate of `decisions.taken` was taken here. This rank moves both discs of a
 ///   pair, even ghosts. Lab 7's [`resolve`] carries out the candidates that were taken.
-/// - A disc that is free flies straight. The rank that owns it moves it; there, `owns[slot]` is
-///   true.
-/// - Any other disc was taken by another rank, which moves it. Leave it out, even if this rank owns
-///   it: the other rank sends it to the right owner.
+/// - A free disc flies straight, and the rank that owns it moves it. This rank owns the disc if
+///   `owns[slot]` is true.
+/// - Any other disc was taken by another rank, which moves it. Leave the disc out, even if this
+///   rank owns it: the other rank sends it to the right owner.
 ///
 /// `discs` are the rank's own discs and the ghosts, in the order of `decisions.numbers`.
 /// [`resolve`] finds the discs of a candidate by their slots in this list: [`Decisions::local`]

@@ -5,8 +5,8 @@ use solution7::{Candidate, order};
 
 /// Returns the news for `partner`: candidates with a disc that the partner also has.
 ///
-/// [`Decisions::concerns`] tests whether the partner has a disc of a candidate. The news is, in
-/// this order:
+/// [`Decisions::concerns`] tests whether the partner has a disc of a candidate. The news contains,
+/// in this order:
 ///
 /// 1. The candidates of `decisions.taken` that have not been reported yet, from index `reported` on, as
 ///    [`CandidateWire::taken`].
@@ -20,10 +20,10 @@ pub fn news_for(decisions: &Decisions, partner: usize) -> Vec<CandidateWire> {
 
 /// Takes in the news of all partners.
 ///
-/// First forget the old rivals, because every partner has told its rivals again. Then look at each
-/// candidate of the news, and at each of its discs that this rank has. If the candidate was taken,
-/// the disc is not free any more. If the candidate is open, it is a rival of the disc. A disc keeps
-/// its earliest rival.
+/// First forget the old rivals, because every partner has sent its open candidates again. Then look
+/// at each candidate of the news, and at each of its discs that this rank has. If the candidate was
+/// taken, the disc is not free any more. If the candidate is open, it is a rival of the disc. A
+/// disc keeps its earliest rival.
 ///
 /// Book: chapter 8, *News*.
 pub fn hear(decisions: &mut Decisions, news: &[CandidateWire]) {

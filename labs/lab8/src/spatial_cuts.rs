@@ -13,12 +13,12 @@ use crate::news::{hear, news_for};
 /// Repeat in rounds:
 ///
 /// 1. Take the candidates that are certain ([`take_certain`]).
-/// 2. Add up the news of all ranks ([`SpatialCuts::add_up`]): the candidates in `front`, which is
-///    empty only if none is open, and the taken candidates that have not been reported yet. If the sum
-///    is zero, return. All ranks get the same sum, so all ranks return in the same round.
+/// 2. Add up the news of all ranks ([`SpatialCuts::add_up`]): the candidates in `front`, and the taken
+///    candidates that have not been reported yet. (`front` is empty only if no candidate is open.) If
+///    the sum is zero, return. All ranks get the same sum, so all ranks return in the same round.
 /// 3. Make the news for each partner ([`news_for`]). From now on, all taken candidates count as reported.
-///    Exchange the news ([`SpatialCuts::exchange`], with no work meanwhile). Take in the news of all
-///    partners at once ([`hear`]).
+///    Exchange the news ([`SpatialCuts::exchange`], with no work during the exchange). Take in the news
+///    of all partners at once ([`hear`]).
 ///
 /// In every round, the earliest open candidate of all ranks is taken or dropped, so the rounds end.
 /// Usually there are two to five rounds. In a crowd there may be a hundred, because a decision
@@ -37,10 +37,11 @@ fn decide<T: Deciding>(engine: &mut SpatialCuts<T>, partners: &[usize]) {
 ///    this rank: [`Strips::partners`] within `range.furthest`.
 /// 2. Send ghosts to the partners ([`ghosts_for`], [`SpatialCuts::exchange`]). While they travel,
 ///    find the wall collisions of the rank's own discs ([`walls_of`] by the rules of [`Lab7`]). The
-///    owner of a ghost finds its wall collisions. Nothing in `engine` can be borrowed during an
-///    exchange, so [take](std::mem::take) `own` out, and put it back afterwards.
-/// 3. Combine own discs and ghosts ([`SpatialCuts::see`]), and find the pairs ([`SpatialCuts::find`]).
-///    This also starts the decisions, and takes the certain candidates at once.
+///    owner of a ghost finds the ghost's wall collisions. Nothing in `engine` can be borrowed
+///    during an exchange, so [take](std::mem::take) `own` out, and put it back afterwards.
+/// 3. Combine the rank's own discs and the ghosts ([`SpatialCuts::see`]), and find the pairs
+///    ([`SpatialCuts::find`]). This also starts the decisions, and takes the certain candidates at
+///    once.
 /// 4. Decide the other candidates ([`decide`]).
 /// 5. Move the discs ([`move_on`], of `engine.seen`), and count the candidates taken
 ///    (`engine.tally.taken`). Send each disc to the rank whose strip now contains it

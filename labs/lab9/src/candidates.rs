@@ -12,18 +12,18 @@ use crate::Lab9;
 impl HardKernels for Lab9 {
     /// Adds all candidates of some rows of work to `found`.
     ///
-    /// The kernels count the candidates. If there are more than `finder.capacity()`, the device's
-    /// list contains only the first of them.
+    /// The kernels count the candidates. If there are more candidates than `finder.capacity()`, the
+    /// device's list contains only some of them.
     ///
     /// - `finder.run(rows)` runs the kernels on the rows, and returns the number of candidates.
     /// - If the list had room for all candidates, `finder.fetch(count, found)` adds them to
     ///   `found`.
-    /// - Otherwise, `finder.grow(count)` makes room for that number, and the kernels must run
-    ///   again.
+    /// - Otherwise, `finder.grow(count)` makes room for this number of candidates, and the kernels
+    ///   must run again.
     /// - `finder.grow` returns an error if the device has too little memory. Then collect the first
     ///   half of the rows and the second half separately. If there is only one row, return the
-    ///   error. (The list always has room for the candidates of one row, which are at most as many
-    ///   as the discs.)
+    ///   error. (The list always has room for the candidates of one row: there are at most as many
+    ///   as discs.)
     ///
     /// Book: chapter 9, *A list that grows*.
     fn collect(
@@ -44,10 +44,10 @@ impl HardKernels for Lab9 {
         todo!("task 9.3c: count from zero")
     }
 
-    /// Replaces `candidates` by those pairs in `found` that the host confirms.
+    /// Replaces `candidates` with the pairs in `found` that the host confirms.
     ///
-    /// The device found these pairs. A pair is (a, b) with a < b, or (a, [`WALL`]). It is a
-    /// candidate only if [`pair_hit`] or [`wall_hit`] returns one.
+    /// The device found these pairs. A pair is (a, b) with a < b, or (a, [`WALL`]). The pair is a
+    /// candidate only if [`pair_hit`] or [`wall_hit`] returns a candidate.
     ///
     /// Book: chapter 9, *The same bytes on every device*.
     fn confirm(

@@ -49,7 +49,7 @@ impl Launcher for Lab9 {
     /// Book: chapter 9, *A launch that never ran*.
     ///
     /// # Errors
-    /// [`GpuError::Refused`] with the reason, and with `what` was refused.
+    /// [`GpuError::Refused`], with `what` was refused and the reason.
     fn checked<T>(gpu: &Gpu, what: &str, work: impl FnOnce() -> T) -> Result<T, GpuError> {
         todo!("task 9.1c: a refusal is an error")
     }

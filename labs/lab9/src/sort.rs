@@ -12,9 +12,9 @@ impl SoftKernels for Lab9 {
     /// which they run.
     ///
     /// 1. On the way up, from level 0 to the last level, each level sums its blocks. So each level
-    ///    finds the sums of the level below.
+    ///    can read the sums of the level below.
     /// 2. On the way down, the last level is already complete. Each level below it, from the last
-    ///    but one to level 0, adds the sums to its blocks.
+    ///    but one to level 0, adds the sums of the level above to its blocks.
     ///
     /// Book: chapter 9, *A prefix sum of any length*.
     fn record_scan(scan: &Scan, work: &mut Work<'_>) {
@@ -23,8 +23,8 @@ impl SoftKernels for Lab9 {
 
     /// Records the launches that sort the particles by bin.
     ///
-    /// The tags, positions and velocities of the last step go to the sorted arrays. `sort.starts`
-    /// becomes the index at which each bin begins.
+    /// The tags, positions and velocities of the last step are copied to the sorted arrays.
+    /// `sort.starts` becomes the index at which each bin begins.
     ///
     /// - The kernel `count` counts the particles of each bin in `starts`, which must be zero at
     ///   first.

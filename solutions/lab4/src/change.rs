@@ -35,8 +35,8 @@ pub fn remove(bin: &mut Bin, particle: u32) {
 ///
 /// - [`Regions::cut`] finds the region of a bin, and [`Regions::locks`] contains the lock of each
 ///   region. Take a lock with [`Meter::lock`].
-/// - Hold both locks until the change is complete. A thread that looks at both bins under their
-///   locks then finds the particle in exactly one of them.
+/// - Take both locks before you change a bin. A thread that looks at both bins under their locks
+///   then finds the particle in exactly one of them.
 /// - Both bins may be in the same region. Then there is only one lock, and a thread that takes it
 ///   twice waits for itself forever.
 ///

@@ -2,28 +2,6 @@
 
 use halo::Cuts;
 
-/// Returns the ranks that have the row before and the row after the block of `rank`, in this order.
-///
-/// - For a block of rows a..b, these are rows a − 1 and b. [`owner`](Cuts::owner) returns the rank
-///   that has a row.
-/// - Beyond a wall there is no row: return `None` on that side.
-/// - A rank with an empty block has no neighbours, and is not a neighbour of any rank. `owner`
-///   skips empty blocks, because the adjacent row belongs to a rank further on.
-///
-/// Book: chapter 6, *Neighbours*.
-pub fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
-    let block = cuts.block(rank);
-    let rows = cuts.rows();
-    // task 6.2: the neighbours of a rank
-    if block.is_empty() {
-        return [None, None];
-    }
-    let before = block.start.checked_sub(1);
-    let after = (block.end < rows).then_some(block.end);
-    [before, after].map(|row| row.map(|row| cuts.owner(row)))
-    // end 6.2
-}
-
 /// Cuts the rows of bins into `ranks` blocks with nearly equal numbers of particles.
 ///
 /// - `counts[row]` is the number of particles in a row. There is at least one row and one rank.
@@ -53,4 +31,26 @@ pub fn balanced(counts: &[u64], ranks: usize) -> Cuts {
     starts.push(counts.len());
     Cuts { starts }
     // end 6.1
+}
+
+/// Returns the ranks that have the row before and the row after the block of `rank`, in this order.
+///
+/// - For a block of rows a..b, these are rows a − 1 and b. [`owner`](Cuts::owner) returns the rank
+///   that has a row.
+/// - Beyond a wall there is no row: return `None` on that side.
+/// - A rank with an empty block has no neighbours, and is not a neighbour of any rank. `owner`
+///   skips empty blocks, because the adjacent row belongs to a rank further on.
+///
+/// Book: chapter 6, *Neighbours*.
+pub fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
+    let block = cuts.block(rank);
+    let rows = cuts.rows();
+    // task 6.2: the neighbours of a rank
+    if block.is_empty() {
+        return [None, None];
+    }
+    let before = block.start.checked_sub(1);
+    let after = (block.end < rows).then_some(block.end);
+    [before, after].map(|row| row.map(|row| cuts.owner(row)))
+    // end 6.2
 }
