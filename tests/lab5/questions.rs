@@ -109,7 +109,7 @@ pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
         same(&blocks.grid, &format!("{name}, local particles"), wires(&changed), right, ask);
         let right = || wires(particles.iter().filter(|p| !is_local(p)).chain([&before]));
         let name =
-            format!("{name}, remote particles, which follow particle {} from before", before.id);
+            format!("{name}, remote particles, which follow particle {} in the list", before.id);
         same(&blocks.grid, &name, wires(&remote), right, ask);
     }
 }
@@ -211,7 +211,7 @@ pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
             let stay = before.iter().filter(|p| block.contains(&blocks.row(p.y)));
             wires(stay.chain(&arrived))
         };
-        let name = format!("{}, rows {block:?}, arrivals numbered from 1000 on", blocks.name(case));
+        let name = format!("{}, rows {block:?}, arrivals with ids from 1000 on", blocks.name(case));
         let question = format!("{name}, particles in the bins");
         same(&blocks.grid, &question, wires(bins.particles()), right, ask);
         let astray = || {
@@ -220,6 +220,10 @@ pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
                 inside.iter().filter(move |p| blocks.grid.bin(p) != bin).map(|p| p.id as usize)
             }))
         };
-        ask.exact(&format!("{name}: ids of particles that are in a wrong bin"), astray, Vec::new);
+        ask.exact(
+            &format!("{name}: ids of the particles that are in a wrong bin"),
+            astray,
+            Vec::new,
+        );
     }
 }
