@@ -68,8 +68,8 @@ pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
                 integers(parts.flat_map(|part| [part.start, part.end]))
             };
             let question = format!(
-                "{n} iterations from the queue in chunks of {chunk}, of which {begin} iterations are taken already, \
-                 with at least two calls after the end: begin and end of each part"
+                "{n} iterations from the queue in chunks of {chunk}. {begin} iterations are taken already, and at \
+                 least two calls come after the end of the loop: begin and end of each part"
             );
             ask.exact(&question, found, || {
                 integers((begin..n).step_by(chunk).flat_map(|start| [start, n.min(start + chunk)]))
