@@ -101,8 +101,8 @@ fn too_much(log: &str) -> Option<String> {
     let needed = [
         "writes the flag, Release",
         "reads  the flag, Acquire",
-        "one thread    passes a fence, Release",
-        "the other one passes a fence, Acquire",
+        "the writer passes a fence, Release",
+        "the reader passes a fence, Acquire",
     ];
     let is_needed = |line: &&str| {
         line.contains(", Relaxed") || needed.iter().any(|needed| line.contains(needed))
