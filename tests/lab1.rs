@@ -67,7 +67,7 @@ oracle::questions! {
     task_1_5 {
         energy_table => "Three pairs, 0.5, 2 and 0 cutoffs apart: the potential of each pair. Then three particles: \
                          their kinetic and potential energy, and their momentum.",
-        potentials => "A pair at any distance: its potential.",
+        potentials => "A pair of particles at any distance: the potential of the pair.",
         energies => "Any number of particles, slow and fast: their kinetic energy, their momentum, and their \
                      potential energy.",
         a_collision after "1.1, 1.2, 1.3" => "Two particles that collide and fly apart again: the relative change of \

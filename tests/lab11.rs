@@ -36,8 +36,8 @@ oracle::questions! {
     task_11_3 {
         joined_pairs => "Eleven particles, and seven pairs that join the groups of their particles: the root of each \
                          particle after each pair.",
-        roots => "Chains and trees of numbers: (1) the root of a number, (2) the number of parents above it before \
-                  the call, (3) the same after the call.",
+        roots => "Chains and trees of numbers: (1) the root of a number, (2) the number of parents above the number before \
+                  the call, (3) the number of parents above it after the call.",
         long_chain => "A chain of a million numbers: the root of its last number.",
         joins => "Pairs that are joined in any order: the root of each number after each pair.",
         many_joins => "A million numbers, each joined to the next: the root of the last number.",
@@ -45,7 +45,7 @@ oracle::questions! {
     task_11_4 {
         deviations => "A particle that deviates from its free flight, and a margin of 0.05 cutoffs: whether the \
                        particle may have met another particle that is not on its list.",
-        margins => "Any deviation and any margin: 1 if the particle is too far off its free flight, 0 if not.",
+        margins => "Any deviation and any margin: 1 if the particle is too far away from its free flight, 0 if not.",
     }
     task_11_5 {
         walls_ahead => "A particle in a box of side 1, and a window of four steps of 0.125: whether the particle may \

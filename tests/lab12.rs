@@ -27,14 +27,14 @@ oracle::questions! {
         velocity_verlet => "Velocity Verlet: its drifts and its kicks, as fractions of a step.",
         pefrl => "PEFRL: its drifts and its kicks, as fractions of a step.",
         official_steps = |_, ask| variant("12.1", "euler").resynchronised(ask, &scenes::official(), 50)
-            => "The variant `euler` in the official scene: the state after each of 50 steps, which must be the \
+            => "The variant `euler` in the official scene: the state after each of 50 steps. Each step must be the \
                 official step.",
         dense_box = |_, ask| variant("12.1", "euler").resynchronised(ask, &scenes::dense(), 20)
-            => "The variant `euler` with 150 particles in a dense box: the state after each of 20 steps, which must be \
-                the official step.",
+            => "The variant `euler` with 150 particles in a dense box: the state after each of 20 steps. Each step \
+                must be the official step.",
         over_the_edges = |_, ask| variant("12.1", "euler").resynchronised_on_each(ask, scenes::edges(), 3)
             => "The variant `euler` with pairs 0.9995 cutoffs apart, in every direction: the state after each of 3 \
-                steps, which must be the official step.",
+                steps. Each step must be the official step.",
         orders => "Two particles that stay in contact: the order of the error, computed from steps in 4 and in 8 \
                    parts.",
     }

@@ -40,7 +40,7 @@ oracle::questions! {
         widths_of_ghosts => "The distance that the fastest particle goes in a step, and a number of steps: the \
                              necessary width of ghosts, all in cutoffs.",
         widths = |random, ask| widths(random, ask, false)
-            => "Particles at rest, slow and fast, and 1 to 70,000 steps: the necessary width of ghosts.",
+            => "Particles that are at rest, slow or fast, and 1 to 70,000 steps: the necessary width of ghosts.",
         table_of_widths => "Strips of some heights and densities, and some speeds: (1) the number of steps for which \
                             ghosts are chosen, (2) the width of the ghosts in cutoffs.",
         cheapest_steps => "Any strip, density and speed: the chosen number of steps. With any other number of steps, \
@@ -71,7 +71,7 @@ oracle::questions! {
     task_13_5 {
         table_of_loads => "The numbers of particles in the rows of a rank, and the number of listed pairs: (1) the \
                            load of the rank, (2) the share of each row, both in nanoseconds.",
-        loads => "Any number of particles and of listed pairs: the load.",
+        loads => "Any number of particles and any number of listed pairs: the load of the rank in nanoseconds.",
         shares => "Any load, and 1 to 4,097 rows: the share of each row.",
     }
     task_13_6 {
@@ -128,7 +128,7 @@ oracle::questions! {
         depths_of_ghosts => "The distance that the fastest particle goes in a step, and a number of steps: the \
                              necessary depth of ghosts, all in cutoffs.",
         depths = |random, ask| widths(random, ask, true)
-            => "Particles at rest, slow and fast, and 1 to 70,000 steps: the necessary depth of ghosts.",
+            => "Particles that are at rest, slow or fast, and 1 to 70,000 steps: the necessary depth of ghosts.",
         table_of_depths => "Strips of some heights and numbers of particles, and some speeds: (1) the number of steps \
                             in an epoch, (2) the depth of its ghosts in cutoffs.",
         cheapest_epochs => "Any strip, number of particles and speed: the chosen number of steps in an epoch. With \

@@ -136,7 +136,8 @@ oracle::questions! {
     }
     task_2_8 {
         sort_table => "Five particles in three bins of one row: (1) the particles in the order of memory before the \
-                       sort, (2) the same after the sort, (3) the indices at which each bin begins and ends.",
+                       sort, (2) the particles in the order of memory after the sort, (3) the indices at which each \
+                       bin begins and ends.",
         sorts => "Any rows of a grid, sorted again and again: (1) the particles in the order of memory, (2) the \
                   indices at which each bin begins and ends.",
     }

@@ -58,8 +58,8 @@ oracle::questions! {
             => "The statistics of three parts: their sum (1) under a lock, (2) with atomics, (3) in order, and (4) \
                 with atomics while another thread adds to the sum.",
         atomic_additions = reductions::one_after_another
-            => "Parts that are added to atomic numbers, one after another: dmin, davg, navg and pair tests of the \
-                sum.",
+            => "Parts that one thread adds to atomic numbers, one after another: dmin, davg, navg and pair tests of \
+                the sum.",
         locked_sums = reductions::locked
             => "Parts that several threads add under a lock: dmin, davg, navg and pair tests of the sum.",
         atomic_sums = reductions::atomic
@@ -106,7 +106,8 @@ oracle::questions! {
     task_3_6 {
         loop_table after "3.4, 3.5" => "Four particles and two workers: the position and velocity of each particle \
                                         after both loops.",
-        all_workers after "3.4, 3.5" => "Few workers and many: x, y, vx, vy of each particle after both loops.",
+        all_workers after "3.4, 3.5" => "Few workers and many workers: x, y, vx, vy of each particle after both \
+                                         loops.",
         shared_workers after "3.4, 3.5" => "A pool of threads that runs both loops over workers: the share of the \
                                             work that each thread did. In each loop, every thread must do some work, \
                                             and no thread may do nearly all of it.",

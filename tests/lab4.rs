@@ -76,8 +76,8 @@ oracle::questions! {
             => "A change, during which another thread makes a second change between the two requests for locks: the \
                 bin of each particle.",
         other_regions after "4.1, 4.2" = intruders::other_regions
-            => "A thread that holds a lock: whether another thread can change bins in other regions at this time. It \
-                must be able to.",
+            => "A thread that holds a lock: whether another thread can change bins in other regions at this time, as \
+                it must.",
     }
     task_4_4 {
         move_table = moves::table

@@ -156,16 +156,16 @@ oracle::questions! {
         pairs_of_loops after "7.2, 7.8" => "Scenes of all kinds, and two threads: the pairs found.",
     }
     task_7_10 {
-        slot_table => "Three candidates that are appended one after another, with a lock and without: the candidates \
-                       in the slots that count.",
+        slot_table => "Three candidates that are appended one after another, with a lock and without a lock: the \
+                       candidates in the slots in use.",
         appends => "Any number of candidates, appended one after another: (1) the number of slots in use, (2) the \
                     candidates in these slots.",
         interrupted_lock => "Two workers that append under a lock. The second worker appends whenever the first has \
                              released the lock: the candidates in the list. No candidate may be missing.",
         short_lock => "A candidate that is appended under a lock: the content of its slot when the lock is released. \
                        The slot must be written afterwards.",
-        no_lock => "Two workers that append without a lock: whether one must wait for the other. It must not be \
-                    necessary to wait.",
+        no_lock => "Two workers that append without a lock: whether one worker must wait for the other. Neither may \
+                    have to wait.",
         interrupted_count => "Two workers that append without a lock. The second worker appends whenever the first is \
                               at a load or before a store: the candidates in the list. No candidate may be missing.",
         pairs_in_one_list after "7.2, 7.8, 7.9" => "Scenes of all kinds, three threads and one list: the pairs found.",

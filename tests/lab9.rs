@@ -83,8 +83,8 @@ oracle::questions! {
             => "The variant `basic`: the state at the end, which must have the same bits as in lab 7's `sequential`.",
     }
     task_9_4 {
-        pair_numbers => "A rectangle of the pairs of six discs, and one of the pairs of five discs: the pairs in each \
-                         row.",
+        pair_numbers => "The rectangle of the pairs of six discs, and the rectangle of the pairs of five discs: the \
+                         pairs in each row.",
         rectangles => "Few discs: the pairs that have a number. Every pair must have exactly one number.",
         late_rows => "100,000 discs: the pairs in one row near the beginning or near the end of the rectangle.",
         pair_turns = |_, ask| turns(ask, Deal::Pairs)

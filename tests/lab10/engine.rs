@@ -197,7 +197,9 @@ pub(crate) fn rebuilds(random: &mut Random, ask: &mut impl Ask) {
 }
 
 fn are_rebuilt(skin: f64, found: &[f64]) -> Result<(), String> {
-    let Some((lists, distances)) = found.split_last() else { return Err("no answer".into()) };
+    let Some((lists, distances)) = found.split_last() else {
+        return Err("the answer is empty".into());
+    };
     let mut right = 0.0;
     let mut gone = f64::INFINITY;
     for distance in distances {

@@ -71,7 +71,7 @@ pub(crate) fn in_a_row(_: &mut Random, ask: &mut impl Ask) {
         let one_by_one = States::split(&mut rest, scene.len(), 1)?.numbers();
         let odd = in_a_row.iter().zip(&one_by_one).position(|(a, b)| a.to_bits() != b.to_bits());
         odd.map_or(Ok(()), |k| {
-            Err(format!("particle {} has different bits after single steps", k / 4))
+            Err(format!("particle {} has different bits after the single steps", k / 4))
         })
     });
 }

@@ -140,7 +140,9 @@ impl Number {
     }
 
     fn verdict(&self, found: &[f64]) -> Result<(), String> {
-        let [looks, outside, fall @ ..] = found else { return Err("no looks".into()) };
+        let [looks, outside, fall @ ..] = found else {
+            return Err("the answer is not complete".into());
+        };
         if *outside > 0.0 {
             return Err(format!("{outside} evaluations were outside the step"));
         }

@@ -104,7 +104,9 @@ impl Falling {
     }
 
     fn verdict(&self, found: &[f64]) -> Result<(), String> {
-        let &[part, value, looks, outside] = found else { return Err("no moment".into()) };
+        let &[part, value, looks, outside] = found else {
+            return Err("the answer is not complete".into());
+        };
         let late = (part - self.root) / 1e-12;
         if late.is_nan() || late.abs() > 3.0 {
             return Err(format!(

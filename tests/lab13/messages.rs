@@ -66,8 +66,8 @@ fn exchange(rank: &Rank<'_>, letters: &Letters, most: usize, ask: &mut impl Ask)
         || vec![partners.len() as f64, partners.len() as f64, 0.0],
     );
     ask.exact(
-        &format!("{name}: for each partner, (1) number of positions from this partner, (2) a checksum of the \
-                  positions in their order, (3) the number 0"),
+        &format!("{name}: for each partner, (1) number of positions from this partner, (2) a checksum of these \
+                  positions in their order, (3) 0"),
         || received.iter().flat_map(|letter| sums_of(letter)).collect(),
         || partners.iter().flat_map(|&from| sums_of(&letters.letter(from, own))).collect(),
     );

@@ -27,9 +27,9 @@ pub(crate) fn free(random: &mut Random, ask: &mut impl Ask) {
             vec![guarded, counts[0], counts[1], meter.waiting.as_secs_f64(), started as f64]
         };
         let question = format!(
-            "a meter that has waited for {waits} locks before. It takes a free lock {times} times, and each time 1 is \
-             added to a number that was 5: (1) the number, (2) locks taken, (3) locks waited for, (4) seconds waited, \
-             (5) stopwatches started"
+            "a meter that has waited for {waits} locks before. It takes a free lock {times} times. The lock guards a \
+             number that is 5 at first, and each time 1 is added to this number: (1) the number at the end, (2) locks \
+             taken, (3) locks waited for, (4) seconds waited, (5) stopwatches started"
         );
         let [times, waits] = [times, waits].map(|count| count as f64);
         let right = vec![times + 5.0, times + waits, waits, waited.as_secs_f64(), 0.0];

@@ -43,8 +43,8 @@ pub(crate) fn many_rows(random: &mut Random, ask: &mut impl Ask) {
             let question = format!("{name}: start and end of the block of rank {rank}");
             let found = || integers([block().start, block().end]);
             ask.judge(&question, found, |found| {
-                begins_there("it starts", found.first(), rank, cut)?;
-                begins_there("it ends", found.get(1), rank + 1, cut)
+                begins_there("the block starts", found.first(), rank, cut)?;
+                begins_there("the block ends", found.get(1), rank + 1, cut)
             });
         }
         for row in [0, rows - 1, random.below(rows), random.below(rows)] {
@@ -83,7 +83,11 @@ fn owns(found: &[f64], row: usize, cut: Cut) -> Result<(), String> {
         return Ok(());
     }
     let exact = [rank, rank + 1.0].map(|rank| rank * cut.rows as f64 / cut.ranks as f64);
-    Err(format!("rank {rank} owns the rows from {} to {}, both rounded down", exact[0], exact[1]))
+    Err(format!(
+        "the answer is rank {rank}, but this rank owns the rows from {} up to {}, both rounded \
+                 down",
+        exact[0], exact[1]
+    ))
 }
 
 /// Asks for the particles that have stayed in a block, and for the particles that have left it.

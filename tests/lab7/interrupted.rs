@@ -49,7 +49,7 @@ impl Places {
 
     fn words(self) -> String {
         match self {
-            Self::Only(place) => format!("only at interruption point {place}, counted from 0"),
+            Self::Only(place) => format!("at interruption point {place} only, counted from 0"),
             Self::OneIn { number, .. } => {
                 format!("at one in {number} of the interruption points")
             }
@@ -143,7 +143,9 @@ fn of(disc: u32) -> Candidate {
 /// Checks that the list holds candidates 1 to `own` and as many of the other worker's candidates as
 /// reported.
 fn holds_all(found: &[f64], own: u32) -> Result<(), String> {
-    let Some((&others, discs)) = found.split_first() else { return Err("no answer".into()) };
+    let Some((&others, discs)) = found.split_first() else {
+        return Err("the answer is empty".into());
+    };
     let right = (1..=own).chain((OTHERS..).take(others as usize)).map(f64::from);
     let missing = right.clone().find(|disc| !discs.contains(disc));
     match missing {

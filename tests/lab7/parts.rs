@@ -40,8 +40,8 @@ fn are_even_parts(found: &[f64], n: usize, workers: usize) -> Result<(), String>
         let (least, most) = (n / workers, n.div_ceil(workers));
         if ends - begins < least as f64 || ends - begins > most as f64 {
             return Err(format!(
-                "the part of worker {worker} is {begins} to {ends}, which are {} iterations; it must have {least} or \
-                 {most}",
+                "the part of worker {worker} is from {begins} to {ends}. It has {} iterations, but must have {least} \
+                 or {most}",
                 ends - begins
             ));
         }

@@ -77,7 +77,9 @@ impl Filtered {
 
     /// Checks that all pairs that collide are passed on, each pair once, and few other pairs.
     fn verdict(&self, found: &[f64]) -> Result<(), String> {
-        let Some((count, pairs)) = found.split_first() else { return Err("no list".into()) };
+        let Some((count, pairs)) = found.split_first() else {
+            return Err("the answer is empty".into());
+        };
         let pairs = pairs_of(pairs);
         if *count as usize != pairs.len() {
             return Err(format!("{count} pairs are counted, but {} are in the list", pairs.len()));

@@ -65,7 +65,9 @@ pub(crate) fn late_rows(random: &mut Random, ask: &mut impl Ask) {
 
 /// Checks that the pairs of a row, and no others, are dealt.
 fn are_of_row(found: &[f64], row: u32) -> Result<(), String> {
-    let Some((count, pairs)) = found.split_first() else { return Err("no list".into()) };
+    let Some((count, pairs)) = found.split_first() else {
+        return Err("the answer is empty".into());
+    };
     let different: BTreeSet<_> = pairs_of(pairs).into_iter().collect();
     let right = (0..MANY / 2).map(|column| pair_at(row, column));
     let lost = right.filter(|pair| !different.contains(pair)).count();
