@@ -36,8 +36,8 @@ oracle::questions! {
     task_11_3 {
         joined_pairs => "Eleven particles, and seven pairs that join the groups of their particles: the root of each \
                          particle after each pair.",
-        roots => "Chains and trees of numbers: (1) the root of a number, (2) the number of parents above the number before \
-                  the call, (3) the number of parents above it after the call.",
+        roots => "Chains and trees of numbers: (1) the root of a number, (2) the number of parents above the number \
+                  before the call, (3) the number of parents above it after the call.",
         long_chain => "A chain of a million numbers: the root of its last number.",
         joins => "Pairs that are joined in any order: the root of each number after each pair.",
         many_joins => "A million numbers, each joined to the next: the root of the last number.",

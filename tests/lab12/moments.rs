@@ -110,8 +110,8 @@ impl Falling {
         let late = (part - self.root) / 1e-12;
         if late.is_nan() || late.abs() > 3.0 {
             return Err(format!(
-                "the function found the moment {part:?} (as a part of the interval) instead of {:?}, which is \
-                 {late:.1e} × 10^-12 too late",
+                "the function found the moment {part:?} instead of {:?}, both as a part of the interval. The \
+                 difference is {late:.1e} × 10^-12",
                 self.root
             ));
         }
