@@ -87,8 +87,8 @@ fn misfit(world: &SimpleCommunicator, threads: Threading) -> Option<String> {
     let started = NUMBER_OF_RANKS.iter().find_map(|name| env::var(name).ok()?.parse().ok());
     if let Some(started) = started.filter(|&started: &i32| started > world.size()) {
         return Some(format!(
-            "mpiexec started {started} ranks that see only {} of them: this program was built \
-             with a different MPI library ({})",
+            "mpiexec started {started} ranks, but each rank sees only {}: this program was built with a different MPI \
+             library ({})",
             world.size(),
             library(),
         ));

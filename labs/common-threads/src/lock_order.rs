@@ -40,12 +40,12 @@ impl Watch for LockOrder {
         drop(orders);
         assert!(
             !held.contains(&lock),
-            "a thread asks for lock {lock}, which it holds already, so it would wait for itself forever"
+            "a thread asks for lock {lock}, which it already holds, so it would wait for itself forever"
         );
         if let Some(held) = opposite {
             panic!(
-                "a thread holds lock {held} and asks for lock {lock}. Earlier, a thread held lock {lock} and asked for \
-                 lock {held}. If both do so at once, each waits for the other forever"
+                "a thread holds lock {held} and asks for lock {lock}. Earlier, a thread held lock {lock} and asked \
+                 for lock {held}. If two threads do so at the same time, each waits for the other forever"
             );
         }
     }

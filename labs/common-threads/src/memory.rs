@@ -106,7 +106,7 @@ impl Memory {
         };
         state.locations[location].messages.push(Message { bits, known });
         let name = state.locations[location].name;
-        let _ = writeln!(state.log, "  one thread    writes {name}, {ordering:?}");
+        let _ = writeln!(state.log, "  the writer writes {name}, {ordering:?}");
     }
 
     pub(crate) fn load(&self, location: usize, ordering: Ordering) -> u64 {
@@ -120,7 +120,7 @@ impl Memory {
         state.loads += 1;
         assert!(
             state.loads <= MOST,
-            "the thread reads again and again until the value changes: it waits"
+            "the reader reads again and again until the value changes, but it must not wait"
         );
         if state.choices.len() < state.loads {
             state.choices.push((0, newest - oldest + 1));
@@ -129,7 +129,7 @@ impl Memory {
         let taken = newest - state.choices[state.loads - 1].0;
         let Location { name, messages } = &state.locations[location];
         let when = if taken == 0 { "as it was before" } else { "as it was written" };
-        let _ = writeln!(state.log, "  the other one reads  {name}, {ordering:?}: {when}");
+        let _ = writeln!(state.log, "  the reader reads  {name}, {ordering:?}: {when}");
         state.known[location] = taken;
         learn(&mut state.handed, &messages[taken].known);
         if ordering != Ordering::Relaxed {
@@ -143,7 +143,7 @@ impl State {
     /// Applies the fences that the thread has passed since its last load or store.
     fn pass_fences(&mut self) {
         let passed = take_passed();
-        let who = if self.reads { "the other one" } else { "one thread   " };
+        let who = if self.reads { "the reader" } else { "the writer" };
         if passed.acquire {
             learn(&mut self.known, &self.handed);
             let _ = writeln!(self.log, "  {who} passes a fence, Acquire");

@@ -23,7 +23,7 @@ pub fn apart(part: impl FnOnce()) {
         .args(["--exact", &TEST.with_borrow(String::clone), "--nocapture"])
         .env(APART, "")
         .output();
-    let ended = ended.expect("it starts");
+    let ended = ended.expect("the program starts");
     let message = String::from_utf8_lossy(&ended.stderr);
     let deep = message.contains("has overflowed its stack");
     assert!(

@@ -17,12 +17,13 @@ pub fn difference(found: &[Particle], expected: &[Particle]) -> Option<String> {
                 only_last_digits &= (f - e).abs() <= 1e-9 * e.abs();
                 if words.is_empty() {
                     write!(words, "particle {id}: {name} is {f:?}, not {e:?}")
-                        .expect("a string grows");
+                        .expect("a string can grow");
                 }
             }
         }
         if differs && words.is_empty() {
-            write!(words, "particle {id}: its id is {}", f.id).expect("a string grows");
+            write!(words, "the particle with index {id} has the id {}", f.id)
+                .expect("a string can grow");
         }
         only_last_digits &= f.id == e.id;
         count += usize::from(differs);

@@ -87,7 +87,7 @@ impl Kind {
                 (particle.vx, particle.vy) = (3.0 * particle.vx, 3.0 * particle.vy);
             }
         }
-        Scene::new(size, particles).expect("all are in the box")
+        Scene::new(size, particles).expect("all particles are in the box")
     }
 
     /// Returns the exact states of particles after [`STEPS`] official steps of a scene of this
@@ -146,7 +146,7 @@ impl Square {
                 ids.push(particle.id);
             }
         }
-        (Scene::new(SQUARE, particles).expect("all are in the square"), ids)
+        (Scene::new(SQUARE, particles).expect("all particles are in the square"), ids)
     }
 
     /// Whether the edge of the square is too far away to influence a particle that starts here.

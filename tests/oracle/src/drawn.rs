@@ -27,7 +27,7 @@ pub fn pairs_over_edges(random: &mut Random) -> Scene {
             });
         }
     }
-    Scene::new(40.55 * CUTOFF, particles).expect("all are in the box")
+    Scene::new(40.55 * CUTOFF, particles).expect("all particles are in the box")
 }
 
 /// Draws about 60 particles in a small box, two of them at one position and two nearly so.
@@ -40,5 +40,5 @@ pub fn heap(random: &mut Random) -> Scene {
     let mut particles = anywhere(random, n, size, 1.0).particles().to_vec();
     (particles[1].x, particles[1].y) = (particles[0].x, particles[0].y);
     (particles[3].x, particles[3].y) = (particles[2].x, (particles[2].y + 0.4 * MIN_R).min(size));
-    Scene::new(size, particles).expect("all are in the box")
+    Scene::new(size, particles).expect("all particles are in the box")
 }

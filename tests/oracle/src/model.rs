@@ -164,11 +164,11 @@ mod tests {
         assert!(potential_of_pair(0.825 * CUTOFF, 0.0) < energy, "they come nearer");
         assert!(potential_of_pair(0.824 * CUTOFF, 0.0) > energy, "they stop before");
 
-        let mut model = Model::new(&Scene::official(500, 1).expect("500 particles are a scene"));
+        let mut model = Model::new(&Scene::official(500, 1).expect("the scene is valid"));
         (0..349).for_each(|_| model.step());
         let speed = |p: &Particle| p.vx.hypot(p.vy);
         let fastest = model.particles.iter().max_by(|a, b| speed(a).total_cmp(&speed(b)));
-        let fastest = *fastest.expect("there are 500");
+        let fastest = *fastest.expect("the scene has 500 particles");
         assert!((speed(&fastest) - 3.034).abs() < 5e-4, "its speed is {}", speed(&fastest));
         let by_distance = |model: &Model| {
             let one = model.particles[fastest.id as usize];

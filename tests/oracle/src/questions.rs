@@ -146,7 +146,7 @@ macro_rules! questions {
             fn $name() {
                 const TEST: &str = concat!(stringify!($task), "::", stringify!($name));
                 let question = super::QUESTIONS.iter().find(|question| question.test() == TEST);
-                $crate::in_test(question.expect("it is a row"), super::snapshot, |random, ask| {
+                $crate::in_test(question.expect("the question is in the table"), super::snapshot, |random, ask| {
                     super::ask(TEST, random, ask);
                 });
             })+

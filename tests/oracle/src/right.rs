@@ -76,7 +76,7 @@ type Difference<'a> = &'a dyn Fn(f64, f64) -> bool;
 /// Names the kind of mistake that may have caused the difference. `None` if no kind fits.
 fn likeness(found: &[f64], expected: &[f64]) -> Option<&'static str> {
     if found.len() > 1 && found.len() + 1 == expected.len() && expected.starts_with(found) {
-        return Some("It looks as if the last number was forgotten");
+        return Some("It looks as if the last number of the answer was forgotten");
     }
     let pairs = found.iter().copied().zip(expected.iter().copied());
     let pairs: Vec<(f64, f64)> = pairs.filter(|(found, expected)| found != expected).collect();
@@ -88,19 +88,19 @@ fn likeness(found: &[f64], expected: &[f64]) -> Option<&'static str> {
     let is_much = |e: f64| e.fract() != 0.0 || e.abs() > 16.0;
     let all = |is: Difference| pairs.iter().all(|&(f, e)| is(f, e));
     let kinds: [(Difference, &'static str); 8] = [
-        (&|f, e| cut(f, e, 8), "It looks like a count in 8 bits"),
-        (&|f, e| cut(f, e, 16), "It looks like a count in 16 bits"),
-        (&|f, e| cut(f, e, 32), "It looks like a count in 32 bits"),
-        (&|f, e| f == -e, "It has the wrong sign"),
-        (&|f, e| f == 2.0 * e && is_much(e), "It is twice the expected number"),
-        (&|f, e| 2.0 * f == e && is_much(e), "It is half the expected number"),
+        (&|f, e| cut(f, e, 8), "Each wrong number looks like a count in 8 bits"),
+        (&|f, e| cut(f, e, 16), "Each wrong number looks like a count in 16 bits"),
+        (&|f, e| cut(f, e, 32), "Each wrong number looks like a count in 32 bits"),
+        (&|f, e| f == -e, "Each wrong number has the wrong sign"),
+        (&|f, e| f == 2.0 * e && is_much(e), "Each wrong number is twice the expected number"),
+        (&|f, e| 2.0 * f == e && is_much(e), "Each wrong number is half the expected number"),
         (
             &|f, e| f == f64::from(e as f32) && (f - e).abs() > 1e-12 * e.abs(),
-            "It looks as if it had been rounded to single precision",
+            "Each wrong number looks as if it had been rounded to single precision",
         ),
         (
             &|f, e| (f - e).abs() <= 1e-9 * e.abs(),
-            "They differ in the last digits only, as after the same operations in a different order",
+            "The numbers differ in the last digits only, as after the same operations in a different order",
         ),
     ];
     kinds.iter().find(|(is, _)| all(is)).map(|(_, words)| *words)
@@ -126,7 +126,10 @@ mod tests {
         }
         assert_eq!(likeness(&[7.0], &[9.0]), None);
         assert_eq!(likeness(&[1.0], &[2.0]), None, "an index");
-        assert_eq!(likeness(&[100.0], &[200.0]), Some("It is half the expected number"));
+        assert_eq!(
+            likeness(&[100.0], &[200.0]),
+            Some("Each wrong number is half the expected number")
+        );
         let shown = format!("{:?}", [3.0, -0.5, 1e300].map(Plain));
         assert_eq!(shown, "[3, -0.5, 1e300]");
     }

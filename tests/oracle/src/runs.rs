@@ -146,8 +146,8 @@ impl Runs {
                 self.question(scene, steps)
             ),
             _ => format!(
-                "{}, {count} scenes, one after another in one engine: x y vx vy of each particle \
-                 after each of {steps} steps",
+                "{}, {count} scenes, one after another in one engine: x y vx vy of each particle after each of \
+                 {steps} steps",
                 self.name()
             ),
         };
@@ -185,7 +185,7 @@ impl Runs {
             let found =
                 move |engine: &mut dyn Simulation| States::of_run(engine, &of_run, 1, 0).numbers();
             ask.judge(
-                &format!("{question}, from rest: x y vx vy of each particle"),
+                &format!("{question}, with all particles at rest at the beginning: x y vx vy of each particle"),
                 || self.run(found),
                 |found| {
                     let mut rest = found;
@@ -203,7 +203,7 @@ impl Runs {
         let found =
             move |engine: &mut dyn Simulation| States::of_run(engine, &of_run, steps, 0).numbers();
         let question = format!(
-            "{}: x y vx vy of each particle after each step, bit for bit as in all-pairs",
+            "{}: x y vx vy of each particle after each step. The bits must be the same as in all-pairs",
             self.question(scene, steps)
         );
         ask.judge(
@@ -228,7 +228,7 @@ impl Runs {
             States::of(&read(engine, of_run.len())).numbers()
         };
         let question = format!(
-            "{}, {steps} steps in a row: x y vx vy of each particle, bit for bit as in all-pairs",
+            "{}, {steps} steps in a row: x y vx vy of each particle. The bits must be the same as in all-pairs",
             self.name()
         );
         ask.judge(
@@ -262,7 +262,8 @@ impl Runs {
         };
         let found = || threads.iter().flat_map(|&count| runs_on(count)).collect();
         let question = format!(
-            "{}, {steps} steps on {threads:?} threads, two runs on each number of threads: x y vx vy of each particle",
+            "{}, {steps} steps, two runs on each of {threads:?} threads: x y vx vy of each particle at the end of \
+             each run",
             self.clone().threads(1).name()
         );
         ask.judge(&question, found, |found| {
@@ -290,7 +291,7 @@ impl Runs {
         let found =
             move |engine: &mut dyn Simulation| States::of_run(engine, &of_run, steps, 0).numbers();
         let question = format!(
-            "{}: x y vx vy of each particle after each step, inside the box",
+            "{}: x y vx vy of each particle after each step. Each particle must be inside the box",
             self.question(scene, steps)
         );
         ask.judge(
@@ -330,7 +331,11 @@ impl Runs {
             let loaded = states.state(0);
             let odd = loaded.iter().zip(&before).find(|(l, given)| !single.is_rounded(l, given));
             if let Some((loaded, given)) = odd {
-                return Err(format!("particle {}: {given:?} was loaded as {loaded:?}", given.id));
+                return Err(format!(
+                    "particle {}: the scene has {given:?}, but the engine loaded \
+                                    {loaded:?}",
+                    given.id
+                ));
             }
             (before, first) = (loaded, 1);
         }

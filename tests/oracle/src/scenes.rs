@@ -9,7 +9,7 @@ use crate::Random;
 
 /// Returns scene A: the official scene with 1000 particles and seed 1.
 pub fn official() -> Scene {
-    Scene::official(1000, 1).expect("the official scene is sound")
+    Scene::official(1000, 1).expect("the official scene is valid")
 }
 
 /// Returns scene B: 150 particles in a box of 10.3 cutoffs, 4.4 neighbours each, all in motion.
@@ -26,7 +26,7 @@ pub fn dense_with_seed(seed: u64) -> Scene {
 pub fn at_the_cutoff() -> Scene {
     let at = |x: f64, y: f64| Particle { x: x * CUTOFF, y: y * CUTOFF, ..Particle::default() };
     let particles = vec![at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
-    Scene::new(2.0 * CUTOFF, particles).expect("all are in the box")
+    Scene::new(2.0 * CUTOFF, particles).expect("all particles are in the box")
 }
 
 /// Returns the example of chapters 5 and 6: a dozen particles before a step and after it. The box
@@ -238,5 +238,5 @@ fn at_rest(x: f64, y: f64) -> Particle {
 }
 
 fn scene(size: f64, particles: Vec<Particle>) -> Scene {
-    Scene::new(size, particles).expect("the test scene is sound")
+    Scene::new(size, particles).expect("the test scene is valid")
 }

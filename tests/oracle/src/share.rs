@@ -67,15 +67,22 @@ impl Share {
     pub fn judge(threads: usize, recorded: &[f64]) -> Result<(), String> {
         let (done, _) = recorded.as_chunks::<2>();
         if done.len() != threads {
-            return Err(format!("{} threads did some of the work, not {threads}", done.len()));
+            return Err(format!(
+                "{} threads did some of the work, but the pool has {threads} threads",
+                done.len()
+            ));
         }
         if let Some([pool, _]) = done.iter().find(|[pool, _]| *pool != threads as f64) {
-            return Err(format!("a thread of a pool of {pool} threads did some of the work"));
+            return Err(format!(
+                "some of the work was done by a thread of a different pool, which has {pool} threads"
+            ));
         }
         let busiest = done.iter().map(|[_, units]| *units).fold(0.0, f64::max);
         let all: f64 = done.iter().map(|[_, units]| units).sum();
         if threads > 3 && 3.0 * busiest > 2.0 * all {
-            return Err(format!("one thread did {busiest} of {all} units, more than two thirds"));
+            return Err(format!(
+                "one thread did {busiest} of {all} units, which is more than two thirds"
+            ));
         }
         Ok(())
     }
@@ -109,12 +116,16 @@ impl Share {
             if left.is_zero() {
                 return;
             }
-            work = self.1.wait_timeout(work, left).expect("no thread panics with it").0;
+            work = self
+                .1
+                .wait_timeout(work, left)
+                .expect("no thread panics while it holds this lock")
+                .0;
         }
     }
 
     fn lock(&self) -> MutexGuard<'_, Work> {
-        self.0.lock().expect("no thread panics with it")
+        self.0.lock().expect("no thread panics while it holds this lock")
     }
 }
 
@@ -172,10 +183,10 @@ mod tests {
             });
         });
         let words = Share::judge(4, &recorded).unwrap_err();
-        assert_eq!(words, "one thread did 997 of 1000 units, more than two thirds");
+        assert_eq!(words, "one thread did 997 of 1000 units, which is more than two thirds");
         assert_eq!(
             Share::judge(3, &recorded).unwrap_err(),
-            "4 threads did some of the work, not 3"
+            "4 threads did some of the work, but the pool has 3 threads"
         );
     }
 
@@ -184,6 +195,9 @@ mod tests {
         let share = Share::new();
         let recorded = share.record(1, 10, || share.does(2, 10));
         let words = Share::judge(1, &recorded).unwrap_err();
-        assert_eq!(words, "a thread of a pool of 2 threads did some of the work");
+        assert_eq!(
+            words,
+            "some of the work was done by a thread of a different pool, which has 2 threads"
+        );
     }
 }

@@ -116,8 +116,8 @@ fn watch(
         .expect("the system has a thread to spare");
     if ends(wait) == Err(RecvTimeoutError::Timeout) {
         panic!(
-            "task {task}: no answer within {seconds} s. A loop does not end, two threads wait \
-             for each other, far more work is done than the task needs, or this machine is busy."
+            "task {task}: no answer within {seconds} s. The usual causes are a loop that does not end, two threads \
+             that wait for each other, far more work than the task needs, or a busy machine."
         );
     }
     worker.join().unwrap_or_else(|panic| resume_unwind(panic))

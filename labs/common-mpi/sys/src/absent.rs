@@ -14,8 +14,7 @@ type Out = *mut c_void;
 
 /// Ends the program. The line reaches the terminal in a test, too.
 fn missing() -> ! {
-    let line =
-        "error: no MPI library was found when this was compiled: scripts/setup.sh installs one";
+    let line = "error: no MPI library was found when this program was compiled. scripts/setup.sh installs one";
     let _ = writeln!(io::stderr(), "{line}");
     process::exit(1)
 }

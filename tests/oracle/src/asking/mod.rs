@@ -178,7 +178,8 @@ pub fn memory(
 ) {
     let handled = 4 * steps * bytes as u64;
     let question = format!(
-        "{name}: bytes still in use after {} steps, which handled {handled} bytes; 0 for less than a quarter of these",
+        "{name}: number of bytes by which the memory in use has grown after {} steps, in which the program handled \
+         {handled} bytes. 0 if the memory has grown by less than a quarter of the bytes handled",
         4 * steps
     );
     let found = || {

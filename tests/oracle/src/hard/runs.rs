@@ -12,7 +12,8 @@ use crate::{Ask, memory, within};
 const SECONDS: u64 = 120;
 
 /// Description of the numbers of a state.
-const STATE: &str = "x y vx vy, collisions with discs and with walls of each disc";
+const STATE: &str =
+    "x y vx vy and the numbers of collisions with discs and with walls for each disc";
 
 /// Questions about runs of one variant of a lab on behalf of one task, with verdicts in the
 /// domain's words.
@@ -98,7 +99,7 @@ impl Runs {
     ) {
         let of = right.program();
         let question = format!(
-            "{}: {STATE} at the end, bit for bit as in {of}",
+            "{}: {STATE} at the end. The bits must be the same as in {of}",
             self.question(name, scene, steps)
         );
         ask.judge(
@@ -123,7 +124,7 @@ impl Runs {
     ) {
         let others: Vec<String> = programs.iter().map(Self::program).collect();
         let question = format!(
-            "{}: {STATE} at the end; then the same bits in {}",
+            "{}: {STATE} at the end. The bits must be the same in {}",
             self.question(name, scene, steps),
             others.join("; ")
         );
@@ -147,7 +148,7 @@ impl Runs {
     pub fn keeps_its_memory(&self, ask: &mut impl Ask) {
         ask.apart(|ask| {
             let scene = RandomScene::new(100, 32.0, 1.0, 7).with_speeds(0.5, 3.0).draw();
-            let scene = scene.expect("the scene is sound");
+            let scene = scene.expect("the scene is valid");
             let mut engine = (self.variant.build)(&self.config)
                 .unwrap_or_else(|e| panic!("{}: {e}", self.name()));
             engine.load(&scene);

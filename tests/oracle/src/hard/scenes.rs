@@ -10,7 +10,7 @@ use crate::Random;
 /// If the discs are not a valid scene, which is a mistake in a test.
 pub fn of(side: f64, radius: f64, discs: &[(f64, f64, f64, f64)]) -> Scene {
     let discs = discs.iter().map(|&(x, y, vx, vy)| Disc::new(x, y, vx, vy)).collect();
-    Scene::new(side, radius, discs).expect("the test's scene is sound")
+    Scene::new(side, radius, discs).expect("the test's scene is valid")
 }
 
 /// Returns `n` discs anywhere in a square of side 100, possibly overlapping. The discs cover the

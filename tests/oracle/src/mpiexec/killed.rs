@@ -44,9 +44,12 @@ fn ends_when_killed(name: &str, job: &Job, out: &Path, victim: usize) {
     });
     let took = killed.elapsed();
     assert!(!ended.status.success(), "{name}: the job succeeded, although a rank was killed");
-    assert!(took < SOON, "{name}: the job went on for {took:?} after a rank was killed");
+    assert!(took < SOON, "{name}: the job continued for {took:?} after a rank was killed");
     let complaint = ended.stderr.to_lowercase() + &ended.stdout.to_lowercase();
-    assert!(complaint.contains("kill"), "{name}: no message says that a rank was killed");
+    assert!(
+        complaint.contains("kill"),
+        "{name}: the job printed no message that a rank was killed"
+    );
     assert!(!out.exists(), "{name}: the output file exists, although the run was not completed");
 }
 

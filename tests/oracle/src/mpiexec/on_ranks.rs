@@ -37,7 +37,8 @@ impl OnRanks {
         let digest = sha256(&bytes);
         if digest != OFFICIAL_SHA256 {
             panic!(
-                "{}: the official output differs from the reference program's (sha256 {digest})",
+                "{}: the official output differs from the output of the reference program (the sha256 of your output \
+                 is {digest})",
                 self.name()
             );
         }

@@ -30,8 +30,9 @@ const NOISE: [&str; 20] = [
 const MEANINGS: [(&str, &str); 3] = [
     (
         "Process received signal",
-        "A rank crashed inside the MPI library. The usual cause: two messages that do not belong together have met, \
-         because ranks make their calls in different orders, or one rank stops after fewer rounds than another.",
+        "A rank crashed inside the MPI library. The usual cause is that two messages met that do not belong together, \
+         because ranks make their calls in different orders, or because one rank stops after fewer rounds than \
+         another.",
     ),
     (
         "MPI_ERR_TRUNCATE",
@@ -48,11 +49,12 @@ const MEANINGS: [(&str, &str); 3] = [
 /// Parts of the names of MPI calls that wait for a single message. Other calls wait for all ranks.
 const OF_ONE_MESSAGE: [&str; 4] = ["send", "recv", "probe", "wait"];
 
-const MISSING_CALL: &str = "Each rank waits in a call of MPI. So some rank waits for a call that another rank does not \
-                            make: a collective operation that some ranks omit or repeat, a message that no rank sends, \
-                            or a send that no rank receives.";
+const MISSING_CALL: &str = "Each rank waits in a call of MPI. So some rank waits for a call that another rank does \
+                            not make. Look for a collective operation that some ranks omit or repeat, for a message \
+                            that no rank sends, and for a send that no rank receives.";
 
-const NOT_KNOWN: &str = "A loop does not end, a list grows in each step, or this machine is busy.";
+const NOT_KNOWN: &str = "The usual causes are a loop that does not end, a list that grows in each step, or a busy \
+                         machine.";
 
 /// Explains why a job of `ranks` ranks may have given no answer within `limit`, and shows the
 /// ranks' messages.

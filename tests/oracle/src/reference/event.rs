@@ -86,7 +86,7 @@ mod tests {
             first_fall(parabola(0.0, depth), parabola(1.0, depth), 1.0, |t| parabola(t, depth))
         };
         for depth in [1e-2, 1e-6, 1e-12] {
-            let found = fall(depth).expect("it dips below zero");
+            let found = fall(depth).expect("the number dips below zero");
             assert!((found - (0.5 - depth.sqrt())).abs() < 1e-11, "{depth}: {found}");
         }
         assert_eq!(fall(-1e-12), None);

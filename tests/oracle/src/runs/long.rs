@@ -18,7 +18,7 @@ impl Runs {
         let found =
             move |engine: &mut dyn Simulation| States::of_run(engine, &of_run, 200, 0).numbers();
         let question = format!(
-            "{}: x y vx vy of each particle after each step, within 1e-9 of the model",
+            "{}: x y vx vy of each particle after each step. Positions must be within 1e-9 of the model's positions",
             self.question(&scene, 200)
         );
         ask.judge(
@@ -36,7 +36,7 @@ impl Runs {
     pub fn official_bytes(&self, ask: &mut impl Ask) {
         let found = || self.run(official_digest);
         let question = format!(
-            "{}, official scene, n = 1000, seed 1: sha256 of the output, a number for each byte",
+            "{}, official scene, n = 1000, seed 1: sha256 of the output, one number for each of its bytes",
             self.name()
         );
         ask.judge(&question, found, |found| {
@@ -45,8 +45,9 @@ impl Runs {
                 return Ok(());
             }
             Err(format!(
-                "the official output differs from the reference program's (sha256 {digest}). The other tests of the \
-                 task name the first wrong particle. If they pass, a last digit differs"
+                "the official output differs from the output of the reference program (the sha256 of your output is \
+                 {digest}). The other tests of the task name the first wrong particle. If all of these tests pass, \
+                 only last digits differ"
             ))
         });
     }
@@ -64,13 +65,13 @@ impl Runs {
                     statistics(engine, &name)
                 })
                 .collect();
-            let a = Averages::of(scene.len(), &steps[500..]).expect("500 steps");
+            let a = Averages::of(scene.len(), &steps[500..]).expect("the run has 500 steps");
             let end = States::of(&read(engine, scene.len())).numbers();
             [vec![a.neighbours, a.absmin, a.absavg], end].concat()
         };
         let question = format!(
-            "{}, official scene, steps 501 to 1000: neighbours per particle, absmin, absavg, and x y vx vy of each \
-             particle at the end",
+            "{}, official scene, steps 501 to 1000: (1) neighbours per particle, (2) absmin, (3) absavg, (4) x y vx \
+             vy of each particle at the end",
             self.name()
         );
         ask.judge(&question, || self.clone().statistics().run(found), right_averages);
@@ -92,7 +93,7 @@ impl Runs {
             numbers
         };
         let question = format!(
-            "{}: dmin, davg, navg of each step, and x y vx vy of each particle after it",
+            "{}: for each step, (1) dmin, davg and navg, (2) x y vx vy of each particle after the step",
             self.question(scene, steps)
         );
         ask.judge(
@@ -118,7 +119,7 @@ impl Runs {
 
 fn statistics(engine: &dyn Simulation, name: &str) -> Statistics {
     engine.statistics().unwrap_or_else(|| {
-        panic!("{name}: the engine returns no statistics, although it was built with them")
+        panic!("{name}: the engine returns no statistics, although it was built with statistics")
     })
 }
 
@@ -135,7 +136,7 @@ fn right_averages(found: &[f64]) -> Result<(), String> {
         ("the relative change of the energy", change, -0.01, 0.09),
     ] {
         if !(least..=greatest).contains(&value) {
-            return Err(format!("{name} is {value:.4}, not {least} to {greatest}"));
+            return Err(format!("{name} is {value:.4}, but must be from {least} to {greatest}"));
         }
     }
     Ok(())
@@ -164,17 +165,21 @@ fn official_digest(engine: &mut dyn Simulation) -> Vec<f64> {
     engine.load(&scene);
     let mut file = Vec::new();
     let format = FrameFormat::Official;
-    let mut frames =
-        FrameWriter::new(&mut file, format, scene.len(), scene.size()).expect("memory takes bytes");
+    let mut frames = FrameWriter::new(&mut file, format, scene.len(), scene.size())
+        .expect("bytes can be written to memory");
     for step in 0..1000 {
         engine.step();
         if step % 10 == 0 {
             let state = read(engine, scene.len());
-            frames.particles(&state).and_then(|()| frames.end_frame()).expect("memory takes bytes");
+            frames
+                .particles(&state)
+                .and_then(|()| frames.end_frame())
+                .expect("bytes can be written to memory");
         }
     }
     let digest = sha256(&file);
-    let byte = |at: usize| u8::from_str_radix(&digest[at..at + 2], 16).expect("it is hexadecimal");
+    let byte =
+        |at: usize| u8::from_str_radix(&digest[at..at + 2], 16).expect("the digest is hexadecimal");
     (0..digest.len()).step_by(2).map(|at| f64::from(byte(at))).collect()
 }
 
@@ -190,7 +195,7 @@ fn right_statistics(found: &[f64], before: &[Particle]) -> Result<(), String> {
     .enumerate()
     {
         if (found[k] - expected).abs() > 1e-12 * expected.abs().max(1.0) {
-            return Err(format!("{what} is {}, not {expected}", found[k]));
+            return Err(format!("{what} is {}, but must be {expected}", found[k]));
         }
     }
     Ok(())
