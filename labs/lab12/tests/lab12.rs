@@ -23,58 +23,61 @@ use whole_runs::*;
 
 oracle::questions! {
     task_12_1 {
-        drifts_and_kicks => "A step of length 1 by three compositions: the time of each drift and of each kick, and \
-                             the times that positions and velocities have reached after it.",
+        drifts_and_kicks => "A step of length 1 by three compositions: (1) the time of each drift and of each kick, \
+                             (2) the times that positions and velocities have reached afterwards.",
         steps => "A step of any composition: its drifts (0) and kicks (1) in their order, each with its time.",
         velocity_verlet => "Velocity Verlet: its drifts and its kicks, as fractions of a step.",
         pefrl => "PEFRL: its drifts and its kicks, as fractions of a step.",
         official_steps = |_, ask| variant("12.1", "euler").resynchronised(ask, &scenes::official(), 50)
-            => "The variant `euler` in the official scene: the state after each of 50 steps, which must be the \
+            => "The variant `euler` in the official scene: the state after each of 50 steps. Each step must be the \
                 official step.",
         dense_box = |_, ask| variant("12.1", "euler").resynchronised(ask, &scenes::dense(), 20)
-            => "The variant `euler` with 150 particles in a dense box: the state after each of 20 steps, which must be \
-                the official step.",
+            => "The variant `euler` with 150 particles in a dense box: the state after each of 20 steps. Each step \
+                must be the official step.",
         over_the_edges = |_, ask| variant("12.1", "euler").resynchronised_on_each(ask, scenes::edges(), 3)
             => "The variant `euler` with pairs 0.9995 cutoffs apart, in every direction: the state after each of 3 \
-                steps, which must be the official step.",
-        orders => "Two particles that stay in contact: the order of the error, from steps in 4 and in 8 parts.",
+                steps. Each step must be the official step.",
+        orders => "Two particles that stay in contact: the order of the error, computed from steps in 4 and in 8 \
+                   parts.",
     }
     task_12_2 {
-        four_looks => "Two particles on springs, a = -x, and a step of length 1: the positions at which each of the \
-                       four evaluations is made, and the weighted sum of the slopes.",
-        runge_kutta => "Particles in a ring that pull one another: the positions at which each of the four evaluations \
-                        is made, and the weighted sum of the slopes.",
+        four_looks => "Two particles on springs, a = -x, and a step of length 1: (1) the positions at which each of \
+                       the four evaluations is made, (2) the weighted sum of the slopes.",
+        runge_kutta => "Particles in a ring that pull one another: (1) the positions at which each of the four \
+                        evaluations is made, (2) the weighted sum of the slopes.",
         memory = |_, ask| variant("12.2", "rk4").keeps_its_memory(ask)
             => "A long run: the memory in use, which must not grow with the number of steps.",
-        order => "Two particles that stay in contact: the order of the error of `rk4`, from steps in 4 and in 8 \
-                  parts.",
+        order => "Two particles that stay in contact: the order of the error of `rk4`, computed from steps in 4 and \
+                  in 8 parts.",
         errors after "12.1" => "Two particles that stay in contact, and an official step in 2, 4 and 8 parts: the \
                                 error of each method, compared with `rk4` in 256 parts.",
     }
     task_12_3 {
-        falling_numbers => "A number that falls through zero between low and high: the moment at which it does.",
-        crossings => "A number that falls in any way and in any units: the moment at which it falls through zero, and \
-                      the number of times that it was evaluated.",
-        faint_crossings => "A line so near to zero that a product of two numbers may be 0: the moment at which it \
+        falling_numbers => "A number that falls through zero between the times low and high: the moment at which it \
                             falls through zero.",
-        contacts => "Two particles that meet head on: the number of steps for which they stay in reach, and their \
-                     least distance.",
+        crossings => "A number that falls in any way and in any units: (1) the moment at which it falls through zero, \
+                      (2) how often the number was evaluated.",
+        faint_crossings => "A line so near to zero that a product of two of its values may be rounded to 0: the \
+                            moment at which it falls through zero.",
+        contacts => "Two particles that collide head-on: (1) the number of steps for which they stay in reach, (2) \
+                     their least distance.",
     }
     task_12_4 {
-        watched_numbers after "12.3" => "A number with its value and its slope at both ends of a step of length 1: the \
-                                         time at which it falls through zero.",
-        decided_at_the_ends => "A number whose values and slopes at both ends of a step are sufficient: the time at \
-                                which it falls through zero.",
-        decided_inside after "12.3" => "A number that turns or falls inside a step: the time at which it falls through \
-                                        zero.",
-        a_touch after "12.3" => "The number (t - 1)² in a step of 2, which touches zero: no time, because it does not \
-                                 fall through zero.",
-        across_the_cutoff after "12.2, 12.3" => "Two particles that come into reach, one of them past a wall: the \
-                                                 errors of `rk4-located`, which must be of fourth order.",
+        watched_numbers after "12.3" => "A number, with its value and its slope at both ends of a step of length 1: \
+                                         the time at which it falls through zero.",
+        decided_at_the_ends => "A number whose fall can be decided from its values and slopes at both ends of a step: \
+                                the time at which it falls through zero.",
+        decided_inside after "12.3" => "A number that turns or falls inside a step: the time at which it falls \
+                                        through zero.",
+        a_touch after "12.3" => "The number (t - 1)² in a step of length 2, which touches zero: there must be no \
+                                 time, because the number does not fall through zero.",
+        across_the_cutoff after "12.2, 12.3" => "Two particles that come into reach, one of them after a collision \
+                                                 with a wall: the errors of `rk4-located`. They must be of fourth \
+                                                 order.",
         exact_motion after "12.2, 12.3" => "300 particles, and 100 official steps of `rk4-located`: the distance of \
                                             the particles from the exact motion.",
-        any_threads after "12.2, 12.3" => "The variant `rk4-located` on 1 to 8 threads: the state at the end, with the \
-                                           same bits on each number of threads.",
+        any_threads after "12.2, 12.3" => "The variant `rk4-located` on 1 to 8 threads: the state at the end. It must \
+                                           have the same bits for every number of threads.",
     }
 }
 
@@ -85,7 +88,7 @@ fn variant(task: &'static str, variant: &str) -> Runs {
 
 fn any_threads(_: &mut oracle::Random, ask: &mut impl Ask) {
     starts_with_the_fall();
-    let scene = common::soft::Scene::official(1000, 2).expect("the scene is sound");
+    let scene = common::soft::Scene::official(1000, 2).expect("the scene is valid");
     let located = variant("12.4", "rk4-located");
     located.same_bits_on_threads(ask, &scene, 20, &[1, 2, 3, 4, 8]);
     located.same_bits_on_threads(ask, &scenes::crowd(1), 3, &[1, 2, 4]);

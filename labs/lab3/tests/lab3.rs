@@ -38,133 +38,138 @@ mod workers;
 oracle::questions! {
     task_3_1 {
         force_table = examples::forces_of_all_pairs
-            => "Four particles at rest: their velocities after one step, and the number of pairs reported to the \
+            => "Four particles at rest: (1) their velocities after one step, (2) the number of pairs reported to the \
                 observers.",
         steps_of_all_pairs = all_pairs::steps
-            => "A step of any number of particles on several threads: x, y, vx, vy of each particle, and the number of \
-                pair tests reported to the observers.",
+            => "A step of any number of particles on several threads: (1) x, y, vx, vy of each particle, (2) the \
+                number of pair tests reported to the observers.",
         shared_forces = sharing::all_pairs
-            => "The threads of a pool, which sum the forces of all pairs: the work of each thread. Every thread must \
-                sum forces, and no thread may sum nearly all of them.",
+            => "A pool of threads that sums the forces of all pairs: the share of the work that each thread did. \
+                Every thread must sum forces, and no thread may sum nearly all of them.",
         observer_each = all_pairs::observers
-            => "150 particles: the number of observers that were told about the pairs of exactly one particle. Each \
+            => "150 particles: the number of observers that received the pair tests of exactly one particle. Each \
                 particle needs its own observer.",
         any_threads = |_, ask| Runs::new("3.1", VARIANTS, "vanilla").bits_on_any_threads(ask)
-            => "Runs of `vanilla` on 1 to 17 threads: the state, bit for bit as in `all-pairs`, and the statistics of \
-                each step.",
+            => "Runs of `vanilla` on 1 to 17 threads: the state, which must have the same bits as in `all-pairs`, and \
+                the statistics of each step.",
         official_bytes = |_, ask| Runs::new("3.1", VARIANTS, "vanilla").threads(2).official_bytes(ask)
             => "The official scene on two threads: the output of 1,000 steps, byte for byte.",
     }
     task_3_2 {
         sum_table = examples::sums
-            => "The statistics of three parts: their sum under a lock, with atomics and in order. Then a sum with \
-                atomics, while another thread adds to it.",
+            => "The statistics of three parts: their sum (1) under a lock, (2) with atomics, (3) in order, and (4) \
+                with atomics while another thread adds to the sum.",
         atomic_additions = reductions::one_after_another
-            => "Parts that are added to atomic numbers, one after another: dmin, davg, navg and pair tests of the \
-                sum.",
+            => "Parts that one thread adds to atomic numbers, one after another: dmin, davg, navg and pair tests of \
+                the sum.",
         locked_sums = reductions::locked
-            => "Parts that several threads add up under a lock: dmin, davg, navg and pair tests of the sum.",
+            => "Parts that several threads add under a lock: dmin, davg, navg and pair tests of the sum.",
         atomic_sums = reductions::atomic
-            => "Parts that several threads add up with atomics: dmin, davg, navg and pair tests of the sum.",
+            => "Parts that several threads add with atomics: dmin, davg, navg and pair tests of the sum.",
         ordered_sums = reductions::ordered
-            => "Parts that are added up block by block, in order: dmin, davg, navg and pair tests of the sum, bit for \
+            => "Parts that are added block by block, in order: dmin, davg, navg and pair tests of the sum, bit for \
                 bit.",
         slow_additions = reductions::slow
-            => "Parts that are added up slowly under a lock: the sum, from which no addition may be lost, and the \
-                greatest number of additions at the same moment, which is 1.",
+            => "Parts that are added slowly under a lock: (1) the sum, in which no addition may be missing, (2) the \
+                greatest number of additions at the same moment, which must be 1.",
         interrupted_additions = reductions::interrupted
-            => "An addition with atomics, interrupted by additions of another thread: the sum, from which nothing may \
-                be lost.",
+            => "One thread adds with atomics, and a second thread interrupts it with its own additions: the sum, in \
+                which no addition may be missing.",
         shared_lock = sharing::locked_parts
-            => "The threads of a pool, which add parts under a lock: the work of each thread. Every thread must add \
-                some parts.",
+            => "A pool of threads that adds parts under a lock: the share of the work that each thread did. Every \
+                thread must add some parts.",
         shared_blocks = sharing::blocks
-            => "The threads of a pool, which sum blocks of parts: the work of each thread. Every thread must sum \
-                some blocks, and no thread may sum nearly all.",
+            => "A pool of threads that sums blocks of parts: the share of the work that each thread did. Every thread \
+                must sum some blocks, and no thread may sum nearly all of them.",
     }
     task_3_3 {
         row_table = examples::rows
-            => "Some rows of bins and some workers: the rows of each worker, and their number.",
+            => "Some rows of bins and some workers: the rows of each worker, and the number of these rows.",
         owners = rows::owners
-            => "Any number of rows and of workers: the rows of each worker. Every row has one owner, and the numbers \
-                of rows differ by at most one.",
+            => "Any number of rows and of workers: the rows of each worker. Every row must have exactly one owner, \
+                and the numbers of rows of two workers may differ by at most one.",
     }
     task_3_4 {
         worker_table = examples::forces_of_workers
-            => "Six particles and two workers: the accelerations of each worker's particles, and the pairs that each \
-                of its rows reports.",
+            => "Six particles and two workers: (1) the accelerations of each worker's particles, (2) the pairs that \
+                each row of a worker reports.",
         own_forces = workers::forces
-            => "A worker with any rows: the accelerations of its particles, and the pairs that each of its rows \
+            => "A worker with any rows: (1) the accelerations of its particles, (2) the pairs that each of its rows \
                 reports.",
     }
     task_3_5 {
         buffer_table = examples::change_buffers
-            => "Eight particles and two workers: the particles that stay in their bins, and the particles in the \
+            => "Eight particles and two workers: (1) the particles that stay in their bins, (2) the particles in the \
                 change buffers.",
         leavers = workers::moves
-            => "A worker with any rows: the particles that stay in their bins, and the particles in its change \
+            => "A worker with any rows: (1) the particles that stay in their bins, (2) the particles in its change \
                 buffer.",
     }
     task_3_6 {
         loop_table after "3.4, 3.5" => "Four particles and two workers: the position and velocity of each particle \
                                         after both loops.",
-        all_workers after "3.4, 3.5" => "Few workers and many: x, y, vx, vy of each particle after both loops.",
-        shared_workers after "3.4, 3.5" => "The threads of a pool, which run both loops over workers: the work of \
-                                            each thread. In either loop every thread must do some work, and no \
-                                            thread may do nearly all.",
+        all_workers after "3.4, 3.5" => "Few workers and many workers: x, y, vx, vy of each particle after both \
+                                         loops.",
+        shared_workers after "3.4, 3.5" => "A pool of threads that runs both loops over workers: the share of the \
+                                            work that each thread did. In each loop, every thread must do some work, \
+                                            and no thread may do nearly all of it.",
     }
     task_3_7 {
         rebin_table = handover_examples::rebinning_by_one
             => "Four particles in bins and in three change buffers: the bin of each particle before and after \
                 rebinning.",
         all_buffers = buffers::by_one
-            => "Any number of particles in any number of change buffers: the bins that hold each particle after \
+            => "Any number of particles in any number of change buffers: the bins that contain each particle after \
                 rebinning.",
-        fork_join after "3.3, 3.4, 3.5, 3.6" => "Runs of `fork-join` on 1 to 17 threads: the state, bit for bit as in \
-                                                 `all-pairs`, and the statistics of each step.",
+        fork_join after "3.3, 3.4, 3.5, 3.6" => "Runs of `fork-join` on 1 to 17 threads: the state, which must have \
+                                                 the same bits as in `all-pairs`, and the statistics of each step.",
     }
     task_3_8 {
         arrival_table = handover_examples::rebinning_by_all
-            => "Four particles in bins and in three change buffers, and two workers: the bin of each particle before \
-                and after each worker takes its arrivals.",
+            => "Four particles in bins and in three change buffers, and two workers that take their arrivals one \
+                after the other: the bin of each particle before and after each worker has taken its arrivals.",
         own_arrivals = buffers::by_all
-            => "Any number of particles in any number of change buffers: the bins of a worker's rows that hold each \
-                particle after the worker has taken its arrivals.",
-        parallel_rebin after "3.3, 3.4, 3.5, 3.6" => "Runs of `parallel-rebin` on 1 to 17 threads: the state, bit for \
-                                                      bit as in `all-pairs`, and the statistics of each step.",
-        packed_workers after "3.3, 3.4, 3.5, 3.6" => "A run of `parallel-rebin` whose workers are next to each other \
-                                                      in memory: the state, bit for bit as in `all-pairs`.",
+            => "Any number of particles in any number of change buffers, of which a worker takes its arrivals: for \
+                each particle, the bins in the worker's rows that contain it afterwards.",
+        parallel_rebin after "3.3, 3.4, 3.5, 3.6" => "Runs of `parallel-rebin` on 1 to 17 threads: the state, which \
+                                                      must have the same bits as in `all-pairs`, and the statistics \
+                                                      of each step.",
+        packed_workers after "3.3, 3.4, 3.5, 3.6" => "A run of `parallel-rebin` in which the workers are next to each \
+                                                      other in memory: the state, which must have the same bits as in \
+                                                      `all-pairs`.",
     }
     task_3_9 {
         mail_table = handover_examples::mail
-            => "Member 1 of three: its particles and its mail, before and after it takes the mail.",
+            => "Member 1 of three: its particles and its mailboxes, before and after it takes the mail.",
         letters = mail::letters
-            => "Any mail from any number of members: the particles that a member has afterwards, their bins, and the \
-                letters left in the boxes.",
+            => "Mail to a member from any number of members: (1) the particles that the member has afterwards, (2) \
+                their bins, (3) the number of letters left in the boxes.",
     }
     task_3_10 {
         barrier_table = moments::barriers
-            => "Two members, of which member 1 is late in each part: the parts that both have ended when a member \
-                begins a part.",
+            => "Two members, of which member 1 is late in each part: the parts that both members have ended when a \
+                member begins its next part.",
         rehearsals = barriers::rehearsals
             => "Three members, one of which is delayed in each part: the number of members that have ended the \
-                previous part when a part begins. All three must have ended it.",
+                previous part when a part begins. It must be 3.",
         three_barriers = barriers::meetings
-            => "One member: the number of its parts and of its barriers in few and in many steps.",
+            => "One member, in few and in many steps: (1) the number of its parts, (2) the number of its barriers.",
     }
     task_3_11 {
         thread_table = moments::threads
             => "Three threads that begin in order and end in reverse order: the number of threads at work after each \
-                event, and the panic of the call when one thread panics.",
+                event. Then one thread panics: the panic of the call.",
         gatherings = threads::gatherings
-            => "Few threads and many: the number of threads that work at the same time, that have ended when the call \
-                returns, and that are new and different; and their numbers.",
+            => "Few threads and many threads: (1) the most threads that work at the same time, (2) the threads that \
+                have ended when the call returns, (3) the different new threads, (4) the numbers that the threads \
+                get.",
         panics = threads::panics
-            => "A thread that panics: the panic of the call, which must be the thread's panic.",
-        team after "3.3, 3.9, 3.10" => "Runs of `team` on 1 to 17 threads: the state, bit for bit as in `all-pairs`, \
-                                        and the statistics of each step.",
-        late_member after "3.3, 3.9, 3.10" => "Runs of `team` on four threads, one of which is the last in each part: \
-                                               the state, bit for bit as in `all-pairs`.",
+            => "A thread that panics: the panic of the call. It must be the same as the thread's panic.",
+        team after "3.3, 3.9, 3.10" => "Runs of `team` on 1 to 17 threads: the state, which must have the same bits \
+                                        as in `all-pairs`, and the statistics of each step.",
+        late_member after "3.3, 3.9, 3.10" => "Runs of `team` on four threads. In each part, one of them is made to \
+                                               finish last: the state, which must have the same bits as in \
+                                               `all-pairs`.",
         team_memory after "3.3, 3.9, 3.10" => "A long run of `team`: the memory in use, which must not grow with the \
                                                number of steps.",
         team_bytes after "3.3, 3.9, 3.10" => "The official scene and `team` on two threads: the output of 1,000 steps, \
@@ -172,12 +177,13 @@ oracle::questions! {
     }
     task_3_12 {
         notice_table = handover_examples::notices
-            => "A notice: what a thread may read before it is posted, while it is being posted, and afterwards.",
+            => "A notice: the numbers that a thread may read before, during and after the posting.",
         any_notices = notices::posts
-            => "Notices with any numbers: everything that a thread may read while another thread posts them.",
+            => "Notices with any numbers: all results that a thread may read while another thread posts a notice.",
         orderings = notices::orderings
-            => "A notice, with the operations of both threads: the numbers that are read. A thread that sees the flag \
-                raised must see all numbers. No ordering may be stronger than necessary, and the flag is read once.",
+            => "A notice, with the operations of both threads: the numbers that the reading thread gets. A thread \
+                that sees the raised flag must also see all numbers. No ordering may be stronger than necessary, and \
+                the flag must be read only once.",
     }
 }
 

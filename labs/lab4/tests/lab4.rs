@@ -41,131 +41,135 @@ mod regions;
 oracle::questions! {
     task_4_1 {
         region_table = regions::table
-            => "Some bins in some regions: the number of bins and the lock of each region, and the regions of five \
-                bins.",
+            => "Some bins in some regions: (1) the number of bins in each region, (2) the lock of each region, (3) \
+                the region of each of five bins.",
         sizes = regions::sizes
             => "Any number of bins in any number of regions: the number of bins in each region.",
         places = regions::places
-            => "Any bin in regions of any size: its region, and its index there.",
+            => "Any bin in regions of any size: (1) the bin's region, (2) the bin's index in this region.",
         lock_numbers = regions::numbers
-            => "Any number of regions: the number of each region's lock.",
+            => "Any number of regions: the number of the lock of each region.",
     }
     task_4_2 {
         meter_table = meters::table
-            => "A meter that takes free locks, and locks that another thread holds: locks taken, locks waited for, and \
-                time waited after each.",
+            => "A meter that takes free locks, and locks that another thread holds. After each lock: (1) the locks \
+                taken, (2) the locks waited for, (3) the time waited.",
         free_locks = meters::free
-            => "A free lock that is taken many times, by a new meter and by a meter that has waited before: locks \
-                taken, locks waited for, and the number of looks at the clock, which must be 0.",
+            => "A free lock that is taken many times, by a new meter and by a meter that has waited before: (1) the \
+                locks taken, (2) the locks waited for, (3) the number of times that the meter reads the clock, which \
+                must be 0.",
         held_locks = meters::held
-            => "Two locks that another thread holds: locks taken, locks waited for, and the time of both waits.",
+            => "Two locks that another thread holds: (1) the locks taken, (2) the locks waited for, (3) the time of \
+                both waits together.",
     }
     task_4_3 {
         lock_table after "4.1, 4.2" = lock_examples::table
-            => "Changes of bins: the locks that each takes, and the most that it holds at once. Then two threads that \
-                want the same two locks: the locks and the particles after each event.",
+            => "Changes of bins: (1) the locks that each change takes, (2) the most locks that the change holds at \
+                once. Then two threads that need the same two locks: the locks and the particles after each event.",
         one_by_one after "4.1, 4.2" = locks::one_by_one
-            => "132 changes, one after another: the locks that they take, and the bin of each particle.",
+            => "132 changes, one after another: (1) the locks that the changes take, (2) the bin of each particle.",
         large_numbers after "4.1, 4.2" = locks::large_numbers
-            => "A particle and bins with large numbers: the locks that a change takes, and the particles in both \
-                bins.",
+            => "A particle and bins with large numbers: (1) the locks that a change takes, (2) the particles in the \
+                old and the new bin.",
         many_threads after "4.1, 4.2" = locks::many_threads
-            => "Changes by several threads at the same time: the locks that they take, and the bin of each particle.",
-        another_between after "4.1, 4.2" = intruders::same_bins
-            => "A change, and a change by another thread between its two requests for locks: the bin of each \
+            => "Changes by several threads at the same time: (1) the locks that the changes take, (2) the bin of each \
                 particle.",
+        another_between after "4.1, 4.2" = intruders::same_bins
+            => "A change, during which another thread makes a second change between the two requests for locks: the \
+                bin of each particle.",
         other_regions after "4.1, 4.2" = intruders::other_regions
             => "A thread that holds a lock: whether another thread can change bins in other regions at this time, as \
                 it must.",
     }
     task_4_4 {
         move_table = moves::table
-            => "Five particles in four rows of bins: the position of each particle after a move, and the changes of \
-                bins that are reported.",
+            => "Five particles in four rows of bins: (1) the position of each particle after a move, (2) the changes \
+                of bins that are reported.",
         any_moves = moves::moves
-            => "Any number of particles: x, y, vx, vy of each particle after a move, and the changes of bins that are \
-                reported.",
-        global_lock after "4.1, 4.2, 4.3" => "Runs of `global-lock` on 1 to 17 threads: the state, bit for bit as in \
-                                              `all-pairs`, and the statistics of each step.",
-        region_locks after "4.1, 4.2, 4.3" => "Runs of `region-locks` on 1 to 17 threads: the state, bit for bit as in \
-                                               `all-pairs`, and the statistics of each step.",
-        bin_locks after "4.1, 4.2, 4.3" => "Runs of `bin-locks` on 1 to 17 threads: the state, bit for bit as in \
-                                            `all-pairs`, and the statistics of each step.",
+            => "Any number of particles: (1) x, y, vx, vy of each particle after a move, (2) the changes of bins that \
+                are reported.",
+        global_lock after "4.1, 4.2, 4.3" => "Runs of `global-lock` on 1 to 17 threads: the state, which must have \
+                                              the same bits as in `all-pairs`, and the statistics of each step.",
+        region_locks after "4.1, 4.2, 4.3" => "Runs of `region-locks` on 1 to 17 threads: the state, which must have \
+                                               the same bits as in `all-pairs`, and the statistics of each step.",
+        bin_locks after "4.1, 4.2, 4.3" => "Runs of `bin-locks` on 1 to 17 threads: the state, which must have the \
+                                            same bits as in `all-pairs`, and the statistics of each step.",
     }
     task_4_5 {
         rebuild_table after "4.1" = fills::table
             => "Five particles and four bins in two regions: the particles in each bin before and after one thread \
                 rebuilds the bins.",
         any_rebuilds after "4.1" = fills::by_one
-            => "Any number of particles, and bins with particles of the step before: the bins that hold each particle \
-                after one thread has rebuilt the bins.",
-        serial_rebuild after "4.1, 4.4" => "Runs of `serial-rebuild` on 1 to 17 threads: the state, bit for bit as in \
-                                            `all-pairs`, and the statistics of each step.",
+            => "Any number of particles, and bins that contain particles of the previous step: the bins that contain \
+                each particle after one thread has rebuilt the bins.",
+        serial_rebuild after "4.1, 4.4" => "Runs of `serial-rebuild` on 1 to 17 threads: the state, which must have \
+                                            the same bits as in `all-pairs`, and the statistics of each step.",
     }
     task_4_6 {
         buffer_table after "4.1" = handover_examples::buffers
-            => "Three changes in three buffers: the particles in each bin before the changes, and after one thread or \
-                each owner has made them.",
+            => "Three changes in three buffers: the particles in each bin (1) before the changes, (2) after one \
+                thread has made all changes, (3) after each owner has made its own changes.",
         by_one after "4.1" = handovers::by_one
-            => "Any changes in any number of buffers: the bins that hold each particle after one thread has made the \
-                changes, and the number of locks that it takes, which must be 0.",
+            => "Any changes in any number of buffers: (1) the bins that contain each particle after one thread has \
+                made the changes, (2) the number of locks that this thread takes, which must be 0.",
         by_owners after "4.1" = handovers::by_owners
-            => "Any changes in any number of buffers: the bins that hold each particle after the owners have made the \
-                changes.",
-        buffers_by_one after "4.1, 4.4" => "Runs of `buffers-by-one` on 1 to 17 threads: the state, bit for bit as in \
-                                            `all-pairs`, and the statistics of each step.",
-        buffers_by_all after "4.1, 4.4" => "Runs of `buffers-by-all` on 1 to 17 threads: the state, bit for bit as in \
-                                            `all-pairs`, and the statistics of each step.",
+            => "Any changes in any number of buffers: the bins that contain each particle after the owners have made \
+                the changes.",
+        buffers_by_one after "4.1, 4.4" => "Runs of `buffers-by-one` on 1 to 17 threads: the state, which must have \
+                                            the same bits as in `all-pairs`, and the statistics of each step.",
+        buffers_by_all after "4.1, 4.4" => "Runs of `buffers-by-all` on 1 to 17 threads: the state, which must have \
+                                            the same bits as in `all-pairs`, and the statistics of each step.",
     }
     task_4_7 {
         queue_table after "4.1, 4.6" = handover_examples::queues
-            => "Three changes: the number of times that each is in the queue of each owner, and the particles in each \
-                bin after the owners have emptied their queues.",
+            => "Three changes: (1) the number of times that each change is in the queue of each owner, (2) the \
+                particles in each bin after the owners have emptied their queues.",
         any_queues after "4.1, 4.6" = handovers::queues
-            => "Any changes: the owners that receive each change through their queues, and the bins that hold each \
-                particle.",
-        queues after "4.1, 4.4, 4.6" => "Runs of `queues` on 1 to 17 threads: the state, bit for bit as in \
-                                         `all-pairs`, and the statistics of each step.",
+            => "Any changes: (1) the owners that receive each change through their queues, (2) the bins that contain \
+                each particle.",
+        queues after "4.1, 4.4, 4.6" => "Runs of `queues` on 1 to 17 threads: the state, which must have the same \
+                                         bits as in `all-pairs`, and the statistics of each step.",
     }
     task_4_8 {
         channel_table after "4.1, 4.6" = handover_examples::channels
-            => "Three changes: the number of times that each is in the channel of each owner, and the particles in \
-                each bin after the owners have received them.",
+            => "Three changes: (1) the number of times that each change is in the channel of each owner, (2) the \
+                particles in each bin after the owners have received the changes.",
         any_channels after "4.1, 4.6" = handovers::channels
-            => "Any changes: the owners that receive each change through their channels, and the bins that hold each \
-                particle.",
-        channels after "4.1, 4.4, 4.6" => "Runs of `channels` on 1 to 17 threads: the state, bit for bit as in \
-                                           `all-pairs`, and the statistics of each step.",
+            => "Any changes: (1) the owners that receive each change through their channels, (2) the bins that \
+                contain each particle.",
+        channels after "4.1, 4.4, 4.6" => "Runs of `channels` on 1 to 17 threads: the state, which must have the same \
+                                           bits as in `all-pairs`, and the statistics of each step.",
     }
     task_4_9 {
         owner_table after "4.1" = fills::owners_table
-            => "Five particles and two owners: the particles in each bin before and after the owners claim them, and \
-                the particles that owners of rows take.",
+            => "Five particles and two owners: (1) the particles in each bin before and after the owners claim their \
+                particles, (2) the particles that owners of rows take.",
         any_claims after "4.1" = fills::by_owners
-            => "Any number of particles, and bins with particles of the step before: the bins that hold each particle \
-                after the owners have claimed them.",
+            => "Any number of particles, and bins that contain particles of the previous step: the bins that contain \
+                each particle after the owners have claimed their particles.",
         owned_rows = fills::owned_rows
-            => "Any number of particles: the particles that an owner of some rows takes.",
-        owners after "4.1, 4.4" => "Runs of `owners` on 1 to 17 threads: the state, bit for bit as in `all-pairs`, and \
-                                    the statistics of each step.",
-        owner_computes => "Runs of `owner-computes` on 1 to 17 threads: the state, bit for bit as in `all-pairs`, and \
-                           the statistics of each step.",
+            => "Any number of particles, and an owner of some rows: the particles that the owner takes.",
+        owners after "4.1, 4.4" => "Runs of `owners` on 1 to 17 threads: the state, which must have the same bits as \
+                                    in `all-pairs`, and the statistics of each step.",
+        owner_computes => "Runs of `owner-computes` on 1 to 17 threads: the state, which must have the same bits as \
+                           in `all-pairs`, and the statistics of each step.",
         owner_memory => "A long run of `owner-computes`: the memory in use, which must not grow with the number of \
                          steps.",
     }
     task_4_10 {
         pair_table = pair_examples::within
-            => "Four particles in two rows of bins: their accelerations, and the number of pair tests.",
+            => "Four particles in two rows of bins: (1) their accelerations, (2) the number of pair tests.",
         strips = pairs::within
-            => "Any number of particles in some rows: their accelerations, and the number of pair tests.",
+            => "Any number of particles in some rows: (1) their accelerations, (2) the number of pair tests.",
     }
     task_4_11 {
         across_table = pair_examples::across
-            => "A cut with two particles below it, and two in the first row above it: the accelerations of the lower \
-                particles, the accelerations that are kept apart for the upper ones, and the number of pair tests.",
+            => "A cut with two particles below it, and two in the first row above it: (1) the accelerations of the \
+                lower particles, (2) the accelerations of the upper particles, which are stored separately, (3) the \
+                number of pair tests.",
         cuts = pairs::across
-            => "A cut with any number of particles on each side: the accelerations of the lower particles, the \
-                accelerations that are kept apart for the upper ones, and the number of pair tests.",
+            => "A cut with any number of particles on each side: (1) the accelerations of the lower particles, (2) \
+                the accelerations of the upper particles, which are stored separately, (3) the number of pair tests.",
         owner_two_way after "4.9, 4.10" => "Runs of `owner-two-way` on 1 to 15 threads: the state after each step, the \
                                             forces, and the statistics.",
         owner_lists => "Runs of `owner-lists` on 1 to 15 threads: the state after each step, the forces, and the \

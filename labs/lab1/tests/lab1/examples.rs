@@ -72,7 +72,7 @@ pub(crate) fn step_table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let particles =
             vec![at(2.0, 5.0, 0.0, 0.0), at(2.5, 5.0, 0.0, 1.0), at(8.0, 8.0, 1.0, -1.0)];
-        let scene = Scene::new(10.0 * CUTOFF, particles).expect("all are in the box");
+        let scene = Scene::new(10.0 * CUTOFF, particles).expect("all particles are in the box");
         let mut engine = AllPairs::<Count>::default();
         engine.load(&scene);
         engine.step();
@@ -95,7 +95,7 @@ pub(crate) fn tally_table(_: &mut Random, ask: &mut impl Ask) {
         let mut table = Table::new(["r / cutoff", "dmin", "davg", "navg"]);
         let mut tally = Tally::default();
         let mut row = |r: &str, tally: &Tally| {
-            let seen = tally.statistics().expect("a tally has statistics");
+            let seen = tally.statistics().expect("a tally returns statistics");
             let [dmin, davg] = [seen.dmin, seen.davg].map(|distance| format!("{distance:.2}"));
             table.row([&r, &dmin, &davg, &seen.navg]);
         };

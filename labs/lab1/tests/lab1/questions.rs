@@ -44,7 +44,7 @@ pub(crate) fn opposite(random: &mut Random, ask: &mut impl Ask) {
         let mut along = || CUTOFF * random.between(-0.8, 0.8);
         let d = Vec2::new(along(), along());
         let question = format!(
-            "{}: acceleration of the particle, ax ay, and of the neighbour, ax ay",
+            "{}: ax ay of the particle's acceleration, then ax ay of the neighbour's acceleration",
             neighbour(d)
         );
         let found = || [d, -d].into_iter().filter_map(pair_acceleration).flat_map(|a| [a.x, a.y]);
@@ -66,19 +66,20 @@ fn straight_away(d: Vec2, found: &[f64]) -> Result<(), String> {
     let (a, back) = (Vec2::new(x, y), Vec2::new(back_x, back_y));
     if a.dot(d) > 0.0 {
         return Err(format!(
-            "the particle is accelerated by ({x}, {y}), towards its neighbour, which must repel it"
+            "the particle is accelerated by ({x}, {y}), which points towards its neighbour. The neighbour must repel \
+             the particle"
         ));
     }
     if a.cross(d).abs() > 1e-12 * a.dot(d).abs() {
         return Err(format!(
-            "the particle is accelerated by ({x}, {y}), which is not along the line between the \
-             two particles"
+            "the particle is accelerated by ({x}, {y}), which is not along the line between the particle and its \
+             neighbour"
         ));
     }
     if back != -a {
         return Err(format!(
-            "the particle is accelerated by ({x}, {y}) and the neighbour by ({back_x}, {back_y}): the two must be \
-             opposite"
+            "the particle is accelerated by ({x}, {y}) and its neighbour by ({back_x}, {back_y}): the two \
+             accelerations must be opposite"
         ));
     }
     Ok(())
@@ -89,7 +90,10 @@ pub(crate) fn forces(random: &mut Random, ask: &mut impl Ask) {
     for d in distances(random) {
         let found = || pair_acceleration(d).map_or(vec![], |a| vec![a.x, a.y]);
         ask.exact(
-            &format!("{}: acceleration of the particle, ax ay; [] if there is none", neighbour(d)),
+            &format!(
+                "{}: acceleration of the particle, ax ay, or [] beyond the cutoff",
+                neighbour(d)
+            ),
             found,
             || {
                 let a = acceleration_of_pair(d.x, d.y);
@@ -137,11 +141,14 @@ fn bounced(x: f64, size: f64, random: &mut Random, ask: &mut impl Ask) {
     // Negative zero becomes zero.
     let ends = |(x, v): (f64, f64)| vec![x + 0.0, v];
     let sizes = x / size;
-    let on_a_wall =
-        if sizes.fract() == 0.0 { ", so that it ends on a wall, which is inside" } else { "" };
+    let on_a_wall = if sizes.fract() == 0.0 {
+        " (the particle ends on a wall, which counts as inside)"
+    } else {
+        ""
+    };
     let question = format!(
-        "a box from 0 to {size:e}, and a particle that would fly to x = {x:e}, which is {sizes:.15} times the box, \
-         with v = {v:e}{on_a_wall}: x and v after reflections"
+        "a box from 0 to {size:e}. Without walls, a particle would fly to x = {x:e} ({sizes:.15} times the side of \
+         the box) with v = {v:e}{on_a_wall}: x and v after reflections"
     );
     ask.exact(&question, || ends(bounce(x, v, size)), || ends(fold(x, v, size)));
 }
@@ -216,8 +223,9 @@ pub(crate) fn at_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
     engine.load(&scenes::at_the_cutoff());
     engine.step();
     let seen = engine.statistics().map_or(0, |s| s.navg) as f64;
-    let question = "two particles exactly one cutoff from a third, along x and along y: number of pairs within the \
-                    cutoff reported to the observer (`seen`), each pair from both sides";
+    let question = "two particles that are each exactly one cutoff from a third particle, one along x and one along \
+                    y: number of pairs within the cutoff that are reported to the observer (`seen`). Each pair is \
+                    reported twice, once for each of its particles";
     ask.exact(question, || vec![seen], || vec![4.0]);
 }
 
@@ -235,10 +243,13 @@ pub(crate) fn tallies(random: &mut Random, ask: &mut impl Ask) {
                 at_one_position += 1;
             }
         }
-        let seen = tally.statistics().expect("a tally has statistics");
-        let name =
-            format!("{n} pairs, and {at_one_position} pairs with both particles at one position");
-        let question = format!("{name}: navg, the number of pairs that count");
+        let seen = tally.statistics().expect("a tally returns statistics");
+        let name = format!(
+            "{n} pairs at different positions, and {at_one_position} pairs whose two particles are at one \
+                     position"
+        );
+        let question =
+            format!("{name}: navg, the number of pairs, without the pairs at one position");
         ask.exact(&question, || vec![seen.navg as f64], || vec![n as f64]);
         let question = format!("{name}: dmin, the least distance above zero, in cutoffs");
         let near = |right: f64| vec![Near { right, scale: right }];
@@ -272,7 +283,7 @@ pub(crate) fn energies(random: &mut Random, ask: &mut impl Ask) {
         let fastest = random.magnitude(1e-6, 1e6);
         let particles = moving(random, n, size, fastest);
         let name = format!("{n} particles with velocities up to {fastest:.1e}");
-        let question = format!("{name}: energy of motion, the sum of m v² / 2");
+        let question = format!("{name}: kinetic energy, the sum of m v² / 2");
         ask.near(
             &question,
             || vec![kinetic_energy(&particles)],
@@ -342,7 +353,7 @@ fn potential_of_all(particles: &[Particle]) -> f64 {
 /// Asks about two particles that collide and separate.
 pub(crate) fn a_collision(_: &mut Random, ask: &mut impl Ask) {
     let highest = pair_potential(Vec2::new(MIN_R, 0.0));
-    let question = "a pair at the least distance: its potential, which must be above 90";
+    let question = "two particles at the least distance, `MIN_R`: potential of the pair, which must be above 90";
     ask.judge(
         question,
         || vec![highest],
@@ -352,7 +363,7 @@ pub(crate) fn a_collision(_: &mut Random, ask: &mut impl Ask) {
         },
     );
     let at = |x: f64, vx: f64| Particle { x, y: 0.5, vx, ..Particle::default() };
-    let scene = Scene::new(1.0, vec![at(0.45, 0.5), at(0.55, -0.5)]).expect("the scene is sound");
+    let scene = Scene::new(1.0, vec![at(0.45, 0.5), at(0.55, -0.5)]).expect("the scene is valid");
     let found = move |engine: &mut dyn Simulation| {
         let mut state = scene.particles().to_vec();
         let start = kinetic_energy(&state) + potential_energy(&state);
@@ -362,16 +373,16 @@ pub(crate) fn a_collision(_: &mut Random, ask: &mut impl Ask) {
         let end = kinetic_energy(&state) + potential_energy(&state);
         vec![end / start - 1.0, momentum(&state).x]
     };
-    let question = "two particles that collide and part again, after 400 steps: relative change of the energy, and \
-                    momentum along x";
+    let question = "two particles that collide and fly apart again, after 400 steps: (1) relative change of the \
+                    energy, (2) momentum along x";
     ask.judge(
         question,
         || Runs::new("1.5", VARIANTS, "energy").run(found),
         |found| match found {
             [change, momentum] if change.abs() < 0.05 && momentum.abs() < 1e-14 => Ok(()),
-            _ => {
-                Err(format!("     found: {found:?}\n  expected: a change of less than 0.05, and 0"))
-            }
+            _ => Err(format!(
+                "     found: {found:?}\n  expected: (1) a change of less than 0.05, (2) 0"
+            )),
         },
     );
 }

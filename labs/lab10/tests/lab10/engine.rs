@@ -22,7 +22,7 @@ pub(crate) fn ages(_: &mut Random, ask: &mut impl Ask) {
     let at = |x: f64| Particle { x, y: 0.5, ..Particle::default() };
     let three = vec![at(0.5), at(0.5 + 0.9 * CUTOFF), at(0.1)];
     let mut engine = Engine::<NoStatistics>::new(1.0, true);
-    engine.load(&Scene::new(1.0, three).expect("all are in the box"));
+    engine.load(&Scene::new(1.0, three).expect("all particles are in the box"));
     let mut found = Vec::new();
     for _ in 0..3 {
         engine.step();
@@ -30,8 +30,8 @@ pub(crate) fn ages(_: &mut Random, ask: &mut impl Ask) {
         found.extend([moved, engine.outer.displacement, engine.inner.displacement]);
     }
     let question = "two touching particles at rest and a third particle, skin 1 cutoff. After each of three steps, in \
-                    units of length: distance that the fastest particle went in the step, displacement of the outer \
-                    list, displacement of the inner list";
+                    units of length: (1) the distance that the fastest particle went in the step, (2) the \
+                    displacement of the outer list, (3) the displacement of the inner list";
     ask.judge(question, || found, are_older);
 }
 
@@ -44,22 +44,22 @@ fn are_older(found: &[f64]) -> Result<(), String> {
         gone += moved;
         if !inner.is_finite() {
             return Err(format!(
-                "step {step}: there is no inner list after it. Build the outer list before the inner one, because a \
-                 new outer list ends the inner one"
+                "step {step}: there is no inner list after this step. Build the outer list before the inner one, \
+                 because a new outer list makes the inner list invalid"
             ));
         }
         if (outer / gone - 1.0).abs() > 1e-6 {
             return Err(format!(
-                "step {step}: since the lists were built, the fastest particle has gone {:.3e} cutoffs, in each step \
-                 its speed after the move times dt; but the displacement of the outer list is {:.3e} cutoffs",
+                "step {step}: since the lists were built, the fastest particle has gone {:.3e} cutoffs (in each step, \
+                 its speed after the move times dt), but the displacement of the outer list is {:.3e} cutoffs",
                 gone / CUTOFF,
                 outer / CUTOFF
             ));
         }
         if outer <= gone {
             return Err(format!(
-                "step {step}: the displacement is too small. It must also grow by what rounding \
-                 may add"
+                "step {step}: the displacement is too small. In each step, add also the distance by which rounding \
+                 may move a particle"
             ));
         }
         if inner < moved * (1.0 - 1e-6) {
@@ -121,7 +121,8 @@ pub(crate) fn memory(_: &mut Random, ask: &mut impl Ask) {
 /// a cutoff.
 pub(crate) fn two_meet(_: &mut Random, ask: &mut impl Ask) {
     let at = |x: f64, vx: f64| Particle { x: x * CUTOFF, y: 0.05, vx, ..Particle::default() };
-    let scene = Scene::new(0.1, vec![at(3.0, 1.0), at(3.0 + 1.985, -1.0)]).expect("a scene");
+    let scene =
+        Scene::new(0.1, vec![at(3.0, 1.0), at(3.0 + 1.985, -1.0)]).expect("the scene is valid");
     serial().set("skin", 0.97).resynchronised(ask, &scene, 40);
     neighbour_list().set("skin", 0.97).resynchronised(ask, &scene, 40);
 }
@@ -134,8 +135,8 @@ pub(crate) fn library_bits(_: &mut Random, ask: &mut impl Ask) {
     {
         let own = serial().set("skin", 1e-4);
         let question = format!(
-            "{}, {}, 50 steps: x y vx vy of each particle at the end, bit for bit as in `neighbour-list`, which lists \
-             the same pairs, in the order of i, and adds forces in this order",
+            "{}, {}, 50 steps: x y vx vy of each particle at the end, which must have the same bits as in \
+             `neighbour-list`. That variant lists the same pairs in the order of i, and adds the forces in this order",
             own.name(),
             particles(scene.len())
         );
@@ -156,10 +157,10 @@ fn end(runs: &Runs, scene: &Scene) -> Vec<f64> {
 pub(crate) fn a_list_lasts(_: &mut Random, ask: &mut impl Ask) {
     no_forces();
     let mut engine = Engine::<NoStatistics>::new(0.0, true);
-    engine.load(&Scene::official(2000, 3).expect("a scene"));
+    engine.load(&Scene::official(2000, 3).expect("the scene is valid"));
     engine.run(200);
-    let question = "the official scene with 2,000 particles, 200 steps: number of steps that a list lasts, and number \
-                    of pair tests for each particle in a step";
+    let question = "the official scene with 2,000 particles, 200 steps: (1) number of steps that a list lasts, (2) \
+                    number of pair tests for each particle in a step";
     let found = || {
         ["steps per rebuild", "pair tests per particle and step"]
             .map(|name| counted(&engine, name))
@@ -168,7 +169,7 @@ pub(crate) fn a_list_lasts(_: &mut Random, ask: &mut impl Ask) {
     ask.judge(question, found, |found| match found {
         [lasts, tests] if *lasts > 7.0 && *tests < 2.0 => Ok(()),
         _ => Err(format!(
-            "     found: {found:.2?}\n  expected: more than 7 steps (9 are possible), and less than 2 pair tests"
+            "     found: {found:.2?}\n  expected: (1) more than 7 steps (9 are possible), (2) less than 2 pair tests"
         )),
     });
 }
@@ -188,15 +189,17 @@ pub(crate) fn rebuilds(random: &mut Random, ask: &mut impl Ask) {
         }
         found.push(100.0 / counted(&engine, "steps per rebuild"));
         let question = format!(
-            "{n} particles in a box like the official one, skin {skin:.4} cutoffs: distance that the fastest particle \
-             goes in each of 100 steps, then number of outer lists built"
+            "{n} particles in a box like the official box, skin {skin:.4} cutoffs: (1) for each of 100 steps, the \
+             distance that the fastest particle goes in the step, (2) the number of outer lists built"
         );
         ask.judge(&question, || found, |found| are_rebuilt(skin * CUTOFF, found));
     }
 }
 
 fn are_rebuilt(skin: f64, found: &[f64]) -> Result<(), String> {
-    let Some((lists, distances)) = found.split_last() else { return Err("no answer".into()) };
+    let Some((lists, distances)) = found.split_last() else {
+        return Err("the answer is empty".into());
+    };
     let mut right = 0.0;
     let mut gone = f64::INFINITY;
     for distance in distances {
@@ -210,12 +213,12 @@ fn are_rebuilt(skin: f64, found: &[f64]) -> Result<(), String> {
         return Ok(());
     }
     Err(format!(
-        "{lists:.1} lists were built, but {right} were needed: the first, and one after each list \
-         that expired"
+        "{lists:.1} lists were built, but {right} were needed: the first list, and one list after each list that \
+         expired"
     ))
 }
 
 fn counted(engine: &Engine<NoStatistics>, name: &str) -> f64 {
     let counters = engine.counters();
-    counters.into_iter().find(|(counter, _)| *counter == name).expect("it is counted").1
+    counters.into_iter().find(|(counter, _)| *counter == name).expect("the engine counts this").1
 }

@@ -112,7 +112,9 @@ pub(crate) fn lists_table(_: &mut Random, ask: &mut impl Ask) {
         let particles =
             places.map(|x| Particle { x: x * CUTOFF, y: CUTOFF, vx: 1.0, ..Particle::default() });
         let mut engine = Engine::<NoStatistics>::new(1.0, true);
-        engine.load(&Scene::new(8.0 * CUTOFF, particles.to_vec()).expect("all are in the box"));
+        engine.load(
+            &Scene::new(8.0 * CUTOFF, particles.to_vec()).expect("all particles are in the box"),
+        );
         let mut table = Table::new(["", "pairs of particles", "skin / cutoff", "displacement"]);
         engine.rebuild(AnyProcessor);
         let skin = |list: &lab10::List| format!("{:.2}", list.skin / CUTOFF);
@@ -160,8 +162,10 @@ pub(crate) fn forces_table(_: &mut Random, ask: &mut impl Ask) {
         let places = [(1.7, 0.5), (1.2, 0.5), (1.7, 1.2), (3.5, 3.5)];
         let at = |(x, y)| Particle { x: x * CUTOFF, y: y * CUTOFF, ..Particle::default() };
         let mut engine = Engine::<Count>::new(1.0, true);
-        engine
-            .load(&Scene::new(4.0 * CUTOFF, places.map(at).to_vec()).expect("all are in the box"));
+        engine.load(
+            &Scene::new(4.0 * CUTOFF, places.map(at).to_vec())
+                .expect("all particles are in the box"),
+        );
         engine.rebuild(AnyProcessor);
         engine.rebuild_inner();
         let mut table =
@@ -170,7 +174,7 @@ pub(crate) fn forces_table(_: &mut Random, ask: &mut impl Ask) {
             engine.accelerate();
             for (id, (x, y)) in (0..).zip(places) {
                 let place = engine.bodies.id.iter().position(|&found| found == id);
-                let place = place.expect("every particle is there");
+                let place = place.expect("the list contains every particle");
                 // Negative zero becomes zero.
                 let [ax, ay] = [&engine.ax, &engine.ay].map(|a| format!("{:.1}", a[place] + 0.0));
                 table.row([&round, &id, &x, &y, &ax, &ay]);
@@ -186,8 +190,8 @@ pub(crate) fn steps_table(_: &mut Random, ask: &mut impl Ask) {
     no_forces();
     ask.example(|| {
         let at = |x: f64, vx: f64| Particle { x: x * CUTOFF, y: 0.05, vx, ..Particle::default() };
-        let scene =
-            Scene::new(0.1, vec![at(3.0, 1.0), at(4.6, -1.0)]).expect("both are in the box");
+        let scene = Scene::new(0.1, vec![at(3.0, 1.0), at(4.6, -1.0)])
+            .expect("both particles are in the box");
         let mut engine = Engine::<NoStatistics>::new(0.37, true);
         engine.load(&scene);
         let mut table = Table::new([

@@ -27,8 +27,8 @@ pub(crate) fn verlet_steps(_: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn verlet_statistics(_: &mut Random, ask: &mut impl Ask) {
     neighbour_list().statistics_of_each_step(ask, &scenes::dense(), 10);
     neighbour_list().set("skin", 1.0).statistics_of_each_step(ask, &scenes::official(), 40);
-    let question = "a dense box, with an official step that is not divided, and with one that is divided into ten \
-                    parts: dmin and navg of each, at the beginning of the step";
+    let question = "a dense box, once with an undivided official step, and once with an official step that is divided \
+                    into ten parts: dmin and navg of each run, at the beginning of the step";
     let found = || [1.0, 10.0].map(seen_in_a_step).concat();
     ask.judge(question, found, |found| match found {
         [dmin, navg, dmin_of_ten, navg_of_ten] if dmin == dmin_of_ten && navg == navg_of_ten => {
@@ -42,7 +42,7 @@ fn seen_in_a_step(divide: f64) -> Vec<f64> {
     neighbour_list().set("divide", divide).statistics().run(|engine| {
         engine.load(&scenes::dense());
         engine.step();
-        let seen = engine.statistics().expect("they were asked for");
+        let seen = engine.statistics().expect("the engine was built with statistics");
         vec![seen.dmin, seen.navg as f64]
     })
 }
@@ -57,21 +57,21 @@ pub(crate) fn verlet_threads(_: &mut Random, ask: &mut impl Ask) {
 }
 
 pub(crate) fn in_a_row(_: &mut Random, ask: &mut impl Ask) {
-    let scene = Scene::official(2000, 2).expect("a scene");
+    let scene = Scene::official(2000, 2).expect("the scene is valid");
     neighbour_list();
     let found = || {
         let states = [&[7, 1, 12][..], &[1; 20]].map(|parts| state_after(&scene, parts));
         states.concat()
     };
-    let question = "the official scene with 2,000 particles on two threads, 20 steps: x y vx vy of each particle after \
-                    7, 1 and 12 steps in a row, then x y vx vy of each particle after 20 single steps";
+    let question = "the official scene with 2,000 particles on two threads, 20 steps: (1) x y vx vy of each particle \
+                    after 7, 1 and 12 steps in a row, (2) x y vx vy of each particle after 20 single steps";
     ask.judge(question, found, |found| {
         let mut rest = found;
         let in_a_row = States::split(&mut rest, scene.len(), 1)?.numbers();
         let one_by_one = States::split(&mut rest, scene.len(), 1)?.numbers();
         let odd = in_a_row.iter().zip(&one_by_one).position(|(a, b)| a.to_bits() != b.to_bits());
         odd.map_or(Ok(()), |k| {
-            Err(format!("particle {} has different bits after single steps", k / 4))
+            Err(format!("particle {} has different bits after the single steps", k / 4))
         })
     });
 }
@@ -98,7 +98,7 @@ pub(crate) fn long_rows(random: &mut Random, ask: &mut impl Ask) {
         vy: random.between(-1.0, 1.0),
         id: k,
     });
-    let scene = Scene::new(15.01, particles.collect()).expect("a scene");
+    let scene = Scene::new(15.01, particles.collect()).expect("the scene is valid");
     let runs = neighbour_list().set("skin", 0.2);
     runs.resynchronised(ask, &scene, 4);
     runs.same_bits_on_threads(ask, &scene, 4, &[1, 2, 3]);
@@ -122,7 +122,7 @@ pub(crate) fn outliers(random: &mut Random, ask: &mut impl Ask) {
             id: k,
         }
     });
-    let scene = Scene::new(side, particles.collect()).expect("a scene");
+    let scene = Scene::new(side, particles.collect()).expect("the scene is valid");
     neighbour_list().resynchronised(ask, &scene, 60);
     neighbour_list().same_bits_on_threads(ask, &scene, 60, &[1, 2, 3]);
 }
@@ -137,10 +137,10 @@ pub(crate) fn heating_up(_: &mut Random, ask: &mut impl Ask) {
         vy: 1e-3 * f64::from(k % 11),
         id: k,
     };
-    let scene = Scene::new(2.1, (0..5000).map(at).collect()).expect("a scene");
+    let scene = Scene::new(2.1, (0..5000).map(at).collect()).expect("the scene is valid");
     let runs = neighbour_list();
     let question = "5,000 particles at rest in pairs that push each other apart, 100 steps: share of the particles \
-                    that are too fast for the list, which must be less than 0.3";
+                    that are too fast for the list. It must be less than 0.3";
     ask.judge(
         question,
         || vec![share_of_outliers(&scene)],
@@ -158,5 +158,5 @@ fn share_of_outliers(scene: &Scene) -> f64 {
     engine.run(100);
     let counters = engine.counters();
     let counted = counters.iter().find(|(name, _)| *name == "share that outruns the list");
-    counted.expect("it is counted").1
+    counted.expect("the engine counts this").1
 }

@@ -23,8 +23,8 @@ pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {
             engine.rebuild(AnyProcessor);
             let name = format!("{}, skin {:.2} cutoffs, built {round}", case.name(), case.skin);
             let question = format!(
-                "{name}: ids of the particles in sorted order, then the pairs of the outer list, as places in this \
-                 order"
+                "{name}: (1) ids of the particles in sorted order, (2) the pairs of the outer list. A pair contains \
+                 the places of its two particles in the sorted order"
             );
             let mut pairs = engine.outer.pairs.clone();
             pairs.sort_unstable();
@@ -36,7 +36,8 @@ pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {
                 listed.are_all_within(CUTOFF * (1.0 + case.skin))
             });
             let question = format!(
-                "{name}: skin of the outer list in cutoffs, its displacement, displacement of the inner list"
+                "{name}: (1) skin of the outer list in cutoffs, (2) displacement of the outer list, (3) displacement \
+                 of the inner list"
             );
             let list = &engine.outer;
             let found = || vec![list.skin / CUTOFF, list.displacement, engine.inner.displacement];
@@ -58,14 +59,15 @@ struct Listed {
 impl Listed {
     /// Reads the ids of the particles in sorted order, and the pairs.
     fn read(scene: &Scene, found: &[f64]) -> Result<Self, String> {
-        let (ids, pairs) = found.split_at_checked(scene.len()).ok_or("particles are missing")?;
+        let (ids, pairs) =
+            found.split_at_checked(scene.len()).ok_or("the ids of some particles are missing")?;
         let mut bodies = Bodies::default();
         for &id in ids {
             bodies.push(
                 *scene
                     .particles()
                     .get(id as usize)
-                    .ok_or("there is a particle that is not in the scene")?,
+                    .ok_or("one of the ids belongs to no particle of the scene")?,
             );
         }
         let mut sorted = bodies.id.clone();
@@ -99,7 +101,7 @@ impl Listed {
             }
             if self.distance([i, j]) > reach * ROUNDING {
                 return Err(format!(
-                    "places {i} and {j} are listed, but the particles are too far apart"
+                    "places {i} and {j} are listed as a pair, but their particles are too far apart"
                 ));
             }
         }
@@ -132,16 +134,17 @@ pub(crate) fn inner_lists(random: &mut Random, ask: &mut impl Ask) {
             engine.rebuild_inner();
             let name = format!("{}, skin {:.2} cutoffs, built {round}", case.name(), case.skin);
             let question = format!(
-                "{name}: ids of the particles in sorted order, number of outer pairs, the outer pairs, the inner \
-                 pairs"
+                "{name}: (1) ids of the particles in sorted order, (2) number of outer pairs, (3) the outer pairs, \
+                 (4) the inner pairs"
             );
             ask.judge(
                 &question,
                 || both_lists(&engine),
                 |found| are_the_near_ones(&case.scene, case.inner_skin(1e-9 * CUTOFF), found),
             );
-            let question =
-                format!("{name}: skin of the inner list in cutoffs, and its displacement");
+            let question = format!(
+                "{name}: (1) skin of the inner list in cutoffs, (2) displacement of the inner list"
+            );
             let found = || vec![engine.inner.skin / CUTOFF, engine.inner.displacement];
             ask.near(&question, found, || {
                 let right = case.inner_skin(1e-9 * CUTOFF) / CUTOFF;
@@ -159,7 +162,8 @@ fn both_lists(engine: &Engine<NoStatistics>) -> Vec<f64> {
 
 /// Checks that the inner pairs are the near pairs of the outer list, in the same order.
 fn are_the_near_ones(scene: &Scene, skin: f64, found: &[f64]) -> Result<(), String> {
-    let (ids, rest) = found.split_at_checked(scene.len()).ok_or("particles are missing")?;
+    let (ids, rest) =
+        found.split_at_checked(scene.len()).ok_or("the ids of some particles are missing")?;
     let (count, pairs) = rest.split_first().ok_or("the lists are missing")?;
     let listed = Listed::read(scene, &[ids, pairs].concat())?;
     let (outer, inner) =
@@ -217,7 +221,8 @@ pub(crate) fn margins(random: &mut Random, ask: &mut impl Ask) {
         let skin = random.between(0.05, 3.0);
         let apart = CUTOFF * (1.0 + skin) * (1.0 + 5e-10);
         let at = |x: f64| Particle { x, y: 0.5, ..Particle::default() };
-        let scene = Scene::new(1.0, vec![at(0.3), at(0.3 + apart)]).expect("both are inside");
+        let scene =
+            Scene::new(1.0, vec![at(0.3), at(0.3 + apart)]).expect("both particles are in the box");
         let mut engine = Engine::<NoStatistics>::new(skin, false);
         engine.load(&scene);
         engine.rebuild(AnyProcessor);
@@ -251,14 +256,15 @@ pub(crate) fn chosen_skins(random: &mut Random, ask: &mut impl Ask) {
         );
         // The question asks for a ratio, because another task checks the result of `best_skin`.
         let question = format!(
-            "{name}: skin of the outer list, divided by what `best_skin` returns for this density and displacement"
+            "{name}: skin of the outer list, divided by the skin that `best_skin` returns for this density and \
+             displacement"
         );
         let found = || vec![engine.outer.skin / best_skin(density, goes)];
         ask.near(&question, found, || vec![Near { right: 1.0, scale: 1.0 }]);
         engine.outer.skin = 1.5 * CUTOFF;
         engine.outer.displacement = 0.0;
         engine.rebuild_inner();
-        let question = format!("{name}, the outer skin is 1.5 cutoffs: inner skin, in cutoffs");
+        let question = format!("{name}, with an outer skin of 1.5 cutoffs: inner skin, in cutoffs");
         ask.near(
             &question,
             || vec![engine.inner.skin / CUTOFF],

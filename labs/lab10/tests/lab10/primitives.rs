@@ -19,7 +19,10 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
         let mut v = before.v.clone();
         let outside = drift(&mut x, &mut v, &before.a, before.dt, before.size);
         let name = before.name();
-        let question = format!("{name}: velocities, then three numbers that follow them");
+        let question = format!(
+            "{name}: velocities, then the three numbers after the velocities, which must not \
+                                change"
+        );
         ask.exact(&question, || v, || before.after().v);
         ask.exact(&format!("{name}: positions"), || x, || before.after().x);
         let question = format!("{name}: 1 if any particle is outside, 0 if not");
@@ -85,8 +88,8 @@ pub(crate) fn walls(random: &mut Random, ask: &mut impl Ask) {
             x[i] = at;
             let found = || vec![truth(drift(&mut x, &mut vec![0.0; n], &vec![0.0; n], DT, size))];
             let question = format!(
-                "{} in a box of side {size:?}, at rest, index {i} at {at:?}, the others in the middle: 1 if any \
-                 particle is outside, 0 if not. A particle on a wall is inside",
+                "{} in a box of side {size:?}, at rest. The particle with index {i} is at {at:?}, and the others are \
+                 in the middle: 1 if any particle is outside, 0 if not. A particle on a wall is inside",
                 particles(n)
             );
             ask.exact(&question, found, || vec![truth(at < 0.0 || at > size)]);
@@ -106,8 +109,8 @@ pub(crate) fn lists(random: &mut Random, ask: &mut impl Ask) {
             let outside: Vec<usize> = (0..=n).filter(|i| !range.contains(i)).collect();
             let i = outside[random.below(outside.len())];
             let question = format!(
-                "{}: pairs of particle {i} with particles of {range:?} within {reach:.4e}, from place 1 of the list \
-                 on, where 77 was before",
+                "{}: the pairs of particle {i} with particles of {range:?} within {reach:.4e}. The pairs must be \
+                 written from place 1 of the list on, which contained 77 everywhere",
                 particles(n + 1)
             );
             let found = || {
@@ -134,8 +137,8 @@ pub(crate) fn reaches(random: &mut Random, ask: &mut impl Ask) {
         }
         let n = bodies.len();
         let question = format!(
-            "particle 0 at (0, 0), and others at {reach:e} or a rounding error beside it: pairs of particle 0 within \
-             {reach:e}. A particle at this distance is within"
+            "particle 0 is at (0, 0). The other particles are at the distance {reach:e}, or a rounding error nearer \
+             or farther: pairs of particle 0 within {reach:e}. A particle at exactly this distance is within it"
         );
         let found = || {
             let mut list = vec![[77; 2]; n + EIGHT];
@@ -170,8 +173,8 @@ pub(crate) fn near(random: &mut Random, ask: &mut impl Ask) {
             _ => (unit * random.between(0.1, 1.5)).powi(2),
         };
         let question = format!(
-            "{len} pairs of {count} particles from index {first} on: the pairs whose squared distance is at most \
-             {within:?}, one after another"
+            "{len} pairs of {count} particles from index {first} on: both particles of each pair whose squared \
+             distance is at most {within:?}"
         );
         ask.exact(
             &question,

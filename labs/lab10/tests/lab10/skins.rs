@@ -21,7 +21,7 @@ pub(crate) fn expiry(random: &mut Random, ask: &mut impl Ask) {
             ask.exact(&question, found, || vec![truth(moved > half)]);
         }
     }
-    let question = "no list yet, so that the displacement is infinite: 1 if the list has expired";
+    let question = "no list was built yet, so the displacement is infinite: 1 if the list has expired, 0 if not";
     ask.exact(question, || vec![truth(expired(f64::INFINITY, 0.0))], || vec![1.0]);
 }
 
@@ -31,7 +31,7 @@ pub(crate) fn skins(random: &mut Random, ask: &mut impl Ask) {
         let density = if case < 99 { random.magnitude(1.0, 1e7) } else { 0.0 };
         let displacement = if case < 98 { random.magnitude(1e-4, 10.0) * CUTOFF } else { 0.0 };
         let question = format!(
-            "{density:.1} particles per area that go {:.4} cutoffs in a step: cheapest skin, in cutoffs",
+            "{density:.1} particles per area, which go {:.4} cutoffs in a step: cheapest skin, in cutoffs",
             displacement / CUTOFF
         );
         let found = || vec![best_skin(density, displacement) / CUTOFF];
@@ -67,7 +67,7 @@ impl Cost {
         }
         Err(format!(
             "     found: {skin:.4}, with which a step costs {:.4} ns for each particle\n  expected: {least:.4}, with \
-             which a step costs {:.4} ns",
+             which a step costs {:.4} ns for each particle",
             self.of(skin),
             self.of(least)
         ))

@@ -115,7 +115,7 @@ pub(crate) fn plans(_: &mut Random, ask: &mut impl Ask) {
     // Calls task 11.6 first, so that an unsolved starter stops at the `todo!` of task 11.6.
     window_length(2000.0, 0.0);
     ask.example(|| {
-        let official = common::soft::Scene::official(2000, 1).expect("the scene is sound");
+        let official = common::soft::Scene::official(2000, 1).expect("the scene is valid");
         let mut table = Table::new(["neighbours", "planned", "substep"]);
         for neighbours in [0.01_f64, 0.03, 0.06, 0.1, 0.2, 0.6, 1.2, 5.0] {
             // In the official scene there are 0.63 neighbours within the cutoff.

@@ -87,8 +87,8 @@ pub(crate) fn approaches(random: &mut Random, ask: &mut impl Ask) {
         let approach = Approach::drawn(random, case);
         let Approach { dx, dy, wx, wy, span } = approach;
         let question = format!(
-            "two particles ({dx:?}, {dy:?}) apart, the second with velocity ({wx:?}, {wy:?}) as seen from the first, \
-             for a time of {span:?}: square of their least distance"
+            "two particles. As seen from the first, the second is at ({dx:?}, {dy:?}) and has the velocity ({wx:?}, \
+             {wy:?}), for a time of {span:?}: square of the least distance"
         );
         let found = || vec![closest_squared(dx, dy, wx, wy, span)];
         ask.near(&question, found, || vec![approach.right()]);
@@ -103,8 +103,8 @@ pub(crate) fn margins(random: &mut Random, ask: &mut impl Ask) {
         let some = margin * random.magnitude(1e-6, 1e6);
         for off in beside(margin / 2.0).into_iter().chain([0.0, some]) {
             let question = format!(
-                "a particle that is {off:?} off its free flight, and a margin of {margin:?}: 1 if it may have met a \
-                 particle that is not on its list, 0 if not"
+                "a particle that is {off:?} away from its free flight, and a margin of {margin:?}: 1 if it may have \
+                 met a particle that is not on its list, 0 if not"
             );
             let found = || flags(&[too_far_off(off, margin)]);
             ask.exact(&question, found, || flags(&[off > margin / 2.0]));
@@ -190,8 +190,8 @@ pub(crate) fn walls(random: &mut Random, ask: &mut impl Ask) {
         let flight = Flight::drawn(random, case);
         let Flight { span, x, y, vx, vy } = flight;
         let question = format!(
-            "a particle at ({x:?}, {y:?}) with velocity ({vx:?}, {vy:?}), in a box of {:?} and a window of {} steps of \
-             {:?}: 1 if it may end within {:?} of a wall or beyond it, 0 if not",
+            "a particle at ({x:?}, {y:?}) with velocity ({vx:?}, {vy:?}), in a box of side {:?} and a window of {} \
+             steps of {:?}: 1 if it may end beyond a wall or within {:?} of a wall, 0 if not",
             span.size,
             span.steps,
             span.dt,

@@ -60,7 +60,8 @@ pub(crate) fn roots(random: &mut Random, ask: &mut impl Ask) {
                 let found = f64::from(root(&mut own, k as u32));
                 let found = vec![found, links(&own, k) as f64];
                 let question = format!(
-                    "{name}: root of {k}, and number of parents above {k} after the call, of {before} before"
+                    "{name}: (1) root of {k}, (2) number of parents above {k} after the call, which were {before} \
+                     before the call"
                 );
                 ask.judge(
                     &question,
@@ -70,14 +71,17 @@ pub(crate) fn roots(random: &mut Random, ask: &mut impl Ask) {
                             Err(format!("the root is {root}, but must be {}", roots_of(&parent)[k]))
                         }
                         [_, after] if *after as usize > before / 2 + 1 => Err(format!(
-                            "{after} parents are left: the path must be half as long as before"
+                            "{after} parents are left above the number, but the path must be half as long as before \
+                             the call"
                         )),
                         _ => Ok(()),
                     },
                 );
             }
-            let question =
-                format!("{name}: first number whose parent is greater after the calls, or -1");
+            let question = format!(
+                "{name}: first number whose parent is greater than the number itself after the calls, or -1 \
+                         if there is none"
+            );
             ask.exact(&question, || vec![first_greater(&own)], || vec![-1.0]);
             let question = format!("{name}: root of each number after the calls");
             ask.exact(&question, || numbers(roots_of(&own)), || numbers(roots_of(&parent)));
@@ -91,7 +95,7 @@ pub(crate) fn long_chain(_: &mut Random, ask: &mut impl Ask) {
             let mut parent: Vec<u32> = (0..1_000_000).map(|k: u32| k.saturating_sub(1)).collect();
             vec![f64::from(root(&mut parent, 999_999))]
         };
-        ask.exact("a chain of a million numbers: root of its last number", found, || vec![0.0]);
+        ask.exact("a chain of a million numbers: root of the last number", found, || vec![0.0]);
     });
 }
 
@@ -126,8 +130,14 @@ pub(crate) fn joins(random: &mut Random, ask: &mut impl Ask) {
             let [a, b] = [any, [n - 1, any[0]], [any[0], n - 1]][round % 3];
             pairs.push([a, b]);
             join(&mut parent, a as u32, b as u32);
-            let name = format!("{n} numbers, {} pairs joined, the last {a} and {b}", round + 1);
-            let question = format!("{name}: first number whose parent is greater, or -1");
+            let name = format!(
+                "{n} numbers, {} pairs joined, of which the last is {a} and {b}",
+                round + 1
+            );
+            let question = format!(
+                "{name}: first number whose parent is greater than the number itself, or -1 if \
+                                    there is none"
+            );
             ask.exact(&question, || vec![first_greater(&parent)], || vec![-1.0]);
             let question = format!("{name}: root of each number");
             let roots = || numbers(roots_of(&parent));

@@ -51,8 +51,8 @@ pub(crate) fn a_crystal(_: &mut Random, ask: &mut impl Ask) {
         let [x, y] = [id % 50, id / 50].map(|place| 3.0 * CUTOFF * f64::from(1 + place));
         crystal.push(Particle { x, y, vx: 1.0, vy: 0.0, id });
     }
-    let question = "one particle in each nine square cutoffs: number of neighbours that the planner expects within \
-                    the cutoff";
+    let question = "particles in a crystal, one on each nine square cutoffs: number of neighbours within the cutoff \
+                    that the planner expects for a particle";
     let found = || vec![plan::<Tasks>(&crystal, 0, 1).neighbours];
     ask.judge(question, found, |found| match found {
         [neighbours] if (neighbours - PI / 9.0).abs() < 0.05 * PI / 9.0 => Ok(()),
@@ -61,11 +61,11 @@ pub(crate) fn a_crystal(_: &mut Random, ask: &mut impl Ask) {
 }
 
 pub(crate) fn a_fast_particle(_: &mut Random, ask: &mut impl Ask) {
-    let official = Scene::official(2000, 1).expect("the scene is sound");
+    let official = Scene::official(2000, 1).expect("the scene is valid");
     let mut bodies = Bodies::of(&official);
     bodies.x.iter_mut().chain(&mut bodies.y).for_each(|x| *x *= 4.0);
-    let question = "a nearly empty box, then the same box with one particle that crosses it within a window: 1 for \
-                    windows, 0 for a list";
+    let question = "(1) a nearly empty box, (2) the same box with one particle that crosses it within a window: for \
+                    each box, 1 if the planner chooses windows, 0 if it chooses a list";
     let found = || {
         let empty = opens_windows(&bodies);
         bodies.vx[7] = 1000.0;
@@ -84,9 +84,9 @@ pub(crate) fn threads_that_pay(_: &mut Random, ask: &mut impl Ask) {
         let question = format!("{n} particles, {threads} threads: number of threads that work");
         let found = || {
             variant("11.6", "planned").threads(threads).run(move |engine| {
-                engine.load(&Scene::official(n, 1).expect("the scene is sound"));
-                let plan = engine.plan().expect("it plans");
-                let working = plan.split_whitespace().nth(1).expect("threads: 1 of 8");
+                engine.load(&Scene::official(n, 1).expect("the scene is valid"));
+                let plan = engine.plan().expect("the engine has a planner");
+                let working = plan.split_whitespace().nth(1).expect("the plan is threads: 1 of 8");
                 vec![working.parse().expect("a number of threads")]
             })
         };

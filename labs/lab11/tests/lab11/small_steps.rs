@@ -58,12 +58,15 @@ pub(crate) fn bent_paths(_: &mut Random, ask: &mut impl Ask) {
         || vec![counted(&substep, again, &scene, 60)],
         |found| match found {
             [again] if *again > 0.0 => Ok(()),
-            _ => Err("paths bend out of their margin, but nothing is computed again".into()),
+            _ => {
+                Err("paths bend so far that they leave their margin, but nothing is computed again"
+                    .into())
+            }
         },
     );
     let question = format!(
-        "{}, the same scene in windows of its own choice, of 1 and of 9 steps: x y vx vy of each particle after each \
-         of the three runs",
+        "{}, the same scene in three runs, (1) with windows that the engine chooses, (2) with windows of 1 step, (3) \
+         with windows of 9 steps: x y vx vy of each particle at the end of each run",
         substep.name()
     );
     let windows = [0.0, 1.0, 9.0].map(|steps| substep.clone().set("window", steps));

@@ -54,7 +54,7 @@ pub(crate) fn counted(runs: &Runs, name: &'static str, scene: &Scene, steps: usi
         engine.load(&scene);
         (0..steps).for_each(|_| engine.step());
         let counters = engine.counters();
-        counters.iter().find(|(counter, _)| *counter == name).expect("it is counted").1
+        counters.iter().find(|(counter, _)| *counter == name).expect("the engine counts this").1
     })
 }
 
@@ -78,8 +78,8 @@ pub(crate) fn near_the_list(
         let off = (found.x - right.x).hypot(found.y - right.y);
         if off.is_nan() || off > 1e-9 * scene.size().max(1.0) {
             return Err(format!(
-                "particle {} is {off:e} away from its position with a neighbour list, with each step in {divide} \
-                 parts",
+                "particle {} is {off:e} away from its position in a run with a neighbour list, in which each step is \
+                 divided into {divide} parts",
                 right.id
             ));
         }
@@ -101,7 +101,7 @@ pub(crate) fn scattered(n: usize, least: f64, seed: u64) -> Scene {
             particles.push(p);
         }
     }
-    Scene::new(size, particles).expect("the scene is sound")
+    Scene::new(size, particles).expect("the scene is valid")
 }
 
 pub(crate) fn windows(_: &mut Random, ask: &mut impl Ask) {
@@ -138,14 +138,14 @@ fn thrown_back() -> Scene {
             particles.push(Particle { x: x * CUTOFF, y: y * CUTOFF, vx, vy, id: 0 });
         }
     }
-    Scene::new(1.1, particles).expect("the scene is sound")
+    Scene::new(1.1, particles).expect("the scene is valid")
 }
 
 pub(crate) fn back_from_a_wall(_: &mut Random, ask: &mut impl Ask) {
     let scene = thrown_back();
     let planned = variant("11.5", "planned").set("window", 16.0);
-    let question = "a window of 16 steps, and a particle that comes back from a wall: vx of a second particle, which \
-                    rests in its way; vx must not stay 0";
+    let question = "a particle comes back from a wall in a window of 16 steps. A second particle rests in its way: vx \
+                    of the second particle, which must not stay 0";
     let found = || vec![of_numbers(&end(&planned, &scene, 16))[1].vx];
     ask.judge(question, found, |found| match found {
         [vx] if *vx != 0.0 => Ok(()),
@@ -158,7 +158,8 @@ pub(crate) fn redone(_: &mut Random, ask: &mut impl Ask) {
     let scene = scattered(100, 0.3, 1);
     let planned = variant("11.5", "planned").set("window", 64.0);
     planned.bits_of_all_pairs(ask, &scene, 64);
-    let question = "100 particles, windows of 64 steps: number of windows that are computed again, more than 0";
+    let question = "100 particles, windows of 64 steps: number of windows that are computed again, which must be more \
+                    than 0";
     let found = || vec![counted(&planned, "windows redone", &scene, 64)];
     ask.judge(question, found, |found| match found {
         [redone] if *redone > 0.0 => Ok(()),
@@ -179,7 +180,7 @@ pub(crate) fn follows_the_model(ask: &mut impl Ask, planned: Runs, crowds: u64) 
 }
 
 pub(crate) fn beside_the_list(ask: &mut impl Ask) {
-    let scene = Scene::official(3000, 5).expect("the scene is sound");
+    let scene = Scene::official(3000, 5).expect("the scene is valid");
     for window in [0.0, 6.0] {
         let planned = by_choice("11.6").set("window", window);
         let question = format!(
@@ -193,13 +194,13 @@ pub(crate) fn beside_the_list(ask: &mut impl Ask) {
 }
 
 pub(crate) fn steps_in_a_row(_: &mut Random, ask: &mut impl Ask) {
-    let scene = Scene::official(2000, 2).expect("the scene is sound");
+    let scene = Scene::official(2000, 2).expect("the scene is valid");
     let planned = variant("11.6", "planned");
     let in_windows = planned.clone().set("window", 6.0);
     for runs in [planned, in_windows, variant("11.6", "substep")] {
         let question = format!(
-            "{}, 2,000 particles, seed 2: x y vx vy of each particle after 1, 7, 1 and 11 steps in a row, then after \
-             1, 8, 9 and 20 single steps",
+            "{}, 2,000 particles, seed 2: x y vx vy of each particle (1) after 1, 7, 1 and 11 steps in a row, (2) \
+             after 1, 8, 9 and 20 single steps",
             runs.name()
         );
         let found = || {
@@ -211,7 +212,7 @@ pub(crate) fn steps_in_a_row(_: &mut Random, ask: &mut impl Ask) {
             if in_a_row == one_by_one {
                 Ok(())
             } else {
-                Err("steps in a row and single steps ended with different bits".into())
+                Err("the run with steps in a row and the run with single steps ended with different bits".into())
             }
         });
     }

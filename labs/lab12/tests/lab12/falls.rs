@@ -35,36 +35,40 @@ impl Draw {
 type Kind = (&'static str, fn(&Draw) -> [f64; 3]);
 
 /// Name of a number whose end is not below zero, so that it need not be evaluated within the step.
-const NOT_FAR_ENOUGH: &str = "falls, not far enough";
+const NOT_FAR_ENOUGH: &str = "falls, but not to zero";
 
 /// Numbers whose falls can be decided from the two ends of a step.
 const DECIDED_AT_THE_ENDS: [Kind; 8] = [
     (NOT_FAR_ENOUGH, |d| [1.0 + d.gap, -1.0, 0.0]),
     ("rises", |d| [d.gap, d.s, 0.0]),
-    ("is at zero and leaves", |d| [0.0, d.s, 0.0]),
-    ("has been seen a little too late and leaves", |d| [-d.late, d.s, 0.0]),
-    ("has been seen a little too late and goes on", |d| [-d.late, -d.s, 0.0]),
-    ("is at zero and falls", |d| [0.0, -d.s, 1.0]),
-    ("rises all the way, still below zero", |d| [-1.0 - d.gap, 1.0, 0.0]),
-    ("stays above zero by a hair", |d| [1e-9 + d.gap, -1e-12, 0.0]),
+    ("starts at zero and rises", |d| [0.0, d.s, 0.0]),
+    ("starts slightly below zero because of rounding, and rises", |d| [-d.late, d.s, 0.0]),
+    ("starts slightly below zero because of rounding, and falls", |d| [-d.late, -d.s, 0.0]),
+    ("starts at zero and falls", |d| [0.0, -d.s, 1.0]),
+    ("rises all the way, but stays below zero", |d| [-1.0 - d.gap, 1.0, 0.0]),
+    ("stays slightly above zero", |d| [1e-9 + d.gap, -1e-12, 0.0]),
 ];
 
 /// Numbers that must be evaluated within the step.
 const DECIDED_INSIDE: [Kind; 15] = [
     ("falls", |d| [d.s, -1.0, 0.0]),
     ("dips below zero and comes back", |d| [d.before * d.s, -d.before - d.s, 1.0]),
-    ("dips a little", |d| [d.s * d.s - d.dip * d.dip, -2.0 * d.s, 1.0]),
-    ("comes near zero and goes away", |d| [d.s * d.s + d.gap, -2.0 * d.s, 1.0]),
+    ("dips slightly below zero and comes back", |d| [d.s * d.s - d.dip * d.dip, -2.0 * d.s, 1.0]),
+    ("comes near zero and rises again", |d| [d.s * d.s + d.gap, -2.0 * d.s, 1.0]),
     ("rises and then falls", |d| [d.before * d.s, d.s - d.before, -1.0]),
-    ("rises and then falls, not far enough", |d| [d.gap, 1.0, -1.0]),
-    ("is at zero, leaves and comes back", |d| [0.0, d.s, -1.0]),
-    ("has been seen a little too late, leaves and comes back", |d| [-d.late * d.s, d.s, -1.0]),
-    ("has been seen late, leaves and comes back", |d| [-(d.s - d.dip) * d.dip, d.s, -1.0]),
-    ("rises to zero and no higher", |_| [-0.25, 1.0, -1.0]),
-    ("starts level and falls", |d| [d.s * d.s, 0.0, -1.0]),
-    ("is level at zero and falls", |d| [0.0, 0.0, -d.s]),
-    ("is level at zero and rises", |d| [0.0, 0.0, d.s]),
-    ("falls and ends level, below zero", |d| [1.0 - d.s * d.s, -2.0, 1.0]),
+    ("rises and then falls, but not to zero", |d| [d.gap, 1.0, -1.0]),
+    ("starts at zero, rises, and then falls", |d| [0.0, d.s, -1.0]),
+    ("starts slightly below zero because of rounding, rises, and then falls", |d| {
+        [-d.late * d.s, d.s, -1.0]
+    }),
+    ("starts below zero, rises above zero, and then falls", |d| {
+        [-(d.s - d.dip) * d.dip, d.s, -1.0]
+    }),
+    ("rises to zero, but not above it", |_| [-0.25, 1.0, -1.0]),
+    ("starts level, and then falls", |d| [d.s * d.s, 0.0, -1.0]),
+    ("starts level at zero, and then falls", |d| [0.0, 0.0, -d.s]),
+    ("starts level at zero, and then rises", |d| [0.0, 0.0, d.s]),
+    ("falls, and ends level and below zero", |d| [1.0 - d.s * d.s, -2.0, 1.0]),
     ("never gets above zero", |d| [-d.gap - d.s * d.s, 2.0 * d.s, -1.0]),
 ];
 
@@ -93,9 +97,10 @@ impl Number {
     fn question(&self) -> String {
         let Self { kind, parabola: [c, d, e], bend, size, h } = self;
         format!(
-            "a number that {kind}, {c:?} + {d:?} s + {e:?} s², s = (1 + b) t / (1 + b t), b = {bend:?}, of size \
-             {size:e}, in a step of {h:?}: number of evaluations, number of these that were outside the step, then the \
-             time at which it falls through zero, as a part of the step; no time if it does not"
+            "a number that {kind}. In a step of {h:?} it is {size:e} × ({c:?} + {d:?} s + {e:?} s²), with s = (1 + b) \
+             t / (1 + b t) and b = {bend:?}, and t is the time as a part of the step: (1) number of evaluations, (2) \
+             number of evaluations outside the step, (3) the t at which the number falls through zero, or nothing if \
+             it does not fall"
         )
     }
 
@@ -135,12 +140,14 @@ impl Number {
     }
 
     fn verdict(&self, found: &[f64]) -> Result<(), String> {
-        let [looks, outside, fall @ ..] = found else { return Err("no looks".into()) };
+        let [looks, outside, fall @ ..] = found else {
+            return Err("the answer is not complete".into());
+        };
         if *outside > 0.0 {
             return Err(format!("{outside} evaluations were outside the step"));
         }
         if *looks > 100.0 || self.kind == NOT_FAR_ENOUGH && *looks > 0.0 {
-            return Err(format!("there were {looks} evaluations, more than are needed"));
+            return Err(format!("there were {looks} evaluations, which are more than necessary"));
         }
         let right = self.right();
         // A number that begins with a fall falls at exactly 0.
@@ -171,8 +178,8 @@ pub(crate) fn decided_inside(random: &mut Random, ask: &mut impl Ask) {
 
 pub(crate) fn a_touch(_: &mut Random, ask: &mut impl Ask) {
     let at = |t: f64| Watched { value: (t - 1.0) * (t - 1.0), slope: 2.0 * (t - 1.0) };
-    let question = "(t - 1)² in a step of 2, which touches 0: time at which it falls through zero; no number if it \
-                    does not";
+    let question = "(t - 1)² in a step of length 2, which touches 0: time at which it falls through zero, or no \
+                    number if it does not";
     ask.exact(
         question,
         || first_fall(at(0.0), at(2.0), 2.0, &mut |t| at(t)).into_iter().collect(),

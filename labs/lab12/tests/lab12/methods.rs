@@ -28,8 +28,8 @@ pub(crate) fn steps(random: &mut Random, ask: &mut impl Ask) {
         let composition = Composition { drifts, kicks: fractions(random, kicks) };
         let dt = random.magnitude(1e-12, 1e12);
         let question = format!(
-            "a step of {dt:?}, {composition:?}: its drifts (0) and kicks (1) in their order, each with its time; \
-             nothing for a time of 0"
+            "a step of {dt:?}, {composition:?}: its drifts (0) and kicks (1) in their order, each with its time. A \
+             time of 0 is left out"
         );
         let found = || {
             let mut record = Record::default();
@@ -63,15 +63,15 @@ fn numbers(Composition { drifts, kicks }: Composition) -> Vec<f64> {
 }
 
 pub(crate) fn velocity_verlet(_: &mut Random, ask: &mut impl Ask) {
-    let question = "velocity Verlet, half a kick, a drift, half a kick, as drifts and kicks by turns: number of \
-                    drifts, number of kicks, then the drifts, then the kicks";
+    let question = "velocity Verlet (half a kick, a drift, half a kick), written as alternating drifts and kicks: (1) \
+                    number of drifts, (2) number of kicks, (3) the drifts, (4) the kicks";
     let found = || numbers(Composition::velocity_verlet());
     ask.exact(question, found, || vec![3.0, 2.0, 0.0, 1.0, 0.0, 0.5, 0.5]);
 }
 
 pub(crate) fn pefrl(_: &mut Random, ask: &mut impl Ask) {
-    let question = "PEFRL, from its first drift XI, its second drift CHI and its second kick LAMBDA: number of drifts, \
-                    number of kicks, then the drifts, then the kicks";
+    let question = "PEFRL, made from its first drift XI, its second drift CHI and its second kick LAMBDA: (1) number \
+                    of drifts, (2) number of kicks, (3) the drifts, (4) the kicks";
     ask.judge(question, || numbers(Composition::pefrl()), is_pefrl);
 }
 
@@ -82,7 +82,7 @@ fn is_pefrl(found: &[f64]) -> Result<(), String> {
     };
     let (drifts, kicks) = fractions.split_at(5);
     if [drifts[0], drifts[1], kicks[1]] != [XI, CHI, LAMBDA] {
-        return Err(format!("the given numbers are in wrong places: {drifts:?}, {kicks:?}"));
+        return Err(format!("the given numbers are in the wrong places: {drifts:?}, {kicks:?}"));
     }
     for (what, fractions) in [("drifts", drifts), ("kicks", kicks)] {
         if !fractions.iter().eq(fractions.iter().rev()) {
@@ -171,11 +171,11 @@ pub(crate) fn runge_kutta(random: &mut Random, ask: &mut impl Ask) {
             let found = || looks.at.get(k).map_or(vec![], |at| flat(at));
             ask.near(&question, found, || nearly(&ring.right().at[k], ring.unit));
         }
-        let question = format!("{name}: weighted sum of the velocities, x and y of each particle");
+        let question = format!("{name}: weighted sum of the velocities: x and y for each particle");
         let scale = ring.unit / ring.h;
         ask.near(&question, || flat(&looks.sum.at), || nearly(&ring.right().sum.at, scale));
         let question =
-            format!("{name}: weighted sum of the accelerations, x and y of each particle");
+            format!("{name}: weighted sum of the accelerations: x and y for each particle");
         let scale = scale / ring.h;
         ask.near(&question, || flat(&looks.sum.v), || nearly(&ring.right().sum.v, scale));
     }

@@ -21,7 +21,10 @@ impl Search {
     /// Counts an evaluation at the time `t` of an interval from `low` to `high`.
     pub(crate) fn look(&mut self, t: f64, low: f64, high: f64) {
         self.looks += 1;
-        assert!(self.looks < WITHOUT_END, "{WITHOUT_END} evaluations, and no end");
+        assert!(
+            self.looks < WITHOUT_END,
+            "{WITHOUT_END} evaluations, but the function still does not return"
+        );
         self.outside += usize::from(!(low..=high).contains(&t));
     }
 
@@ -101,17 +104,20 @@ impl Falling {
     }
 
     fn verdict(&self, found: &[f64]) -> Result<(), String> {
-        let &[part, value, looks, outside] = found else { return Err("no moment".into()) };
+        let &[part, value, looks, outside] = found else {
+            return Err("the answer is not complete".into());
+        };
         let late = (part - self.root) / 1e-12;
         if late.is_nan() || late.abs() > 3.0 {
             return Err(format!(
-                "it found {part:?} of the interval instead of {:?}: off by {late:.1e} times 10^-12",
+                "the function found the moment {part:?} instead of {:?}, both as a part of the interval. The \
+                 difference is {late:.1e} × 10^-12",
                 self.root
             ));
         }
         if value > 0.0 {
             return Err(format!(
-                "at the moment that it found, the number is {value:e}, which is above zero"
+                "at the moment that the function found, the number is {value:e}, which is above zero"
             ));
         }
         if outside > 0.0 {
@@ -134,9 +140,9 @@ pub(crate) fn crossings(random: &mut Random, ask: &mut impl Ask) {
         }
         let Falling { kind, low, high, root, size, .. } = falling;
         let question = format!(
-            "{} of size {size:e}, from {low:?} to {high:?}, which falls through zero {root:?} of the interval into it: \
-             the moment as a part of the interval, the number at this moment, number of evaluations, number of these \
-             that were outside the interval",
+            "{} of size {size:e}, from the time {low:?} to {high:?}. It falls through zero at the moment {root:?}, as \
+             a part of the interval: (1) the moment that the function finds, as a part of the interval, (2) the \
+             number at this moment, (3) number of evaluations, (4) number of evaluations outside the interval",
             KINDS[kind]
         );
         ask.judge(&question, || falling.search(), |found| falling.verdict(found));
@@ -148,9 +154,9 @@ pub(crate) fn faint_crossings(_: &mut Random, ask: &mut impl Ask) {
     for size in [1e-300, 1e-308, 1e-315, 1e-320] {
         for root in [0.25, 0.75] {
             let question = format!(
-                "a line of size {size:e}, from 0 to 1e-9, which falls through zero {root} of the interval into it: 1 \
-                 if it is at most 0 at the moment that was found, 0 if not; then this moment as a part of the \
-                 interval"
+                "a line of size {size:e}, from the time 0 to 1e-9. It falls through zero at the moment {root}, as a \
+                 part of the interval: (1) 1 if the line is at most 0 at the moment that the function finds, 0 if \
+                 not, (2) this moment, as a part of the interval"
             );
             // The smallest number that is not 0 is 5e-324.
             let latest = || root + 3e-12 + 1e-323 / size;
@@ -160,7 +166,7 @@ pub(crate) fn faint_crossings(_: &mut Random, ask: &mut impl Ask) {
                 |found| match found {
                     [1.0, part] if *part <= latest() => Ok(()),
                     _ => Err(format!(
-                        "     found: {found:?}\n  expected: 1, and at most {}",
+                        "     found: {found:?}\n  expected: (1) 1, (2) at most {}",
                         latest()
                     )),
                 },

@@ -24,7 +24,7 @@ pub(crate) fn in_contact() -> Scene {
         vx: -0.05 * side,
         ..Particle::default()
     };
-    Scene::new(0.1, vec![at(-1.0), at(1.0)]).expect("the scene is sound")
+    Scene::new(0.1, vec![at(-1.0), at(1.0)]).expect("the scene is valid")
 }
 
 /// Returns the particles after `steps` official steps of a variant, each divided into `parts`
@@ -67,8 +67,8 @@ fn errors(found: &[f64], scene: &Scene, steps: u32) -> Result<Vec<f64>, String> 
 fn order_in_contact(ask: &mut impl Ask, name: &str, order: f64) {
     let scene = in_contact();
     let question = format!(
-        "variant {name}, two particles in contact: x and y of each particle after an official step in 4 parts, then \
-         after a step in 8 parts"
+        "variant {name}, two particles in contact: x and y of each particle (1) after an official step in 4 parts, \
+         (2) after an official step in 8 parts"
     );
     let end = |parts| positions(&end_of(name, parts, &scene, 1));
     ask.judge(
@@ -106,9 +106,10 @@ pub(crate) fn across_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
         Particle { x: 0.05, y: 0.0003, vx: 0.9, vy: -0.4, id: 0 },
         Particle { x: 0.0612, y: 0.0011, vx: -1.1, vy: 0.1, id: 1 },
     ];
-    let scene = Scene::new(0.1, particles).expect("the scene is sound");
-    let question = "two particles that come into reach, one of them past a wall: x and y of each particle after 16 \
-                    official steps, with rk4-located in 1 part and in 8 parts of a step, then with rk4 in 8 parts";
+    let scene = Scene::new(0.1, particles).expect("the scene is valid");
+    let question = "two particles that come into reach, one of them after a collision with a wall: x and y of each \
+                    particle after 16 official steps, (1) with rk4-located in 1 part, (2) with rk4-located in 8 \
+                    parts, (3) with rk4 in 8 parts";
     let runs = [("rk4-located", 1.0), ("rk4-located", 8.0), ("rk4", 8.0)];
     let found = || runs.iter().flat_map(|run| positions(&end_of(run.0, run.1, &scene, 16)));
     ask.judge(question, || found().collect(), |found| {
@@ -121,8 +122,8 @@ pub(crate) fn across_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
         }
         if fine >= 0.05 * plain {
             return Err(format!(
-                "the error is {fine:e}, and the error of rk4 without located events is {plain:e}; the first must be \
-                 far smaller"));
+                "the error is {fine:e}, but must be far smaller than {plain:e}, the error of rk4 without located \
+                 events"));
         }
         Ok(())
     });
@@ -130,9 +131,9 @@ pub(crate) fn across_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
 
 pub(crate) fn exact_motion(_: &mut Random, ask: &mut impl Ask) {
     starts_with_the_fall();
-    let scene = Scene::official(300, 4).expect("the scene is sound");
-    let question = "300 particles, seed 4: x and y of each particle after 100 official steps of rk4-located, in 10 \
-                    parts and in 40 parts";
+    let scene = Scene::official(300, 4).expect("the scene is valid");
+    let question = "300 particles, seed 4: x and y of each particle after 100 official steps of rk4-located, (1) in \
+                    10 parts, (2) in 40 parts";
     let found = || [10.0, 40.0].map(|parts| positions(&end_of("rk4-located", parts, &scene, 100)));
     ask.judge(
         question,
@@ -148,7 +149,7 @@ pub(crate) fn exact_motion(_: &mut Random, ask: &mut impl Ask) {
             }
             if fine >= 0.01 * coarse {
                 return Err(format!(
-                    "with steps of a quarter, the error is {fine:e} instead of {coarse:e}: it must \
+                    "with steps that are four times shorter, the error is {fine:e} instead of {coarse:e}: it must \
                      shrink to less than a hundredth"
                 ));
             }

@@ -20,14 +20,19 @@ pub(crate) fn right_steps_of_epochs(random: &mut Random, ask: &mut impl Ask) {
         let moves: Vec<f64> = (0..taken).map(|_| CUTOFF * random.magnitude(1e-6, 1e3)).collect();
         let moves = if random.below(5) == 0 { vec![0.0; taken] } else { moves };
         let width = some_depth(random, &moves);
-        let shown = if taken < 9 { format!(", moves of {moves:?}") } else { String::new() };
-        let question =
-            format!("{taken} steps{shown}, ghosts {width:?} deep: number of steps that are right");
+        let shown = if taken < 9 {
+            format!(", in which particles move at most {moves:?}")
+        } else {
+            String::new()
+        };
+        let question = format!(
+            "{taken} steps{shown}, ghosts {width:?} deep: number of steps that are correct"
+        );
         let found = || vec![right_steps(&moves, width) as f64];
         ask.exact(&question, found, || vec![right_of(&moves, width) as f64]);
     }
     ask.exact(
-        "2 steps in which nothing moves, ghosts exactly two cutoffs deep: number of steps that are right",
+        "2 steps in which no particle moves, ghosts exactly two cutoffs deep: number of steps that are correct",
         || vec![right_steps(&[0.0, 0.0], 2.0 * CUTOFF) as f64],
         || vec![2.0],
     );
@@ -63,13 +68,13 @@ pub(crate) fn confirmations(random: &mut Random, ask: &mut impl Ask) {
             let mut all = sent[rank.number].clone();
             let right = rank.call("confirm", |world| confirm(world, &mut all, steps, width));
             let name = format!(
-                "{}, {steps} steps, ghosts {width:?} deep, and the numbers {sent:?} of the ranks",
+                "{}, {steps} steps, ghosts {width:?} deep. The numbers of the ranks are {sent:?}",
                 rank.name()
             );
             ask.exact(
                 &format!(
-                    "{name}: number of steps that are right on all ranks, then the numbers on \
-                     which the ranks agree"
+                    "{name}: (1) number of steps that are correct on all ranks, (2) the numbers on which the ranks \
+                     agree"
                 ),
                 || [vec![right as f64], all].concat(),
                 || agreed(&sent, steps, width),

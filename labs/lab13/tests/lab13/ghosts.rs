@@ -35,8 +35,11 @@ pub(crate) fn partners_of_ranks(random: &mut Random, ask: &mut impl Ask) {
         let width = beside(random.below(8) as f64 * unit)[random.below(3)].max(0.0);
         for _ in 0..ranks.min(12) {
             let rank = random.below(ranks);
-            let edges =
-                if ranks < 9 { format!(" cut at {:?}", strips.edges) } else { String::new() };
+            let edges = if ranks < 9 {
+                format!(" with edges at {:?}", strips.edges)
+            } else {
+                String::new()
+            };
             let question = format!(
                 "{ranks} strips{edges}, ghosts {width:?} wide: partners of rank {rank}, in ascending order"
             );
@@ -110,8 +113,8 @@ pub(crate) fn chosen(random: &mut Random, ask: &mut impl Ask) {
         let Beside { y, strip, width, .. } = &all;
         let shown = if n < 9 { format!(" at y = {y:?}") } else { String::new() };
         let question = format!(
-            "{n} particles{shown}: indices of the particles at most {width:?} away from the strip {strip:?}, in \
-             ascending order"
+            "{n} particles{shown}: indices of the particles that are at most {width:?} away from the strip {strip:?}, \
+             in ascending order"
         );
         let right = || (0..n).filter(|&index| all.is_near(y[index])).map(|index| index as f64);
         ask.exact(

@@ -33,7 +33,7 @@ pub(crate) fn shares(random: &mut Random, ask: &mut impl Ask) {
         let load = random.magnitude(1.0, 9e18) as u64;
         let shown = if rows < 9 { format!(" with {counts:?} particles") } else { String::new() };
         let question = format!(
-            "a load of {load} in {rows} rows{shown}: upper and lower 32 bits of each share"
+            "a load of {load} in {rows} rows{shown}: for each row, the upper and the lower 32 bits of its share"
         );
         ask.exact(
             &question,

@@ -50,7 +50,8 @@ fn exchange(rank: &Rank<'_>, letters: &Letters, most: usize, ask: &mut impl Ask)
         let meanwhile = || calls.push(calls_made());
         exchange_positions(world, &letters.ranks(), &sent, &mut received, meanwhile);
     });
-    let name = format!("{}, lists of up to {most} for ranks {partners:?}", rank.name());
+    let name =
+        format!("{}, lists of up to {most} positions for the ranks {partners:?}", rank.name());
     let times = || vec![calls.len() as f64];
     ask.exact(&format!("{name}: number of times that the inner particles move"), times, || {
         vec![1.0]
@@ -58,13 +59,15 @@ fn exchange(rank: &Rank<'_>, letters: &Letters, most: usize, ask: &mut impl Ask)
     let before = calls.first().map_or(&[][..], |calls| calls);
     ask.exact(
         &format!(
-            "{name}: number of receives begun, sends begun, and other calls before the inner particles move"
+            "{name}: before the inner particles move, (1) number of receives begun, (2) number of sends begun, (3) \
+             number of other MPI calls"
         ),
         || made(before),
         || vec![partners.len() as f64, partners.len() as f64, 0.0],
     );
     ask.exact(
-        &format!("{name}: number of positions from each partner, and two sums of them"),
+        &format!("{name}: for each partner, (1) number of positions from this partner, (2) a checksum of these \
+                  positions in their order, (3) 0"),
         || received.iter().flat_map(|letter| sums_of(letter)).collect(),
         || partners.iter().flat_map(|&from| sums_of(&letters.letter(from, own))).collect(),
     );
@@ -138,7 +141,7 @@ fn renewal(rank: &Rank<'_>, words: &[Word], width: f64, ask: &mut impl Ask) {
     let Word { list_has_expired, moved } = words[rank.number];
     let found = rank.call("must_renew", |world| must_renew(world, list_has_expired, moved, width));
     let name =
-        format!("{}, ghosts {width:?} wide, and the words {words:?} of the ranks", rank.name());
+        format!("{}, ghosts {width:?} wide. The words of the ranks are {words:?}", rank.name());
     ask.exact(
         &format!("{name}: 1 if all ranks rebuild their lists, 0 if no rank rebuilds its list"),
         || vec![truth(found)],
@@ -155,6 +158,6 @@ fn renewal(rank: &Rank<'_>, words: &[Word], width: f64, ask: &mut impl Ask) {
 pub(crate) fn one_reduction(name: &str, ask: &mut impl Ask) {
     let calls = calls_made();
     let reductions = calls.iter().filter(|call| **call == "MPI_Allreduce").count();
-    let question = format!("{name}: number of MPI calls, and of those that are Allreduce");
+    let question = format!("{name}: (1) number of MPI calls, (2) number of calls of Allreduce");
     ask.exact(&question, || integers([calls.len(), reductions]), || integers([1, 1]));
 }

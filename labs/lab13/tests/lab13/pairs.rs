@@ -57,12 +57,14 @@ pub(crate) fn pairs(random: &mut Random, ask: &mut impl Ask) {
         );
         let found = pairs_across(own.positions(), ghosts.positions(), reach);
         ask.exact(
-            &format!("{name}: 1 if the pairs are in ascending order of the own particle, 0 if not"),
+            &format!("{name}: 1 if the pairs are in ascending order of their own particles (not ghosts), 0 if not"),
             || vec![truth(found.is_sorted_by_key(|pair| pair[0]))],
             || vec![1.0],
         );
         ask.exact(
-            &format!("{name}: own particle and ghost of each pair"),
+            &format!(
+                "{name}: for each pair, the index of the own particle and the index of the ghost"
+            ),
             || ascending(found.clone()),
             || right_pairs(&own, &ghosts, reach),
         );
@@ -91,8 +93,8 @@ fn right_pairs(own: &Side, ghosts: &Side, reach: f64) -> Vec<f64> {
 /// Asks about half a million particles. A program that tests every pair does not finish.
 pub(crate) fn half_a_million(_: &mut Random, ask: &mut impl Ask) {
     ask.exact(
-        "500,000 particles in a row, and a ghost at the position of each: number of pairs, and number of pairs at one \
-         position",
+        "500,000 particles in a row, and a ghost at the position of each particle: (1) number of pairs, (2) number of \
+         pairs whose particle and ghost are at one position",
         || within("13.3", 60, pairs_in_a_row),
         || vec![5e5; 2],
     );

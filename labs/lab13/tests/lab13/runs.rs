@@ -48,7 +48,8 @@ pub(crate) fn cut_again(on: On, ask: &mut impl Ask) {
     let names = ["times the strips were cut again"];
     often_cut(on).counters(ask, &scenes::drifting(), 40, &names, |_, found| match found {
         [times] if *times >= 3.0 => Ok(()),
-        _ => Err(format!("{found:?} is less than 3, although the scene crossed the box")),
+        _ => Err(format!("the strips were cut again {found:?} times, but must be cut again at least 3 times, because \
+                          the particles crossed the box")),
     });
 }
 
@@ -86,7 +87,8 @@ pub(crate) fn few_messages(ask: &mut impl Ask) {
     strips(&[2]).counters(ask, &scene, 100, &names, |_, found| match found {
         [steps, messages] if *steps > 4.0 && *messages < 4.0 => Ok(()),
         _ => Err(format!(
-            "{found:?} must be more than 4 steps per list, and fewer than 4 messages in a step"
+            "found {found:?}, but a list must last for more than 4 steps, and a rank must send fewer than 4 messages \
+             in a step"
         )),
     });
 }
@@ -100,8 +102,8 @@ pub(crate) fn few_messages_of_epochs(ask: &mut impl Ask) {
         match found {
             [steps, messages, again] if *steps > 4.0 && *messages < most && *again <= 2.0 => Ok(()),
             _ => Err(format!(
-                "{found:?} must be more than 4 steps per epoch, fewer than {most} messages in a step, and at most 2 \
-                 epochs taken again"
+                "found {found:?}, but an epoch must have more than 4 steps, a rank must send fewer than {most} \
+                 messages in a step, and at most 2 epochs may be taken again"
             )),
         }
     });
@@ -112,7 +114,7 @@ pub(crate) fn taken_again(ask: &mut impl Ask) {
     deep(&[2, 3, 5]).counters(ask, &a_kick(), 12, &names, |_, found| match found {
         [again] if *again >= 1.0 => Ok(()),
         _ => Err(format!(
-            "{found:?} epochs were taken again, although a particle became fast in step 3"
+            "{found:?} epochs were taken again, but one must be, because a particle became fast in step 3"
         )),
     });
 }
@@ -143,7 +145,7 @@ pub(crate) fn program(task: &'static str, variant: &'static str, ask: &mut impl 
     ask.in_tests_only(|| {
         let program =
             option_env!("CARGO_BIN_EXE_lab13").or(option_env!("CARGO_BIN_EXE_solution13"));
-        let program = program.expect("the lab has a program");
+        let program = program.expect("the lab has its own program");
         for ranks in [1, 2, 3, 5] {
             OnRanks::new(task, program, variant, ranks).official_bytes();
         }
@@ -158,9 +160,9 @@ pub(crate) fn program_of_epochs(ask: &mut impl Ask) {
 }
 
 fn counter(n: u64, seed: u32) -> Scene {
-    Scene::counter(n, seed).expect("the scene is sound")
+    Scene::counter(n, seed).expect("the scene is valid")
 }
 
 fn scene(size: f64, particles: Vec<Particle>) -> Scene {
-    Scene::new(size, particles).expect("the scene is sound")
+    Scene::new(size, particles).expect("the scene is valid")
 }

@@ -12,8 +12,8 @@ pub(crate) fn widths(random: &mut Random, ask: &mut impl Ask, deep: bool) {
     for steps in random.sizes(70_000).into_iter().filter(|&steps| steps > 0) {
         for fastest in [0.0, random.magnitude(1e-15, 1e9), CUTOFF * random.magnitude(1e-3, 1e3)] {
             let question = format!(
-                "ghosts for {steps} steps, in each of which the fastest particle goes {fastest:?}: how {} they must \
-                 be",
+                "the fastest particle goes {fastest:?} in each of {steps} steps: how {} the ghosts must be for these \
+                 steps",
                 if deep { "deep" } else { "wide" }
             );
             let width = if deep { deep_width } else { ghost_width };
@@ -114,7 +114,7 @@ fn cheapest(found: &[f64], most: u32, cost: impl Fn(u32) -> f64) -> Result<(), S
         return Ok(());
     }
     Err(format!(
-        "{found} steps, with which a step costs {price:.6} ns for each particle; with {best} steps it costs only \
+        "with {found} steps, a step costs {price:.6} ns for each particle. With {best} steps, it costs only \
          {least:.6} ns"
     ))
 }

@@ -32,8 +32,8 @@ fn refill(bins: &mut VecBins, n: usize, random: &mut Random, ask: &mut impl Ask)
     ask.exact(&question, || integers([poorer.count()]), || vec![0.0]);
     bins.put(particles[n]);
     let question = format!(
-        "{along} bins along a wall, filled again with {n} particles, and particle {n} added afterwards: bin and id of \
-         each particle, bin by bin"
+        "{along} bins along a wall, filled again with {n} particles. Then particle {n} is added: bin and id of each \
+         particle, bin by bin"
     );
     let found = || {
         let filled = bins.bins().iter().enumerate();
@@ -114,7 +114,7 @@ impl Crowd {
         let mut count = Count::default();
         let a = bins.acceleration(&p, &mut count);
         let name = format!(
-            "{} particles in {} rows of bins of side {:?}, particle {} at ({:?}, {:?})",
+            "{} particles in {} rows of bins with the side {:?}, particle {} at ({:?}, {:?})",
             self.all.len(),
             self.along,
             bins.grid().bin_side(),
@@ -128,8 +128,8 @@ impl Crowd {
             || self.acceleration(own),
         );
         let question = format!(
-            "{name}: number of particles in the bins around it that it was tested against (`tested`), including \
-             itself"
+            "{name}: number of particles in the bins around this particle against which it was tested (`tested`), \
+             including itself"
         );
         let looked_at = || integers([count.tested as usize]);
         ask.exact(&question, looked_at, || integers([self.around(own).count()]));
@@ -185,7 +185,7 @@ fn leave(along: usize, bin: usize, now: Vec<Binned>, ask: &mut impl Ask) {
     let mut changed = vec![Particle { id: 99_999, ..Particle::default() }];
     take_leavers(&grid, bin, &mut particles, &mut changed);
     let mut name = format!(
-        "bin {bin} of {along} rows, and the particles in its list, {} of them, numbered from 0",
+        "bin {bin} in a grid of {along} rows. Its list contains {} particles, numbered from 0",
         now.len()
     );
     if now.len() < 12 {
@@ -196,7 +196,7 @@ fn leave(along: usize, bin: usize, now: Vec<Binned>, ask: &mut impl Ask) {
     ask.exact(&format!("{name}: particles that stay in the list"), stay, || {
         ids(now.iter().filter(|one| one.bin == bin).map(|one| &one.particle))
     });
-    let question = format!("{name}: particles in `changed`, which held particle 99999 before");
+    let question = format!("{name}: particles in `changed`, which contained particle 99999 before");
     ask.exact(
         &question,
         || in_any_order(ids(&changed)),

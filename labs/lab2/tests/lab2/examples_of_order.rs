@@ -52,7 +52,7 @@ pub(crate) fn pairs_table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let at = |id: usize, x: f64, y: f64| numbered(id, x * CUTOFF, y * CUTOFF);
         let particles = vec![at(0, 1.7, 0.5), at(1, 1.2, 0.5), at(2, 1.7, 1.2), at(3, 3.5, 3.5)];
-        let scene = Scene::new(4.4 * CUTOFF, particles).expect("all are in the box");
+        let scene = Scene::new(4.4 * CUTOFF, particles).expect("all particles are in the box");
         let mut engine = LinkedList::<Count>::new(1.0);
         engine.load(&scene);
         engine.step();
@@ -65,7 +65,7 @@ pub(crate) fn pairs_table(_: &mut Random, ask: &mut impl Ask) {
             let [vx, vy] = [after.vx, after.vy].map(|v| format!("{:.3}", v + 0.0));
             table.row([&p.id, &x, &y, &vx, &vy]);
         }
-        let seen = engine.statistics().expect("it counts");
+        let seen = engine.statistics().expect("the engine was built with statistics");
         format!(
             "{table}\npair tests: {}\npairs within the cutoff, each counted twice: {}\n",
             seen.pair_tests, seen.navg

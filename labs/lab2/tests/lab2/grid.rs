@@ -20,8 +20,8 @@ pub(crate) fn grids(random: &mut Random, ask: &mut impl Ask) {
         };
         let size = fit * least;
         let question = format!(
-            "a box of side {size:?}, bins of side {least:?} or more with a margin of 1e-9 of that side, at most 8 bins \
-             for each of {n} particles: number of bins along a wall"
+            "{n} particles in a box of side {size:?}. A bin's side is at least {least:?} plus a margin of 1e-9 of \
+             that side, and the box has at most 8 × {n} bins: number of bins along a wall"
         );
         let found = || integers([Grid::new(size, least, n).rows()]);
         ask.judge(&question, found, |found| fits(size, least, n, found));
@@ -89,8 +89,8 @@ pub(crate) fn near(random: &mut Random, ask: &mut impl Ask) {
                 integers([near.start, near.end])
             };
             let question = format!(
-                "row {index} of {along}: first of the rows next to it, including the row itself, and the last of them \
-                 plus 1"
+                "row {index} of {along}. The rows next to it, including the row itself, are a range: the first row of \
+                 the range, and its last row plus 1"
             );
             ask.exact(&question, found, || {
                 integers([if index == 0 { 0 } else { index - 1 }, along.min(index + 2)])

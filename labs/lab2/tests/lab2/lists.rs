@@ -59,7 +59,7 @@ impl Filled {
         }
         for one in self.inserts.iter().step_by(1 + self.inserts.len() / 300) {
             let question =
-                format!("{name}: particles that follow particle {} in its list", one.particle);
+                format!("{name}: particles that come after particle {} in its list", one.particle);
             let found = || integers(lists.after(one.particle).take(most));
             ask.exact(&question, found, || {
                 integers(self.list(one.bin).skip_while(|&p| p != one.particle).skip(1))
@@ -82,8 +82,8 @@ pub(crate) fn forwards(random: &mut Random, ask: &mut impl Ask) {
             let row = any_index(random, along);
             let column = any_index(random, along);
             let question = format!(
-                "the bin in row {row}, column {column} of {along} rows: neighbouring bins that come after it, in \
-                 ascending order"
+                "the bin in row {row}, column {column} of {along} rows: neighbouring bins that come after this bin, \
+                 in ascending order"
             );
             let found = || {
                 let mut bins = [0; 4];
@@ -115,11 +115,13 @@ pub(crate) fn looks(random: &mut Random, ask: &mut impl Ask) {
         let all = binned(random, along, &(0..along), n).into_iter().map(|one| one.particle);
         let particles = all.map(|p| Particle { x: p.x * size, y: p.y * size, ..p }).collect();
         let mut engine = LinkedList::<Count>::new(1.0);
-        engine.load(&Scene::new(size, particles).expect("all are in the box"));
+        engine.load(&Scene::new(size, particles).expect("all particles are in the box"));
         engine.step();
         let reported = engine.statistics().map_or(0, |seen| seen.pair_tests);
-        let question =
-            format!("{n} particles in {along} rows of bins, which all touch: number of pair tests");
+        let question = format!(
+            "{n} particles in {along} rows of bins, in which every bin touches every other bin: number of \
+                     pair tests"
+        );
         ask.exact(&question, || integers([reported as usize]), || integers([n * (n - 1) / 2]));
     }
 }

@@ -69,7 +69,7 @@ fn loners() -> Vec<Scene> {
     for size in [1e-300, 0.3 * CUTOFF, CUTOFF, 7.7 * CUTOFF, 1e300] {
         for (x, y) in [(0.5, 0.5), (1.0, 1.0), (0.0, 1.0), (1.0, 0.3)] {
             let scene = Scene::new(size, vec![numbered(0, x * size, y * size)]);
-            scenes.push(scene.expect("the scene is sound"));
+            scenes.push(scene.expect("the scene is valid"));
         }
     }
     scenes
@@ -89,10 +89,9 @@ fn wide() -> Scene {
     let bins = Grid::new(size, CUTOFF, particles.len()).bins();
     assert!(
         bins <= 8000,
-        "{bins} bins for 1000 particles in a box a million cutoffs wide: there must be at most 8 \
-         for each particle"
+        "{bins} bins for 1000 particles in a box a million cutoffs wide: there must be at most 8 × 1000 bins"
     );
-    Scene::new(size, particles).expect("the scene is sound")
+    Scene::new(size, particles).expect("the scene is valid")
 }
 
 pub(crate) fn official_run(ask: &mut impl Ask, runs: &Runs) {
@@ -126,15 +125,16 @@ pub(crate) fn keeps_everyone(ask: &mut impl Ask, runs: &Runs) {
 pub(crate) fn pair_tests(ask: &mut impl Ask, runs: &Runs) {
     for n in [1000, 8000, 64_000] {
         let found = move |engine: &mut dyn Simulation| {
-            engine.load_official(n, 1).expect("the official scene is sound");
+            engine.load_official(n, 1).expect("the official scene is valid");
             engine.step();
-            let seen = engine.statistics().expect("statistics were asked for");
+            let seen = engine.statistics().expect("the engine was built with statistics");
             vec![seen.pair_tests as f64 / n as f64]
         };
         let runs = runs.clone().set(BIN_SIZE, 1.0).statistics();
         let question = format!(
-            "{}, a step of the official scene with {n} particles: number of pair tests for each particle (`tested`). \
-             About 0.1 pairs are within the cutoff, and bins of one cutoff need fewer than 4 tests",
+            "{}, a step of the official scene with {n} particles: number of pair tests (`tested`) divided by the \
+             number of particles. On average, a particle has about 0.1 pairs within the cutoff, and bins of one \
+             cutoff need fewer than 4 tests",
             runs.name()
         );
         ask.judge(
@@ -180,7 +180,7 @@ pub(crate) fn bits(_: &mut Random, ask: &mut impl Ask) {
 
 pub(crate) fn bits_of_official_scenes(_: &mut Random, ask: &mut impl Ask) {
     for (n, seed) in [(1, 1), (2, 9), (300, 7), (777, 5), (1500, 2)] {
-        let scene = Scene::official(n, seed).expect("the official scene is sound");
+        let scene = Scene::official(n, seed).expect("the official scene is valid");
         sorted().bits_of_all_pairs(ask, &scene, 200);
     }
 }

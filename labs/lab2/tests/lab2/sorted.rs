@@ -44,7 +44,8 @@ fn sort(
 ) {
     bins.refill(particles_of(all));
     let question = format!(
-        "{name}: particles in memory, bin by bin, and in each bin in the order in which they came"
+        "{name}: particles in the order of memory. They must be bin by bin, and within a bin in the order in which \
+         they came"
     );
     ask.exact(
         &question,
@@ -61,7 +62,7 @@ fn sort(
         let column = random.below(bins.grid().columns());
         let bin = row * bins.grid().columns() + column;
         let question = format!(
-            "{name}: index at which the bin in row {row}, column {column} begins, and index at which it ends"
+            "{name}: indices at which the bin in row {row}, column {column} begins and ends"
         );
         let found = || {
             let span = bins.span(row, column..column + 1);
@@ -126,7 +127,8 @@ impl Around {
             "{name}: acceleration of the particle, ax ay, summed in ascending order of ids"
         );
         ask.exact(&question, || vec![a.x, a.y], || self.sum());
-        let question = format!("{name}: number of candidates tested, and number of pairs summed");
+        let question =
+            format!("{name}: (1) number of candidates tested, (2) number of pairs summed");
         let found = || integers([count.tested as usize, count.seen as usize]);
         ask.exact(&question, found, || integers([n, self.in_reach()]));
     }

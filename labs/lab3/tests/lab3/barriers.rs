@@ -95,16 +95,20 @@ pub(crate) fn rehearsals(random: &mut Random, ask: &mut impl Ask) {
         let part = ["forces", "moves", "arrivals"][turn % 3];
         let name = format!("step {} of {steps}, {part}", turn / 3);
         let question = format!(
-            "{name}: number of members, of 3, that have ended the part before, when members 0, 1 and 2 begin this \
-             part. A number below 3 means that a barrier is missing"
+            "{name}: number of members that have ended the previous part, (1) when member 0 begins this part, (2) \
+             when member 1 begins it, (3) when member 2 begins it. A number below 3 means that a barrier is missing"
         );
         ask.exact(&question, || integers(*before), || integers([MEMBERS; MEMBERS]));
-        let question = format!("{name}: number of members that begin it, and number that end it");
+        let question = format!(
+            "{name}: (1) number of members that begin this part, (2) number of members that end \
+                                it"
+        );
         let counts = || integers([found.begun[turn], found.ended[turn]]);
         ask.exact(&question, counts, || integers([MEMBERS; 2]));
     }
     let question = format!(
-        "{steps} steps: number of parts after which the other members do not wait at a barrier for a delayed member"
+        "{steps} steps, in which one member is delayed in each part: number of parts after which the other members do \
+         not wait for it at a barrier"
     );
     ask.exact(&question, || integers([found.alone]), || integers([0]));
 }
@@ -116,7 +120,8 @@ pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
         let mut parts = 0;
         take_steps(steps as u64, |_| parts += 1, &barrier);
         let question = format!(
-            "{steps} steps of one member: number of parts, and number of barriers (three of each in a step)"
+            "{steps} steps of one member: (1) number of parts, three in each step, (2) number of barriers, three in \
+             each step"
         );
         let found = || integers([parts, barrier.meetings() as usize]);
         ask.judge(&question, found, |found| {

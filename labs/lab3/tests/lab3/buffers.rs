@@ -61,8 +61,8 @@ impl Leavers {
         let n = self.leavers.len();
         let along = self.grid.rows();
         let question = format!(
-            "{n} particles in {} change buffers, some of them empty, and particle {n} in its bin; {along} bins along \
-             each wall of {:?}: id and bin of each particle that the bins of rows {rows:?} hold",
+            "{n} particles in {} change buffers, some of which are empty, and particle {n} in its bin. There are \
+             {along} bins along each wall of length {:?}: id and bin of each particle in the bins of rows {rows:?}",
             self.buffers().count(),
             self.grid.size()
         );
@@ -81,7 +81,9 @@ impl Leavers {
         for [id, bin] in found.as_chunks::<2>().0 {
             match bins.get_mut(*id as usize) {
                 Some(bins) => bins.push(*bin as usize),
-                None => return Err(format!("bin {bin} holds particle {id}, which does not exist")),
+                None => {
+                    return Err(format!("bin {bin} contains particle {id}, which does not exist"));
+                }
             }
         }
         for (p, bins) in self.leavers.iter().chain([&self.resident]).zip(bins) {
@@ -89,7 +91,7 @@ impl Leavers {
             let right: Vec<usize> = own.into_iter().collect();
             if bins != right {
                 return Err(format!(
-                    "the bins that hold particle {}, which is at ({:?}, {:?})\n     found: {bins:?}\n  expected: \
+                    "the bins that contain particle {}, which is at ({:?}, {:?})\n     found: {bins:?}\n  expected: \
                      {right:?}",
                     p.id, p.x, p.y
                 ));

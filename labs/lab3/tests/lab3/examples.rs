@@ -24,7 +24,7 @@ pub(crate) fn forces_of_all_pairs(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let particles = [(2.0, 5.0), (2.5, 5.0), (2.5, 5.5), (8.0, 8.0)];
         let particles = particles.map(|(x, y)| at(0, x, y)).to_vec();
-        let scene = Scene::new(10.0 * CUTOFF, particles).expect("all are in the box");
+        let scene = Scene::new(10.0 * CUTOFF, particles).expect("all particles are in the box");
         let mut after = scene.particles().to_vec();
         let mut counts = Table::new(["threads", "pairs within the cutoff", "pair tests"]);
         for threads in [1, 2, 3] {
@@ -32,7 +32,7 @@ pub(crate) fn forces_of_all_pairs(_: &mut Random, ask: &mut impl Ask) {
             engine.load(&scene);
             engine.step();
             engine.read(0, &mut after);
-            let seen = Simulation::statistics(&engine).expect("tallies have statistics");
+            let seen = Simulation::statistics(&engine).expect("a tally returns statistics");
             counts.row([&threads, &seen.navg, &seen.pair_tests]);
         }
         let mut table =

@@ -22,7 +22,9 @@ fn experiment_reductions() {
     for threads in [1, 2, 4, 8] {
         let pool = pool(threads);
         let mut sums: [HashSet<u64>; 3] = Default::default();
-        let davg = |tally: Tally| tally.statistics().expect("it counts").davg.to_bits();
+        let davg = |tally: Tally| {
+            tally.statistics().expect("the engine was built with statistics").davg.to_bits()
+        };
         let times = [
             nanoseconds_each(COUNT, || {
                 sums[0].insert(davg(pool.install(|| under_a_lock(&tallies))));

@@ -118,19 +118,22 @@ pub(crate) fn letters(random: &mut Random, ask: &mut impl Ask) {
         let members = case.mail.len();
         take_posted(&mut case.bins, case.number, &case.mail);
         let name = format!(
-            "a member with {own} particles, and {} letters from {members} members, some of which posted none",
+            "a member with {own} particles, and {} letters from {members} members, some of which posted no letter",
             all.len() - own
         );
-        let question = format!("{name}: id x y vx vy of each of its particles afterwards");
+        let question = format!("{name}: id x y vx vy of each of the member's particles afterwards");
         ask.exact(&question, || states(case.bins.particles()), || states(&all));
         let question = format!(
-            "{name}: row, column and id of each particle in its bins, and in each bin in the order of the senders"
+            "{name}: row, column and id of each particle in the member's bins. Within a bin, particles must be in the \
+             order of the senders"
         );
         ask.exact(&question, || held(&case.bins), || rows_and_columns(case.bins.grid(), &all));
-        let question = format!("{name}: number of letters left in its boxes");
+        let question = format!("{name}: number of letters that are left in the member's boxes");
         ask.exact(&question, || case.letters(|to, own| to == own), || integers([0]));
-        let question =
-            format!("{name}: number of letters in the boxes of other members, one in each");
+        let question = format!(
+            "{name}: number of letters in the boxes of the other members. One letter was put into each of \
+                     these boxes, and it must stay there"
+        );
         ask.exact(
             &question,
             || case.letters(|to, own| to != own),
@@ -139,8 +142,8 @@ pub(crate) fn letters(random: &mut Random, ask: &mut impl Ask) {
     }
     for members in [2, 3] {
         let question = format!(
-            "{members} members have posted a particle each: 1 if the receiver sorts its particles more than once, 0 if \
-             not"
+            "each of {members} members has posted a particle: 1 if the receiver sorts its particles more than once, 0 \
+             if not"
         );
         ask.exact(&question, || vec![is_sorted_twice(members)], || vec![0.0]);
     }

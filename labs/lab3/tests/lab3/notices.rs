@@ -50,12 +50,13 @@ pub(crate) fn posts(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..20 {
         let posted = drawn(random);
         let notice = Notice::default();
-        let name =
-            format!("notice {case} (1 and dmin, davg, navg, pair tests; or 0 for no notice)");
-        let question = format!("{name}: what is read before it is posted");
+        let name = format!(
+            "notice {case} (answers: 1 and dmin, davg, navg, pair tests; or 0 for no notice)"
+        );
+        let question = format!("{name}: result of a read before the notice is posted");
         ask.exact(&question, || answer(notice.read()), || vec![0.0]);
         notice.post(&posted);
-        let question = format!("{name}: what is read after it is posted");
+        let question = format!("{name}: result of a read after the notice is posted");
         ask.exact(&question, || answer(notice.read()), || answer(Some(posted)));
         let found = || {
             let all = readings(&posted).into_iter();
@@ -64,7 +65,9 @@ pub(crate) fn posts(random: &mut Random, ask: &mut impl Ask) {
             all.dedup();
             all.concat()
         };
-        let question = format!("{name}: everything that may be read while another thread posts it");
+        let question = format!(
+            "{name}: all results that a thread may read while another thread posts the notice"
+        );
         ask.exact(&question, found, || [vec![0.0], answer(Some(posted))].concat());
     }
 }
@@ -73,8 +76,8 @@ pub(crate) fn posts(random: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn orderings(_: &mut Random, ask: &mut impl Ask) {
     let posted = Statistics { dmin: 0.25, davg: 1.5, navg: 4, pair_tests: 9 };
     let found = || readings(&posted).into_iter().flat_map(Reading::into_numbers).collect();
-    let question = "a notice with dmin 0.25, davg 1.5, navg 4 and 9 pair tests: every way in which it may be read \
-                    while another thread posts it";
+    let question = "a notice with dmin 0.25, davg 1.5, navg 4 and 9 pair tests: every possible result of a read while \
+                    another thread posts the notice";
     ask.judge(question, found, |found| {
         let mut rest = found;
         while !rest.is_empty() {
@@ -82,7 +85,7 @@ pub(crate) fn orderings(_: &mut Random, ask: &mut impl Ask) {
             let Reading { found, log } = reading;
             if let Some(read) = found.filter(|read| *read != posted) {
                 let both = format!("{read:?} was read, but {posted:?} was posted");
-                return Err(format!("the flag was seen, but not all numbers: {both}\n{log}"));
+                return Err(format!("the thread saw the flag, but not all numbers: {both}\n{log}"));
             }
             if let Some(words) = too_much(&log) {
                 return Err(format!("{words}\n{log}"));
@@ -98,8 +101,8 @@ fn too_much(log: &str) -> Option<String> {
     let needed = [
         "writes the flag, Release",
         "reads  the flag, Acquire",
-        "one thread    passes a fence, Release",
-        "the other one passes a fence, Acquire",
+        "the writer passes a fence, Release",
+        "the reader passes a fence, Acquire",
     ];
     let is_needed = |line: &&str| {
         line.contains(", Relaxed") || needed.iter().any(|needed| line.contains(needed))

@@ -22,7 +22,7 @@ pub(crate) fn parts(count: usize) -> Vec<Tally> {
 }
 
 pub(crate) fn statistics(tally: &Tally) -> Statistics {
-    tally.statistics().expect("a tally has statistics")
+    tally.statistics().expect("a tally returns statistics")
 }
 
 /// Returns dmin, davg, navg and pair tests.
@@ -169,9 +169,9 @@ pub(crate) fn slow(_: &mut Random, ask: &mut impl Ask) {
         let total = pool(4).install(|| under_a_lock(&vec![Slow(1); 100])).0;
         integers([total as usize, MOST.load(Ordering::SeqCst)])
     };
-    let question = "100 parts of 1 are added under a lock by four threads, slowly: the total, and the greatest number \
-                    of additions at the same moment. A total below 100 means that one thread overwrote what another \
-                    had added. Two additions at the same moment are not under one lock";
+    let question = "100 parts of 1 are added under a lock by four threads, slowly: (1) the total, (2) the greatest \
+                    number of additions at the same moment. A total below 100 means that one thread overwrote what \
+                    another had added. If two additions happen at the same moment, they are not under the same lock";
     ask.exact(question, found, || integers([100, 1]));
 }
 
@@ -180,9 +180,9 @@ pub(crate) fn interrupted(_: &mut Random, ask: &mut impl Ask) {
     // The other thread's dmin is less than the part's, or it is greater and must be replaced.
     for (times, least) in [1, 2, 3, 40, 1000].into_iter().flat_map(|t| [(t, 0.125), (t, 0.6)]) {
         let question = format!(
-            "dmin 0.5, davg 0.5, navg 1 and 4 pair tests are added twice, and another thread interrupts {times} times, \
-             between two operations on each number. Each time it lowers dmin towards {least}, and adds 0.25 to davg and 2 to \
-             each count: dmin, davg, navg, pair tests of the sum"
+            "two parts with dmin 0.5, davg 0.5, navg 1 and 4 pair tests are added. A second thread interrupts each of \
+             the four numbers {times} times, between two operations. Each time it lowers dmin towards {least}, adds \
+             0.25 to davg, and adds 2 to navg and to the pair tests: dmin, davg, navg, pair tests of the sum"
         );
         let found = || numbers(&sum_of_two(times, least));
         ask.judge(&question, found, |found| nothing_lost(times, least, found));

@@ -17,7 +17,7 @@ pub(crate) fn owners(random: &mut Random, ask: &mut impl Ask) {
     }
     for (rows, workers) in cases {
         let question = format!(
-            "{rows} rows, {workers} workers: first row of each worker, and the row after its last"
+            "{rows} rows, {workers} workers: for each worker, its first row and the row after its last row"
         );
         let found = || {
             let each = (0..workers).map(|worker| own_rows(worker, workers, rows));
@@ -54,8 +54,8 @@ fn are_shared_out(rows: usize, found: &[f64]) -> Result<(), String> {
     let most = sizes().fold(0.0, f64::max);
     if most - least > 1.0 {
         return Err(format!(
-            "one worker has {most} rows, and another has {least}; the numbers may differ by one at \
-             most"
+            "one worker has {most} rows, and another worker has {least}, but their numbers of rows may differ by at \
+             most one"
         ));
     }
     Ok(())

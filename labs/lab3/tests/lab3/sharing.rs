@@ -23,14 +23,16 @@ fn does(units: u64) {
 fn shared(ask: &mut impl Ask, doing: &str, threads: usize, units: usize, work: impl FnOnce()) {
     let _in_use = IN_USE.lock();
     let question = format!(
-        "a pool of {threads} threads {doing}, {units} units of work: for each thread that did some of the work, the \
-         size of its pool and its number of units"
+        "a pool of {threads} threads {doing}, {units} units of work: for each thread that did some of the work, (1) \
+         the number of threads of its pool, (2) the number of units that it did"
     );
     let found = || MEETING.record(threads, units as u64, work);
     ask.judge(&question, found, |found| {
         let done: f64 = found.iter().skip(1).step_by(2).sum();
         if 2.0 * done > 3.0 * units as f64 {
-            return Err(format!("{done} units of work were done, but there are only {units}"));
+            return Err(format!(
+                "{done} units of work were done, but the work has only {units} units"
+            ));
         }
         Share::judge(threads, found)
     });

@@ -64,17 +64,18 @@ pub(crate) fn gatherings(random: &mut Random, ask: &mut impl Ask) {
     for threads in [0, 1, 2, 5, 3 + random.below(8), 12 + random.below(40)] {
         let Gathering { most, ended, numbers, different } = gather(threads);
         let question = format!(
-            "{threads} threads: number that work at the same time, number that have ended when the call returns, and \
-             number that are new and different"
+            "{threads} threads: (1) the most threads that work at the same time, (2) the number of threads that have \
+             ended when the call returns, (3) the number of different new threads"
         );
         ask.exact(&question, || integers([most, ended, different]), || integers([threads; 3]));
-        let question = format!("{threads} threads: the numbers that they get, in ascending order");
+        let question =
+            format!("{threads} threads: the numbers that the threads get, in ascending order");
         ask.exact(&question, || integers(numbers), || integers(0..threads));
     }
     // A submission may not start this number of threads.
     ask.in_tests_only(|| {
         let started = gather(257).numbers.len();
-        assert_eq!(started, 257, "257 threads: number of threads that are started");
+        assert_eq!(started, 257, "257 threads: number of threads that the call starts");
     });
 }
 
@@ -94,8 +95,8 @@ pub(crate) fn panics_with(words: u8) -> u8 {
 pub(crate) fn panics(random: &mut Random, ask: &mut impl Ask) {
     let words = 2 + random.below(250) as u8;
     let question = format!(
-        "thread 1 of 3 panics with the number {words}: number with which the call panics; 0 for no panic, and 1 for \
-         any other"
+        "thread 1 of 3 panics with the number {words}: the number with which the call panics, or 0 if it does not \
+         panic, or 1 if it panics with anything else"
     );
     ask.exact(&question, || vec![f64::from(panics_with(words))], || vec![f64::from(words)]);
 }

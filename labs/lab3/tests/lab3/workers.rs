@@ -97,7 +97,7 @@ impl Case {
 
 /// Returns the pairs within the cutoff and the pair tests of each tally.
 pub(crate) fn counts(seen: &[Tally]) -> Vec<f64> {
-    let seen = seen.iter().map(|tally| tally.statistics().expect("a tally has statistics"));
+    let seen = seen.iter().map(|tally| tally.statistics().expect("a tally returns statistics"));
     integers(seen.flat_map(|s| [s.navg as usize, s.pair_tests as usize]))
 }
 
@@ -115,7 +115,8 @@ pub(crate) fn forces(random: &mut Random, ask: &mut impl Ask) {
             let question = format!("{}: ax, ay of each of the worker's particles", case.name());
             ask.exact(&question, found, || case.felt(&bins));
             let question = format!(
-                "{}: pairs within the cutoff and pair tests that each of its rows reports",
+                "{}: for each row of the worker, (1) the pairs within the cutoff, (2) the pair tests that the row \
+                 reports",
                 case.name()
             );
             ask.exact(&question, || counts(&worker.seen), || case.seen(&bins));
@@ -191,7 +192,8 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
                 format!("{}: id x y vx vy of each particle that stays in its bin", case.name());
             ask.exact(&question, || states(own.iter().flatten()), || case.moved(true));
             let question = format!(
-                "{}: id x y vx vy of each particle in the change buffer, which held particle 7777 of the step before",
+                "{}: id x y vx vy of each particle in the change buffer, which contained particle 7777 before this \
+                 step",
                 case.name()
             );
             ask.exact(&question, || states(&worker.changed), || case.moved(false));

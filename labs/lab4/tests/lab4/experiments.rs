@@ -43,7 +43,7 @@ type Program = (&'static str, &'static common::Variant<dyn Simulation>);
 fn measure(program: Program, threads: usize, scene: &Scene) -> (f64, HashMap<&'static str, f64>) {
     const STEPS: u64 = 200;
     let config = program.1.config().with_threads(threads);
-    let mut engine = (program.1.build)(&config).expect("it can be built here");
+    let mut engine = (program.1.build)(&config).expect("the engine can be built here");
     engine.load(scene);
     // The first steps allocate the memory of the lists.
     engine.run(STEPS / 4);
@@ -60,7 +60,7 @@ fn measure(program: Program, threads: usize, scene: &Scene) -> (f64, HashMap<&'s
 #[ignore = "an experiment: prints two tables in some minutes"]
 fn experiment_ways() {
     const ROUNDS: usize = 3;
-    let official = Scene::official(20_000, 1).expect("the official scene is sound");
+    let official = Scene::official(20_000, 1).expect("the official scene is valid");
     let fast = scenes::lattice_with_jitter(5_000, 59.5 * CUTOFF, 40.0, 5);
     let sorted: Program = ("lab 2 sorted", &solution2::VARIANTS[0]);
     for (name, scene) in

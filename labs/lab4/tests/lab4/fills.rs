@@ -21,7 +21,7 @@ fn fills(random: &mut Random, ask: &mut impl Ask, fill: impl Fn(&mut Regions, &G
         let before = memory_of(&mut regions);
         fill(&mut regions, &grid, &particles);
         let name = format!(
-            "{n} particles, {along} bins along each wall of {:e}, and 30 other particles in each bin before",
+            "{n} particles, {along} bins along each wall of length {:e}. Each bin contained 30 other particles before",
             grid.size()
         );
         let poorer = regions.parts_mut().flatten().filter(|bin| bin.capacity() < 30).count();
@@ -30,9 +30,10 @@ fn fills(random: &mut Random, ask: &mut impl Ask, fill: impl Fn(&mut Regions, &G
         let after = memory_of(&mut regions);
         // A bin with more particles than it had room for needs new memory.
         let moved = before.iter().zip(&after).filter(|(old, new)| old.1 == new.1 && old.0 != new.0);
-        let question = format!("{name}: number of bins of the same capacity with new memory");
+        let question =
+            format!("{name}: number of bins that have the same capacity as before but new memory");
         ask.exact(&question, || integers([moved.count()]), || integers([0]));
-        let question = format!("{name}: id and bin of each particle that the bins hold");
+        let question = format!("{name}: id and bin of each particle that is in a bin");
         let found = || places(&mut regions);
         ask.judge(&question, found, |found| are_in_their_bins(&grid, &particles, found));
     }
@@ -49,14 +50,18 @@ fn are_in_their_bins(grid: &Grid, particles: &[Particle], found: &[f64]) -> Resu
     for [particle, bin] in found.as_chunks::<2>().0 {
         match bins.get_mut(*particle as usize) {
             Some(bins) => bins.push(*bin as usize),
-            None => return Err(format!("bin {bin} still holds particle {particle} from before")),
+            None => {
+                return Err(format!(
+                    "bin {bin} still contains particle {particle}, which was there before"
+                ));
+            }
         }
     }
     for (p, bins) in particles.iter().zip(bins) {
         let right = [grid.bin(p)];
         if bins != right {
             return Err(format!(
-                "the bins that hold particle {}, which is at ({:?}, {:?})\n     found: {bins:?}\n  expected: \
+                "the bins that contain particle {}, which is at ({:?}, {:?})\n     found: {bins:?}\n  expected: \
                  {right:?}",
                 p.id, p.x, p.y
             ));
@@ -108,15 +113,16 @@ pub(crate) fn owned_rows(random: &mut Random, ask: &mut impl Ask) {
             let room = own.particles_mut().capacity();
             let found = || taken.map_or(vec![-1.0], |()| ids(own.particles()));
             let question = format!(
-                "{n} particles, one of them on the cut, and the owner of rows {rows:?} of {}: the particles that it \
-                 takes; -1 if it takes one that is in none of its rows",
+                "{n} particles and one more on the cut, and the owner of rows {rows:?} of {}: the particles that the \
+                 owner takes, or -1 if it takes a particle that is in none of its rows",
                 grid.rows()
             );
             ask.exact(&question, found, || {
                 ids(particles.iter().filter(|p| rows.contains(&grid.row(p.y))))
             });
             let question = format!(
-                "{n} particles, and the owner of rows {rows:?}: 1 if it releases its memory, 0 if not"
+                "{n} particles and one more on the cut, and the owner of rows {rows:?}: 1 if the owner releases its \
+                 memory, 0 if not"
             );
             ask.exact(&question, || vec![truth(room < 2000)], || vec![0.0]);
         }

@@ -54,7 +54,7 @@ impl Changes {
 
     fn name(&self) -> String {
         format!(
-            "{} particles in {} bins, up to {} bins in a region, {} changes in {} buffers, some of them empty",
+            "{} particles in {} bins, up to {} bins in a region, {} changes in {} buffers, some of which are empty",
             self.residents.len(),
             self.bins,
             self.cut.bins_each,
@@ -89,7 +89,7 @@ impl Changes {
     fn ask(&self, how: &str, regions: &mut Regions, ask: &mut impl Ask) {
         let name = self.name();
         let question =
-            format!("{name}; changes {how}: id and bin of each particle that the bins hold");
+            format!("{name}; changes {how}: id and bin of each particle that is in a bin");
         ask.judge(&question, || places(regions), |found| self.are_made(found));
     }
 
@@ -105,21 +105,24 @@ impl Changes {
             let right = to.get(particle).unwrap_or(from);
             if bins != [*right] {
                 return Err(format!(
-                    "the bins that hold particle {particle}, which was in bin {from}\n     found: {bins:?}\n  \
+                    "the bins that contain particle {particle}, which was in bin {from}\n     found: {bins:?}\n  \
                      expected: [{right}]"
                 ));
             }
         }
         match bins.keys().next() {
             None => Ok(()),
-            Some(particle) => Err(format!("a bin holds particle {particle}, which does not exist")),
+            Some(particle) => {
+                Err(format!("a bin contains particle {particle}, which does not exist"))
+            }
         }
     }
 
     /// Asks for the changes that each owner has received.
     fn ask_letters(&self, received: &[(usize, Change)], ask: &mut impl Ask) {
         let question = format!(
-            "{}: owner, particle, old and new bin of each change that an owner receives, in ascending order",
+            "{}: for each change that an owner receives, in ascending order: the owner, the particle, the old bin and \
+             the new bin",
             self.name()
         );
         let found = || in_order(received.iter().map(|(owner, c)| letter(*owner, c)).collect());
@@ -156,7 +159,8 @@ pub(crate) fn by_one(random: &mut Random, ask: &mut impl Ask) {
         regions.watch(&(requests.clone() as Arc<dyn Watch>));
         apply_all(&mut regions, all.buffers());
         all.ask("made by one thread", &mut regions, ask);
-        let question = format!("{}; one thread is alone: locks that it takes", all.name());
+        let question =
+            format!("{}; one thread is alone: number of locks that it takes", all.name());
         ask.exact(&question, || integers([requests.count()]), || integers([0]));
     }
 }

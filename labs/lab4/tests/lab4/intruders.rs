@@ -76,8 +76,8 @@ pub(crate) fn same_bins(random: &mut Random, ask: &mut impl Ask) {
         let mut regions = filled(BINS, 3);
         in_between(&mut regions, change(last), change(other), Duration::from_millis(100));
         let name = format!(
-            "two threads at the same time, 12 bins with 3 in a region, and particles {other} and {last}, which change \
-             from bin {from} to bin {to}"
+            "two threads that run at the same time, and 12 bins with 3 in a region. Particles {other} and {last} \
+             change from bin {from} to bin {to}"
         );
         ask_bins(ask, &name, &mut regions, |particle| {
             if [other, last].contains(&particle) { to } else { particle as usize / 30 }
@@ -90,7 +90,8 @@ pub(crate) fn other_regions(_: &mut Random, ask: &mut impl Ask) {
     let one = Change { particle: 89, from: 2, to: 10 };
     let other = Change { particle: 120, from: 4, to: 8 };
     let found = || in_between(&mut filled(BINS, 3), one, other, Duration::from_secs(5));
-    let question = "12 bins with 3 in a region, and a thread that changes from bin 2 to bin 10 and has one of its two \
-                    locks: 1 if another thread can change from bin 4 to bin 8 at that moment, 0 if not";
+    let question = "12 bins with 3 in a region. A thread changes a particle from bin 2 to bin 10, and has one of the \
+                    two locks that it needs: 1 if another thread can change a particle from bin 4 to bin 8 at that \
+                    moment, 0 if not";
     ask.exact(question, || vec![truth(found())], || vec![1.0]);
 }

@@ -46,7 +46,7 @@ pub(crate) fn ask_bins(
     right: impl Fn(u32) -> usize,
 ) {
     let question = format!(
-        "{name}: the bin of each of 360 particles, -1 for none; and the number of particles in all bins"
+        "{name}: (1) the bin of each of 360 particles, -1 for none, (2) the number of particles in all bins together"
     );
     ask.judge(
         &question,
@@ -63,7 +63,7 @@ pub(crate) fn ask_bins(
             match found.get(360) {
                 Some(360.0) => Ok(()),
                 all => Err(format!(
-                    "the number of particles in all bins\n     found: {all:?}\n  expected: 360"
+                    "the number of particles in all bins together\n     found: {all:?}\n  expected: 360"
                 )),
             }
         },
@@ -80,8 +80,9 @@ pub(crate) fn one_by_one(random: &mut Random, ask: &mut impl Ask) {
         let mut meter = Meter::default();
         let changes = drawn(random);
         changes.iter().for_each(|change| change_bin(&regions, &mut meter, *change));
-        let name = format!("132 changes, 12 bins with {each} in a region");
-        let question = format!("{name}: locks taken, locks waited for, most locks held at once");
+        let name = format!("132 changes, and 12 bins with {each} in a region");
+        let question =
+            format!("{name}: (1) locks taken, (2) locks waited for, (3) most locks held at once");
         let counts =
             || integers([meter.locks as usize, meter.contended as usize, order.most_held()]);
         ask.exact(&question, counts, || {
@@ -111,8 +112,8 @@ pub(crate) fn large_numbers(_: &mut Random, ask: &mut impl Ask) {
         [meter.locks as f64].into_iter().chain(inside.map(|p| f64::from(*p))).collect()
     };
     let question = format!(
-        "particle {particle}, which changes from bin {from} of 70000 to bin {to}; particle 5 is in the old bin too: \
-         locks taken, and the particles in the two bins"
+        "particle {particle} changes from bin {from} of 70000 to bin {to}. Particle 5 is in the old bin too: (1) \
+         number of locks taken, (2) the particles in the two bins"
     );
     ask.exact(&question, found, || vec![2.0, 5.0, f64::from(particle)]);
 }
@@ -124,7 +125,7 @@ pub(crate) fn many_threads(random: &mut Random, ask: &mut impl Ask) {
         let times = 20 + random.below(12);
         let Sent { mut regions, locks } = Sent::by(threads, times as u32, each);
         let name = format!(
-            "{times} changes of each of 360 particles by {threads} threads, 12 bins with {each} in a region"
+            "{times} changes of each of 360 particles by {threads} threads, and 12 bins with {each} in a region"
         );
         let question = format!("{name}: locks taken");
         ask.exact(

@@ -27,9 +27,9 @@ pub(crate) fn free(random: &mut Random, ask: &mut impl Ask) {
             vec![guarded, counts[0], counts[1], meter.waiting.as_secs_f64(), started as f64]
         };
         let question = format!(
-            "a meter that has waited for {waits} locks before, and a free lock that guards the number 5 and is taken \
-             {times} times; 1 is added each time: the number, locks taken, locks waited for, seconds waited, \
-             stopwatches started"
+            "a meter that has waited for {waits} locks before. It takes a free lock {times} times. The lock guards a \
+             number that is 5 at first, and each time 1 is added to this number: (1) the number at the end, (2) locks \
+             taken, (3) locks waited for, (4) seconds waited, (5) stopwatches started"
         );
         let [times, waits] = [times, waits].map(|count| count as f64);
         let right = vec![times + 5.0, times + waits, waits, waited.as_secs_f64(), 0.0];
@@ -83,7 +83,7 @@ impl Waits {
             thread::scope(|scope| {
                 scope.spawn(move || {
                     let _guard = lock.lock();
-                    held.send(()).expect("the meter waits");
+                    held.send(()).expect("the meter waits for the lock");
                     thread::sleep(Duration::from_millis(pause));
                 });
                 go.recv().expect("the lock is held");
@@ -100,11 +100,13 @@ impl Waits {
 pub(crate) fn held(_: &mut Random, ask: &mut impl Ask) {
     let Waits { meter, waited, requests } = Waits::measured();
     let name = "two locks, each held by another thread for some milliseconds";
-    let question = format!("{name}: locks taken, locks waited for");
+    let question = format!("{name}: (1) locks taken, (2) locks waited for");
     let counts = [meter.locks, meter.contended].map(|count| count as f64);
     ask.exact(&question, || counts.to_vec(), || vec![2.0, 2.0]);
-    let question =
-        format!("{name}: seconds of both waits together, by the meter and by a clock around both");
+    let question = format!(
+        "{name}: seconds of both waits together, (1) measured by the meter, (2) measured by a clock around \
+                 both waits"
+    );
     let times = [meter.waiting, waited].map(|time| time.as_secs_f64());
     ask.judge(
         &question,
@@ -121,7 +123,8 @@ pub(crate) fn held(_: &mut Random, ask: &mut impl Ask) {
         |found| match found {
             [requests] if *requests <= 6.0 => Ok(()),
             _ => Err(format!(
-                "{found:?} requests: the thread requests the lock again and again, in a loop"
+                "{found:?} requests: the thread requests the lock again and again in a loop, but it must wait for the \
+                 lock instead"
             )),
         },
     );
@@ -139,7 +142,7 @@ fn wait_for_it(meter: &mut Meter) {
     thread::scope(|scope| {
         scope.spawn(move || {
             let _guard = lock.lock();
-            held.send(()).expect("the meter waits");
+            held.send(()).expect("the meter waits for the lock");
             let end = Instant::now() + Duration::from_secs(2);
             // The first of the counted requests is this thread's own.
             while requests.count() < 3 && Instant::now() < end {

@@ -38,7 +38,7 @@ impl Case {
         let first = self.particles.first().map_or(0, |p| p.id);
         let n = self.particles.len();
         let along = self.grid.rows();
-        format!("{n} particles in {along} rows of bins, of which particle {first} is the first")
+        format!("{n} particles in {along} rows of bins, with ids from {first} on")
     }
 
     /// Returns the particles after the move, and the changes of bins.
@@ -86,11 +86,12 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
         let name = case.name();
         let question = format!("{name}: x y vx vy of each particle");
         ask.exact(&question, || numbers(&particles), || numbers(&case.moved().0));
-        let question =
-            format!("{name}: particle, old bin and new bin of each change that is reported");
+        let question = format!(
+            "{name}: for each change that is reported, the particle, the old bin and the new bin"
+        );
         ask.exact(&question, || integers(reported), || integers(case.moved().1));
         let question = format!(
-            "{name}: number of particles that have changed their bins when the first change is reported"
+            "{name}: number of particles that have already changed their bins when the first change is reported"
         );
         let right = || integers([case.moved().1.len().min(1)]);
         ask.exact(&question, || integers([case.changed_at_first()]), right);

@@ -44,7 +44,7 @@ fn of_particles<'a>(
 
 /// Shows the counts of an observer.
 fn counts(tally: &Tally) -> Table {
-    let seen = tally.statistics().expect("a tally has statistics");
+    let seen = tally.statistics().expect("a tally returns statistics");
     let mut table = Table::new(["pairs within the cutoff, each twice", "pair tests"]);
     table.row([&seen.navg, &seen.pair_tests]);
     table

@@ -73,9 +73,9 @@ fn strip(random: &mut Random, grid: Grid, rows: Range<usize>, n: usize) -> Sorte
 
 /// Asks how often pairs within the cutoff were seen, and how many pairs were tested.
 fn ask_counts(ask: &mut impl Ask, name: &str, tally: &Tally, right: impl FnOnce() -> [usize; 2]) {
-    let seen = tally.statistics().expect("a tally has statistics");
+    let seen = tally.statistics().expect("a tally returns statistics");
     let question =
-        format!("{name}: number of pairs reported, each pair twice, and number of pair tests");
+        format!("{name}: (1) number of pairs reported, each pair twice, (2) number of pair tests");
     ask.exact(
         &question,
         || integers([seen.navg as usize, seen.pair_tests as usize]),
@@ -114,8 +114,10 @@ pub(crate) fn within(random: &mut Random, ask: &mut impl Ask) {
         let mut tally = Tally::default();
         pairs_within(&bins, &mut found, &mut tally);
         let name = format!("{n} particles in rows {rows:?} of {along}");
-        let question =
-            format!("{name}: ax, ay of each particle, added to its acceleration from before");
+        let question = format!(
+            "{name}: ax, ay of each particle. The pairs must be added to the acceleration that the particle \
+                     had before"
+        );
         ask.near(&question, || numbers(&found), || pairs_of(&bins, &first).near());
         ask_counts(ask, &name, &tally, || pairs_of(&bins, &first).counts);
     }
@@ -172,11 +174,15 @@ pub(crate) fn across(random: &mut Random, ask: &mut impl Ask) {
         let mut above = vec![Vec2::ZERO; cut.first_row().len()];
         pairs_across(&cut.lower, &cut.upper, &mut below, &mut above, &mut tally);
         let name = format!("{n} particles on each side of row {row} of {along}");
-        let question =
-            format!("{name}: ax, ay of each particle below, added to its acceleration from before");
+        let question = format!(
+            "{name}: ax, ay of each particle below the cut. The pairs must be added to the acceleration that \
+                     the particle had before"
+        );
         ask.near(&question, || numbers(&below), || cut.pairs()[0].near());
-        let question =
-            format!("{name}: ax, ay that are kept apart for each particle in the first row above");
+        let question = format!(
+            "{name}: for each particle in the first row above the cut, ax, ay of its separately stored \
+                     acceleration"
+        );
         ask.near(&question, || numbers(&above), || cut.pairs()[1].near());
         ask_counts(ask, &name, &tally, || cut.pairs()[0].counts);
     }

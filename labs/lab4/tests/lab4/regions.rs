@@ -16,7 +16,7 @@ pub(crate) fn sizes(random: &mut Random, ask: &mut impl Ask) {
         let count = 1 + random.size(most);
         let found = || integers(Regions::new(bins, count).parts_mut().map(|bins| bins.len()));
         let question =
-            format!("{bins} bins in {count} regions or fewer: number of bins in each region");
+            format!("{bins} bins in at most {count} regions: number of bins in each region");
         ask.exact(&question, found, || {
             let each = bins.div_ceil(count);
             integers((0..bins.div_ceil(each)).map(|number| each.min(bins - number * each)))
@@ -33,8 +33,10 @@ pub(crate) fn places(random: &mut Random, ask: &mut impl Ask) {
                 let (region, index) = Cut { bins_each: each }.find(bin);
                 integers([region, index])
             };
-            let question =
-                format!("bin {bin}, {each} bins in each region: its region, and its index there");
+            let question = format!(
+                "bin {bin}, {each} bins in each region: (1) the bin's region, (2) the bin's index in this \
+                         region"
+            );
             ask.exact(&question, found, || integers([bin / each, bin % each]));
         }
     }
@@ -65,7 +67,7 @@ fn numbers_of(regions: &mut Regions) -> Vec<usize> {
 pub(crate) fn numbers(random: &mut Random, ask: &mut impl Ask) {
     let count = 5 + random.below(300);
     let found = || integers(numbers_of(&mut Regions::new(9 * count, count)));
-    let question = format!("{count} regions of 9 bins: number of each region's lock");
+    let question = format!("{count} regions of 9 bins: number of the lock of each region");
     ask.exact(&question, found, || integers(0..count));
 }
 

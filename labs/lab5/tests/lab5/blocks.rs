@@ -150,7 +150,7 @@ pub(crate) fn same(
                 }
                 (Some(found), Some(right)) if right.id < found.id => particle(right, "is missing"),
                 (None, Some(right)) => particle(right, "is missing"),
-                (Some(found), _) => particle(found, "must not be there"),
+                (Some(found), _) => particle(found, "must not be in the list"),
             }
         },
     );

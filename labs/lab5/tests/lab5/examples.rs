@@ -186,7 +186,7 @@ pub(crate) fn one_exchange(random: &mut Random, ask: &mut impl Ask) {
 /// Returns the rows of a rank's column.
 fn exchange(world: &SimpleCommunicator, rank: usize) -> Vec<(&'static str, String)> {
     let [before, after] = scenes::dozen();
-    let scene = Scene::new(6.0, before).expect("the scene is sound");
+    let scene = Scene::new(6.0, before).expect("the scene is valid");
     let (_, particles) = broadcast(world, (rank == 0).then_some(&scene));
     let mut rows = vec![("scene after Bcast", format!("{} particles", particles.len()))];
 
@@ -298,6 +298,6 @@ fn numbers(statistics: Option<Statistics>) -> String {
 }
 
 fn average(all: Statistics) -> String {
-    let averages = Averages::of(12, &[all]).expect("a step");
+    let averages = Averages::of(12, &[all]).expect("the run has a step");
     averages.absavg.to_string()
 }

@@ -39,8 +39,10 @@ fn two_calls(name: &str, what: &str, ask: &mut impl Ask) {
         let calls = calls_made();
         vec![count(&calls, ""), count(&calls, "v"), calls.len() as f64]
     };
-    let question =
-        format!("{name}: number of calls of MPI_{what}, of MPI_{what}v, and of MPI in all");
+    let question = format!(
+        "{name}: (1) number of calls of MPI_{what}, (2) number of calls of MPI_{what}v, (3) number of all MPI \
+                 calls"
+    );
     ask.exact(&question, found, || vec![1.0, 1.0, 2.0]);
 }
 
@@ -54,7 +56,8 @@ pub(crate) fn gathers(random: &mut Random, ask: &mut impl Ask) {
             let name = format!("gather_at_root on {}, up to {most} items", rank.name());
             two_calls(&name, "Gather", ask);
             let question = format!(
-                "{name}: number of lists that this rank gets, then the length of each list and two sums of its items"
+                "{name}: number of lists that this rank gets. Then for each list: its length, a checksum of its items \
+                 in their order, and the sum of its ids"
             );
             ask.exact(
                 &question,
@@ -86,7 +89,8 @@ pub(crate) fn scatters(random: &mut Random, ask: &mut impl Ask) {
             let name = format!("scatter_from_root on {}, up to {most} items", rank.name());
             two_calls(&name, "Scatter", ask);
             let question = format!(
-                "{name}: length of the list that this rank gets, and two sums of its items"
+                "{name}: (1) length of the list that this rank gets, (2) a checksum of its items in their order, (3) \
+                 the sum of its ids"
             );
             ask.exact(&question, || sums_of(&found), || sums_of(&lists[rank.number]));
         }
@@ -119,7 +123,7 @@ fn keeps_its_memory(
 pub(crate) fn broadcasts(random: &mut Random, ask: &mut impl Ask) {
     on_each(ask, "5.8", &[1, 3], random, |rank, random, ask| {
         for (n, side) in [(12, 0.1), (70_000, 0.3), (1, 6.1)] {
-            let scene = Scene::new(side, on_edges(random, n, side, 9)).expect("the scene is sound");
+            let scene = Scene::new(side, on_edges(random, n, side, 9)).expect("the scene is valid");
             let own = rank.is_root().then_some(&scene);
             let (size, found) = rank.call("broadcast", |world| broadcast(world, own));
             let name = format!("broadcast of {n} particles, {}", rank.name());
@@ -131,7 +135,10 @@ pub(crate) fn broadcasts(random: &mut Random, ask: &mut impl Ask) {
                 three_at_most,
             );
             ask.exact(&format!("{name}: side of the box"), || vec![size], || vec![side]);
-            let question = format!("{name}: number of particles, and two sums over them");
+            let question = format!(
+                "{name}: (1) number of particles, (2) a checksum of the particles in their order, \
+                                    (3) the sum of their ids"
+            );
             let sums = |particles: &[Particle]| {
                 sums_of(&particles.iter().map(Wire::from).collect::<Vec<Wire>>())
             };
@@ -155,7 +162,8 @@ pub(crate) fn quiet_steps(random: &mut Random, ask: &mut impl Ask) {
         rank.call("a step", |_| engine.iter_mut().for_each(|engine| engine.step()));
         let name = format!("a step far from borders, {}", rank.name());
         let question = format!(
-            "{name}: number of calls of MPI_Gather, MPI_Gatherv, MPI_Scatter, MPI_Scatterv, and of MPI in all"
+            "{name}: number of calls of (1) MPI_Gather, (2) MPI_Gatherv, (3) MPI_Scatter, (4) MPI_Scatterv, (5) all \
+             MPI functions"
         );
         ask.exact(&question, calls_of_a_step, || vec![2.0, 2.0, 1.0, 1.0, 6.0]);
         let question =
@@ -173,7 +181,7 @@ fn calls_of_a_step() -> Vec<f64> {
 }
 
 fn loaded(scene: &Scene) -> Box<dyn Simulation> {
-    let mut engine = (VARIANTS[0].build)(&VARIANTS[0].config()).expect("it can be built");
+    let mut engine = (VARIANTS[0].build)(&VARIANTS[0].config()).expect("the engine can be built");
     engine.load(scene);
     engine
 }
@@ -194,7 +202,7 @@ fn in_the_middles(ranks: usize) -> Scene {
         y: side * (6 * (i % ranks) + 3) as f64 / rows as f64,
         ..Particle::default()
     };
-    Scene::new(side, (0..500 * ranks).map(particle).collect()).expect("it is sound")
+    Scene::new(side, (0..500 * ranks).map(particle).collect()).expect("the scene is valid")
 }
 
 /// Asks for sums of counts of any size. The counts of a long run on a large machine exceed 32 bits.
@@ -208,8 +216,12 @@ pub(crate) fn sums(random: &mut Random, ask: &mut impl Ask) {
             let name = format!("reduce {round} on {}", rank.name());
             no_other_calls(&calls_made(), &["MPI_Reduce"], &name, ask);
             let calls = || vec![calls_made().len() as f64];
-            ask.judge(&format!("{name}: calls of MPI_Reduce, three at most"), calls, three_at_most);
-            let question = format!("{name}: 1 for statistics, 0 for none");
+            ask.judge(
+                &format!("{name}: number of calls of MPI_Reduce, at most three"),
+                calls,
+                three_at_most,
+            );
+            let question = format!("{name}: 1 if this rank gets statistics, 0 if not");
             ask.exact(&question, || vec![truth(found.is_some())], || vec![truth(rank.is_root())]);
             if rank.is_root() {
                 let found = found.unwrap_or(own);
@@ -224,7 +236,7 @@ pub(crate) fn sums(random: &mut Random, ask: &mut impl Ask) {
                     },
                 );
                 let question = format!(
-                    "{name}: upper and lower 32 bits of navg, then of the number of pair tests"
+                    "{name}: upper and lower 32 bits of navg, then upper and lower 32 bits of the number of pair tests"
                 );
                 ask.exact(
                     &question,

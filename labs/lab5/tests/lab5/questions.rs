@@ -43,8 +43,8 @@ pub(crate) fn many_rows(random: &mut Random, ask: &mut impl Ask) {
             let question = format!("{name}: start and end of the block of rank {rank}");
             let found = || integers([block().start, block().end]);
             ask.judge(&question, found, |found| {
-                begins_there("it starts", found.first(), rank, cut)?;
-                begins_there("it ends", found.get(1), rank + 1, cut)
+                begins_there("the block starts", found.first(), rank, cut)?;
+                begins_there("the block ends", found.get(1), rank + 1, cut)
             });
         }
         for row in [0, rows - 1, random.below(rows), random.below(rows)] {
@@ -83,7 +83,11 @@ fn owns(found: &[f64], row: usize, cut: Cut) -> Result<(), String> {
         return Ok(());
     }
     let exact = [rank, rank + 1.0].map(|rank| rank * cut.rows as f64 / cut.ranks as f64);
-    Err(format!("rank {rank} owns the rows from {} to {}, both rounded down", exact[0], exact[1]))
+    Err(format!(
+        "the answer is rank {rank}, but this rank owns the rows from {} up to {}, both rounded \
+                 down",
+        exact[0], exact[1]
+    ))
 }
 
 /// Asks for the particles that have stayed in a block, and for the particles that have left it.
@@ -109,7 +113,7 @@ pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
         same(&blocks.grid, &format!("{name}, local particles"), wires(&changed), right, ask);
         let right = || wires(particles.iter().filter(|p| !is_local(p)).chain([&before]));
         let name =
-            format!("{name}, remote particles, which follow particle {} from before", before.id);
+            format!("{name}, remote particles, which follow particle {} in the list", before.id);
         same(&blocks.grid, &name, wires(&remote), right, ask);
     }
 }
@@ -211,7 +215,7 @@ pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
             let stay = before.iter().filter(|p| block.contains(&blocks.row(p.y)));
             wires(stay.chain(&arrived))
         };
-        let name = format!("{}, rows {block:?}, arrivals numbered from 1000 on", blocks.name(case));
+        let name = format!("{}, rows {block:?}, arrivals with ids from 1000 on", blocks.name(case));
         let question = format!("{name}, particles in the bins");
         same(&blocks.grid, &question, wires(bins.particles()), right, ask);
         let astray = || {
@@ -220,6 +224,10 @@ pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
                 inside.iter().filter(move |p| blocks.grid.bin(p) != bin).map(|p| p.id as usize)
             }))
         };
-        ask.exact(&format!("{name}: ids of particles that are in a wrong bin"), astray, Vec::new);
+        ask.exact(
+            &format!("{name}: ids of the particles that are in a wrong bin"),
+            astray,
+            Vec::new,
+        );
     }
 }

@@ -12,7 +12,8 @@ pub(crate) fn starts_of_blocks(random: &mut Random, ask: &mut impl Ask) {
     for ranks in 1..130 {
         let counts = vec![1; ranks];
         let question = format!(
-            "{ranks} rows of one particle on {ranks} ranks: the starts, and the number of rows"
+            "{ranks} rows with one particle each, on {ranks} ranks: row at which each block starts, then the number \
+             of rows"
         );
         let found = || integers(balanced(&counts, ranks).starts);
         ask.exact(&question, found, || integers(0..=ranks));
@@ -32,8 +33,8 @@ pub(crate) fn starts_of_blocks(random: &mut Random, ask: &mut impl Ask) {
         let counts: Vec<u64> = (0..rows).map(count).collect();
         let shown = &counts[..rows.min(40)];
         let question = format!(
-            "{rows} rows on {ranks} ranks, with {shown:?} particles in the first rows: row at which each block starts, \
-             then the number of rows"
+            "{rows} rows on {ranks} ranks, with {shown:?} particles in the first rows: row at which each block \
+             starts, then the number of rows"
         );
         ask.exact(
             &question,
@@ -94,8 +95,8 @@ pub(crate) fn neighbours_of_ranks(random: &mut Random, ask: &mut impl Ask) {
         for rank in (0..ranks).rev().take(8) {
             let shown = &cuts.starts[ranks.saturating_sub(8)..];
             let question = format!(
-                "rank {rank} of {ranks}, and the last blocks start at rows {shown:?} (the last number is the number of \
-                 rows): rank before and rank after, -1 for none"
+                "rank {rank} of {ranks}. The blocks of the last ranks start at the rows {shown:?}, in which the last \
+                 number is the number of rows: (1) rank before, (2) rank after, -1 if there is no such rank"
             );
             let found = || numbers(neighbours(&cuts, rank));
             ask.exact(&question, found, || numbers(beside(&cuts, rank)));
@@ -114,8 +115,8 @@ pub(crate) fn interiors(_: &mut Random, ask: &mut impl Ask) {
         for start in 0..=rows {
             for end in start..=rows {
                 let question = format!(
-                    "block {start}..{end} of {rows} rows: start and end of its interior. If no row is interior, any \
-                     empty range within the block"
+                    "block {start}..{end} of {rows} rows: start and end of its interior. If the block has no interior \
+                     row, any empty range within the block is right"
                 );
                 let found = || {
                     let interior = interior_rows(&(start..end), rows);
@@ -141,5 +142,8 @@ fn is_interior(found: &[f64], start: usize, end: usize, rows: usize) -> Result<(
     if within == right {
         return Ok(());
     }
-    Err(format!("{first}..{last} has the rows {within:?}, but the interior has {right:?}"))
+    Err(format!(
+        "the range {first}..{last} contains the rows {within:?}, but the interior contains the rows \
+                 {right:?}"
+    ))
 }

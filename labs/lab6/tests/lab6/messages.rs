@@ -64,8 +64,9 @@ fn exchange(
         rank.name()
     );
     let question = format!(
-        "{name}: number of calls of `work`, sends and receives under way at its first call, other MPI calls before it, \
-         MPI calls after it that do not wait, and the result of `work`"
+        "{name}: (1) number of calls of `work`, (2) number of sends and receives under way when `work` is called \
+         first, (3) number of other MPI calls before `work`, (4) number of MPI calls after `work` that do not wait, \
+         (5) the result of `work`"
     );
     // A list without items needs no message, because both sides know its length at this point.
     let travels = |other: &usize| {
@@ -76,7 +77,8 @@ fn exchange(
     let verdict = |found: &[f64]| overlap(found, least, 2 * others.len());
     ask.judge(&question, || [counted(&before, &all), vec![f64::from(result)]].concat(), verdict);
     ask.exact(
-        &format!("{name}: number of lists that arrive, then the length of each list and two sums of its items"),
+        &format!("{name}: number of lists that arrive. Then for each list: its length, a checksum of its items in \
+                  their order, and the sum of its ids"),
         || of_all(&incoming, rank.ranks),
         || of_all(others.iter().map(|&from| &letters[from][rank.number]), rank.ranks),
     );
@@ -108,22 +110,25 @@ fn overlap(found: &[f64], least: usize, most: usize) -> Result<(), String> {
         return Err("the answer is not complete".into());
     };
     let words = if works != 1.0 || result != 42.0 {
-        format!("`work` is called {works} times, and its result, 42, is returned as {result}")
+        format!(
+            "`work` is called {works} times, and its result is returned as {result}. It must be called once, and \
+                 its result is 42"
+        )
     } else if others > 0.0 {
         format!(
-            "{others} calls before `work` neither begin a message nor wait for one. Use immediate sends and receives \
-             only"
+            "{others} MPI calls before `work` neither begin a message nor wait for a message. Use only immediate \
+             sends and receives"
         )
     } else if later > 0.0 {
         format!(
-            "{later} calls after `work` do not wait for messages. Start all messages before `work`: it must overlap \
-             with the messages that carry the items, and not only with their lengths. Then wait for each message, and \
-             do not ask in a loop whether it has arrived"
+            "{later} MPI calls after `work` do not wait for messages. Start all messages before `work`: it must \
+             overlap with the messages that carry the items, and not only with the messages that carry their lengths. \
+             Then wait for each message, and do not ask in a loop whether a message has arrived"
         )
     } else if under_way < least as f64 {
         format!(
-            "{under_way} sends and receives are under way when `work` is called, but {least} lists with items travel. \
-             Start all of them before `work`, and wait after it"
+            "{under_way} sends and receives are under way when `work` is called, but {least} lists contain items. \
+             Start the messages of all these lists before `work`, and wait for the messages after it"
         )
     } else if under_way > most as f64 {
         format!(
@@ -155,7 +160,8 @@ pub(crate) fn lists_of_all(random: &mut Random, ask: &mut impl Ask) {
             let found = rank.call("exchange_all", |world| exchange_all(world, own));
             let made = calls_made();
             let question = format!(
-                "exchange_all on {}, lists of up to {most} items: number of items that arrive, and two sums of them",
+                "exchange_all on {}, lists of up to {most} items: (1) number of items that arrive, (2) a checksum of \
+                 these items in their order, (3) the sum of their ids",
                 rank.name()
             );
             ask.exact(

@@ -98,14 +98,14 @@ pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
         );
         for side in [0, 1] {
             let question = format!(
-                "{name}: id, x, y, vx, vy of each particle for the rank {}, in the order in which they came",
+                "{name}: id, x, y, vx, vy of each particle for the rank {}, in the order in which the particles came",
                 ["before", "after"][side]
             );
             let found = || numbers(&sorted.near[side]);
             ask.exact(&question, found, || numbers(&left.sorted().near[side]));
         }
         let question =
-            format!("{name}: rank, id, x, y, vx, vy of each particle for a rank further away");
+            format!("{name}: rank, id, x, y, vx, vy of each particle for a rank farther away");
         ask.exact(&question, || with_ranks(&sorted.far), || with_ranks(&left.sorted().far));
     }
 }
@@ -137,9 +137,9 @@ pub(crate) fn shares(random: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn large_scene(_: &mut Random, ask: &mut impl Ask) {
     const ROWS: usize = 256;
     const ALL: usize = 1 << 22;
-    let question = "4,194,304 particles in 256 rows on 256 ranks, rank 5: number of particles that it keeps, and bytes \
-                    that it needs at most during the replays or reserves for its share; 0 for less than a byte for \
-                    each particle of the scene";
+    let question = "4,194,304 particles in 256 rows on 256 ranks, rank 5: (1) the number of particles that this rank \
+                    keeps, (2) the bytes of memory that it needs during the replays, or that it reserves for its \
+                    share (the greater of the two numbers; 0 if it is below one byte for each particle of the scene)";
     ask.apart(|ask| ask.exact(question, || kept_of(ALL, ROWS), || integers([ALL / ROWS, 0])));
 }
 
@@ -174,7 +174,7 @@ fn share(grid: &Grid, particles: &[Particle], ranks: usize, rank: usize, ask: &m
     let question = format!("{name}: row at which each block starts, then the number of rows");
     ask.exact(&question, || integers(cuts.starts), || integers(starts_of(grid, particles, ranks)));
     ask.exact(
-        &format!("{name}: ids of the particles that it keeps, in ascending order"),
+        &format!("{name}: ids of the particles that this rank keeps, in ascending order"),
         || ids(&share),
         || {
             let starts = starts_of(grid, particles, ranks);
@@ -183,7 +183,7 @@ fn share(grid: &Grid, particles: &[Particle], ranks: usize, rank: usize, ask: &m
         },
     );
     // A rank that replays the scene once has stored all particles until it knew its own.
-    let question = format!("{name}: number of times that it replays the scene");
+    let question = format!("{name}: number of times that this rank replays the scene");
     ask.exact(&question, || integers([replays.get()]), || vec![2.0]);
 }
 

@@ -16,7 +16,7 @@ pub(crate) fn spans(random: &mut Random, ask: &mut impl Ask) {
         let v = if case % 7 == 0 { 0.0 } else { speed };
         let reach = unit * random.magnitude(1e-6, 1e3);
         let question = format!(
-            "x = {x:?}, v = {v:?}, λ from {} to {}, reach {reach:?}: low and high of the box",
+            "x = {x:?}, v = {v:?}, λ from {} to {}, reach {reach:?}: low end and high end of the box",
             window.from, window.to
         );
         let found = || {
@@ -150,7 +150,7 @@ pub(crate) fn looks_around(random: &mut Random, ask: &mut impl Ask) {
         );
         ask.exact(&question, || pairs_looked_at(&blocks), || pairs_that_may_meet(&blocks));
     }
-    let question = "70,000 discs in the block of the whole square: number of pairs tested";
+    let question = "70,000 discs in the block that is the whole square: number of pairs tested";
     ask.exact(question, || integers([looks_in_one_block(70_000)]), || integers([69_999 * 35_000]));
 }
 

@@ -32,9 +32,9 @@ pub(crate) fn columns(random: &mut Random, ask: &mut impl Ask) {
             let behind = &entries[k + 1..];
             let next: Vec<u64> = behind.iter().take(6).map(|entry| entry.cell).collect();
             let question = format!(
-                "{} entries in rows of {columns} columns; entry {k} begins in cell {} and covers {} more, and the \
-                 entries after it begin in {next:?}: first later entry that shares a column with entry {k}, and the \
-                 entry after the last that does",
+                "{} entries in rows of {columns} columns. Entry {k} begins in cell {} and covers {} more, and the \
+                 entries after it begin in the cells {next:?}: (1) first later entry that shares a column with entry \
+                 {k}, (2) entry after the last one that shares a column with it",
                 entries.len(),
                 entry.cell,
                 entry.further
@@ -58,8 +58,8 @@ pub(crate) fn far_columns(_: &mut Random, ask: &mut impl Ask) {
     for (cells, further) in [([5, far + 5], 0), ([far - 1, far], 1), ([far - 1, far + 1], 1)] {
         let entries = cells.map(|cell| Entry::new(cell, further, 0, true));
         let question = format!(
-            "two entries that begin in cells {cells:?}, and cover {further} more: first later entry that shares a \
-             column with entry 0, and the entry after the last that does"
+            "two entries that begin in cells {cells:?}, and each cover {further} more: (1) first later entry that \
+             shares a column with entry 0, (2) entry after the last one that shares a column with it"
         );
         let found = || {
             let partners = partners(&entries, 0);
@@ -75,8 +75,8 @@ pub(crate) fn far_columns(_: &mut Random, ask: &mut impl Ask) {
 /// Asks about many narrow boxes. A program that compares each box with all the boxes after it does
 /// not finish.
 pub(crate) fn many_columns(_: &mut Random, ask: &mut impl Ask) {
-    let question = "a million boxes, each of which begins one column after the previous box and is 1, 2 or 3 columns \
-                    wide in turn: number of pairs that share a column";
+    let question = "a million boxes. Each box begins one column after the previous box, and the widths are 1, 2 and 3 \
+                    columns in turn: number of pairs that share a column";
     let found = || {
         within("7.13", 60, || {
             let entries: Vec<Entry> =

@@ -22,8 +22,8 @@ pub(crate) fn orders(random: &mut Random, ask: &mut impl Ask) {
         let all: Vec<Candidate> = (0..24).map(|_| draw()).collect();
         for (a, b) in all.iter().flat_map(|a| all.iter().map(move |b| (a, b))) {
             let question = format!(
-                "two candidates, first {}, second {}: -1 if the first is taken before the second, 1 if after it, 0 if \
-                 they are the same",
+                "first candidate: {}. Second candidate: {}. Answer: -1 if the first is taken before the second, 1 if \
+                 after the second, 0 if the two are the same",
                 event(a),
                 event(b)
             );
@@ -81,8 +81,8 @@ pub(crate) fn single_takes(random: &mut Random, ask: &mut impl Ask) {
         let candidate = Candidate { time: random.between(0.0, 1.0), hit };
         let gone: Vec<usize> = (0..discs).filter(|&disc| !before.free[disc]).collect();
         let question = format!(
-            "{}; of {discs} discs {gone:?} are not free, and one candidate is taken already: {EACH} taken afterwards; \
-             then for each disc 1 if it is still free",
+            "{}. There are {discs} discs, of which {gone:?} are not free, and one candidate is taken already: {EACH} \
+             taken afterwards; then for each disc 1 if it is still free, 0 if not",
             event(&candidate)
         );
         let found = || {
@@ -133,8 +133,8 @@ pub(crate) fn takes(random: &mut Random, ask: &mut impl Ask) {
         let mut given = sorted.clone();
         random.shuffle(&mut given);
         let question = format!(
-            "{} candidates of {discs} discs, and one more that is taken already: {EACH} taken afterwards, in their \
-             order; then for each disc 1 if it is still free",
+            "{} candidates of {discs} discs, and one more candidate that is taken already: {EACH} taken afterwards, \
+             in their order; then for each disc 1 if it is still free, 0 if not",
             given.len()
         );
         let found = || {
@@ -176,8 +176,8 @@ const MANY: usize = 1_000_000;
 /// two candidates does not finish.
 pub(crate) fn many_takes(random: &mut Random, ask: &mut impl Ask) {
     let times: Vec<f64> = (0..MANY).map(|_| random.between(0.0, 1.0)).collect();
-    let question = "a million candidates of as many discs: number of candidates taken, and 1 if they are in the order \
-                    of time";
+    let question = "a million candidates of a million discs: (1) number of candidates taken, (2) 1 if they are in the \
+                    order of time, 0 if not";
     let found = || within("7.4", 60, move || taken_of_many(&times));
     ask.exact(question, found, || vec![MANY as f64, 1.0]);
 }

@@ -84,7 +84,7 @@ pub(crate) fn bounces(random: &mut Random, ask: &mut impl Ask) {
         let Bounce { disc, time, hit, square } = bounced;
         let question = format!(
             "{}, of radius {:?}, at {}, after {} collisions with discs and {} with walls, in a square of side {:?}: x \
-             y vx vy after the step, then its collisions with discs and with walls",
+             y vx vy after the step, then its number of collisions with discs and its number of collisions with walls",
             event(&Candidate { time, hit }),
             square.radius,
             words(&disc),
@@ -178,7 +178,8 @@ pub(crate) fn collisions(random: &mut Random, ask: &mut impl Ask) {
         let Crash { mut a, mut b, time, square } = crash;
         let question = format!(
             "case {case}, {} and {} of radius {:?} touch at λ = {time:?}, in a square of side {:?}, after {} and {} \
-             collisions with discs: x y vx vy, collisions with discs and with walls of each disc",
+             collisions with discs: for each disc x y vx vy, its number of collisions with discs and its number of \
+             collisions with walls",
             words(&a),
             words(&b),
             square.radius,
@@ -205,7 +206,7 @@ pub(crate) fn pushes(random: &mut Random, ask: &mut impl Ask) {
         let mut b = Disc::new(2.0 * unit, 50.0 * unit, 0.0, 0.0);
         let question = format!(
             "{} pushes {} of radius {unit:?} at the wall behind it at λ = {time:?}: x y vx vy of the second disc, its \
-             collisions with discs and with walls",
+             number of collisions with discs and its number of collisions with walls",
             words(&a),
             words(&b)
         );

@@ -186,9 +186,9 @@ pub(crate) fn step_table(_: &mut Random, ask: &mut impl Ask) {
             Disc::new(18.0, 4.0, 2.0, 1.0),
             Disc::new(8.0, 16.0, 0.0, -6.0),
         ];
-        let scene = Scene::new(20.0, 1.0, before.clone()).expect("all are inside");
+        let scene = Scene::new(20.0, 1.0, before.clone()).expect("all discs are inside the square");
         let sequential = &VARIANTS[0];
-        let mut engine = (sequential.build)(&sequential.config()).expect("it can be built");
+        let mut engine = (sequential.build)(&sequential.config()).expect("the engine can be built");
         engine.load(&scene);
         engine.step();
         let mut after = before.clone();

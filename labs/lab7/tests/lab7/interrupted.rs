@@ -49,11 +49,9 @@ impl Places {
 
     fn words(self) -> String {
         match self {
-            Self::Only(place) => format!(
-                "at place {place}, counted from 0, of the places where it can be interrupted"
-            ),
+            Self::Only(place) => format!("at interruption point {place} only, counted from 0"),
             Self::OneIn { number, .. } => {
-                format!("at one in {number} of the places where it can be interrupted")
+                format!("at one in {number} of the interruption points")
             }
         }
     }
@@ -78,7 +76,7 @@ pub(crate) fn interrupted_queue(random: &mut Random, ask: &mut impl Ask) {
     for (places, is_long) in Places::drawn(random, 40) {
         let n = if is_long { 20_000 + 10 * random.below(2) } else { 100 };
         let question = format!(
-            "{n} iterations in chunks of 10, and a second worker that takes a part each time the first is interrupted, \
+            "{n} iterations in chunks of 10. A second worker takes a part each time the first worker is interrupted, \
              {}: begin and end of each part of both workers",
             places.words()
         );
@@ -99,7 +97,10 @@ fn parts_of_two(n: usize, places: Places) -> Vec<Range<usize>> {
     let others = Arc::new(Mutex::new(Vec::new()));
     let taken = Arc::clone(&others);
     let next = SharedCount::interrupted(places.interrupt(move |next| {
-        taken.lock().expect("no worker panics with it").extend(next_part(next, n, 10));
+        taken
+            .lock()
+            .expect("no worker panics while it holds this lock")
+            .extend(next_part(next, n, 10));
     }));
     // Stops a queue that hands out parts forever.
     let mut parts: Vec<Range<usize>> = from_fn(|| next_part(&next, n, 10)).take(2 * n).collect();
@@ -142,7 +143,9 @@ fn of(disc: u32) -> Candidate {
 /// Checks that the list holds candidates 1 to `own` and as many of the other worker's candidates as
 /// reported.
 fn holds_all(found: &[f64], own: u32) -> Result<(), String> {
-    let Some((&others, discs)) = found.split_first() else { return Err("no answer".into()) };
+    let Some((&others, discs)) = found.split_first() else {
+        return Err("the answer is empty".into());
+    };
     let right = (1..=own).chain((OTHERS..).take(others as usize)).map(f64::from);
     let missing = right.clone().find(|disc| !discs.contains(disc));
     match missing {
@@ -157,9 +160,10 @@ fn holds_all(found: &[f64], own: u32) -> Result<(), String> {
 /// Returns the question about a list of two workers.
 fn appended(own: u32, how: &str, places: Places) -> String {
     format!(
-        "a worker that appends the candidates of discs 1 to {own} {how}, and a second that appends one of disc \
-         {OTHERS} and up each time the first is interrupted, {}: number of candidates that the second has appended, \
-         then the first disc of each candidate in the list, in ascending order",
+        "one worker appends the candidates of discs 1 to {own} {how}. A second worker appends the candidate of disc \
+         {OTHERS}, then of the next disc, and so on, each time the first worker is interrupted, {}: number of \
+         candidates that the second worker has appended, then the first disc of each candidate in the list, in \
+         ascending order",
         places.words()
     )
 }
@@ -205,8 +209,8 @@ pub(crate) fn interrupted_count(random: &mut Random, ask: &mut impl Ask) {
 /// Asks about another worker that appends in the middle of an append, which is possible only
 /// without a lock.
 pub(crate) fn no_lock(_: &mut Random, ask: &mut impl Ask) {
-    let question = "a worker that appends without a lock, and a second one that appends when the first is about to add \
-                    to the count: 1 if the second finishes before the first goes on, 0 if it must wait";
+    let question = "one worker appends without a lock. A second worker appends when the first is about to add to the \
+                    count: 1 if the second worker finishes before the first continues, 0 if the second must wait";
     ask.exact(question, || vec![truth(finishes_in_between())], || vec![1.0]);
 }
 
@@ -218,7 +222,7 @@ fn finishes_in_between() -> bool {
     let in_time = Arc::new(AtomicBool::new(false));
     let is_done = Arc::clone(&in_time);
     let count = SharedCount::interrupted(move |_: &SharedCount| {
-        let first = channels.lock().expect("no worker panics with it").take();
+        let first = channels.lock().expect("no worker panics while it holds this lock").take();
         if let Some((go, done)) = first {
             _ = go.send(());
             is_done.store(done.recv_timeout(PATIENCE).is_ok(), Relaxed);
@@ -238,8 +242,8 @@ fn finishes_in_between() -> bool {
 /// Checks that candidates are not written under the lock, because all other workers wait for the
 /// lock.
 pub(crate) fn short_lock(_: &mut Random, ask: &mut impl Ask) {
-    let question = "a first candidate, of disc 1, that is appended under a lock: the disc in slot 0 when the lock has \
-                    been released and the count is 1; 0 if the slot is not written yet";
+    let question = "the candidate of disc 1 is the first that is appended under a lock: the disc in slot 0 when the \
+                    lock has been released and the count is 1, or 0 if the slot is not written yet";
     ask.exact(question, || vec![written_under_the_lock()], || vec![0.0]);
 }
 

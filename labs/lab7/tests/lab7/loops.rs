@@ -30,7 +30,10 @@ fn looks(
 ) -> Vec<usize> {
     let looks = Mutex::new(Vec::new());
     share(n, team, schedule, &|list, a, partners| {
-        looks.lock().expect("no thread panics here").extend(numbers(list, a, partners));
+        looks
+            .lock()
+            .expect("no thread panics while it holds this lock")
+            .extend(numbers(list, a, partners));
     });
     let mut looks = looks.into_inner().expect("as above");
     looks.sort_unstable();
@@ -94,7 +97,7 @@ fn compare_looks(found: &[f64], right: &[[usize; 3]], third: &str) -> Result<(),
     let most = found.len().max(right.len());
     match (0..most).find(|&k| found.get(k) != right.get(k)) {
         Some(k) => Err(format!(
-            "number {k} of {most} pairs or parts, in ascending order\n     found: {}\n  expected: {}",
+            "entry {k} of {most} in the list of pairs or parts, in ascending order\n     found: {}\n  expected: {}",
             words(found.get(k).copied()),
             words(right.get(k).copied())
         )),
@@ -117,8 +120,9 @@ pub(crate) fn fixed_loops(random: &mut Random, ask: &mut impl Ask) {
                     integers([own_parts(n, workers), looks].concat())
                 };
                 let question = format!(
-                    "{name} of {n} discs, {workers} workers, fixed parts: begin and end for each worker of the lab's \
-                     own parts of loops of 0 to {n} iterations; then two discs and the list of each pair"
+                    "{name} of {n} discs, {workers} workers, fixed parts: (1) for loops of 0 to {n} iterations, begin \
+                     and end of the part that the lab's own function gives to each worker, (2) for each pair, both \
+                     discs and the list that receives the pair"
                 );
                 ask.judge(&question, found, |found| {
                     let (parts, looks) = Parts::split(found, n, workers)?;
@@ -162,8 +166,9 @@ pub(crate) fn queued_loops(random: &mut Random, ask: &mut impl Ask) {
                 integers([own_parts(n, workers), looks].concat())
             };
             let question = format!(
-                "{name} of {n} discs, {workers} workers, chunks of {chunk}: begin and end for each worker of the lab's \
-                 own parts of loops of 0 to {n} iterations; then disc, first partner and end of each part of a row"
+                "{name} of {n} discs, {workers} workers, chunks of {chunk}: (1) for loops of 0 to {n} iterations, \
+                 begin and end of the part that the lab's own function gives to each worker, (2) for each part of a \
+                 row, its disc, its first partner and its end"
             );
             ask.judge(&question, found, |found| {
                 let (parts, looks) = Parts::split(found, n, workers)?;

@@ -27,7 +27,8 @@ impl First {
         let Self { disc: a, radius } = *self;
         let b = Disc::new(a.x + d.x, a.y + d.y, a.vx + v.x, a.vy + v.y);
         let question = format!(
-            "{what}, discs of radius {radius:?} at {} and {}: λ at which they touch; no number if they do not touch",
+            "{what}, discs of radius {radius:?} at {} and {}: λ at which they touch, or no number if they do not \
+             touch",
             words(&a),
             words(&b)
         );

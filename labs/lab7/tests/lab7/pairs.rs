@@ -13,7 +13,7 @@ use oracle::{Ask, Random};
 
 /// Returns a team of `count` threads.
 fn workers(count: usize) -> Workers {
-    Workers::new(count).expect("a few threads start")
+    Workers::new(count).expect("the threads start")
 }
 
 /// Asks which pairs of a scene a finder finds.
@@ -62,7 +62,7 @@ fn all_pairs(scene: &Scene, found: &[f64]) -> Result<(), String> {
         let (a, b) = (pair[0] as usize, pair[1] as usize);
         if pair[0] >= pair[1] {
             return Err(format!(
-                "discs {} and {} are in the wrong order: the lower disc of a pair is first",
+                "discs {} and {} are in the wrong order: the disc with the lower number comes first in a pair",
                 pair[0], pair[1]
             ));
         }
@@ -70,7 +70,7 @@ fn all_pairs(scene: &Scene, found: &[f64]) -> Result<(), String> {
             return Err(format!("discs {a} and {b} are found, but do not collide"));
         }
         if !missing.remove(&(a, b)) {
-            return Err(format!("discs {a} and {b} are found twice"));
+            return Err(format!("the pair of discs {a} and {b} is found twice"));
         }
     }
     match missing.first() {

@@ -40,8 +40,8 @@ fn are_even_parts(found: &[f64], n: usize, workers: usize) -> Result<(), String>
         let (least, most) = (n / workers, n.div_ceil(workers));
         if ends - begins < least as f64 || ends - begins > most as f64 {
             return Err(format!(
-                "the part of worker {worker} is {begins} to {ends}, which are {} iterations; it must have {least} or \
-                 {most}",
+                "the part of worker {worker} is from {begins} to {ends}. It has {} iterations, but must have {least} \
+                 or {most}",
                 ends - begins
             ));
         }
@@ -68,8 +68,8 @@ pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
                 integers(parts.flat_map(|part| [part.start, part.end]))
             };
             let question = format!(
-                "{n} iterations from the queue in chunks of {chunk}, of which {begin} iterations are taken already, \
-                 with at least two calls after the end: begin and end of each part"
+                "{n} iterations from the queue in chunks of {chunk}. {begin} iterations are taken already, and at \
+                 least two calls come after the end of the loop: begin and end of each part"
             );
             ask.exact(&question, found, || {
                 integers((begin..n).step_by(chunk).flat_map(|start| [start, n.min(start + chunk)]))

@@ -17,16 +17,16 @@ fn program(input: &str, arguments: &[&str]) -> Output {
     let input = input.to_owned();
     within("7.7", 60, move || {
         let limit = if cfg!(target_os = "linux") { "ulimit -v 1000000; " } else { "" };
-        let program = PROGRAM.expect("the lab has a program");
+        let program = PROGRAM.expect("the lab has its own program");
         let mut shell = Command::new("sh");
         shell.args(["-c", &format!("{limit}exec '{program}' {arguments}")]).stdin(Stdio::piped());
         shell.stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut running = shell.spawn().expect("a shell starts");
-        let mut stdin = running.stdin.take().expect("its input is piped");
+        let mut stdin = running.stdin.take().expect("the program's input is piped");
         // A program that refuses the first line need not read the rest.
         let _ = stdin.write_all(input.as_bytes());
         drop(stdin);
-        running.wait_with_output().expect("it ends")
+        running.wait_with_output().expect("the program ends")
     })
 }
 
@@ -59,7 +59,7 @@ pub(crate) fn refuses_bad_input() {
         );
         assert!(
             message.contains(&format!("line {line}: ")),
-            "{what} in line {line}, it says: {message}"
+            "{what}: the program's error must name line {line}, but the error is: {message}"
         );
     }
 }

@@ -44,7 +44,7 @@ fn list_of(which: usize, pair: (usize, usize)) -> String {
     let (_, share) = SHARES[which];
     share(6, Team::Fresh(2), Schedule::Static, &|list, a, partners: Range<usize>| {
         if a == pair.0 && partners.contains(&pair.1) {
-            lists.lock().expect("no thread panics here").push(list);
+            lists.lock().expect("no thread panics while it holds this lock").push(list);
         }
     });
     ascending(lists.into_inner().expect("as above"))

@@ -72,14 +72,18 @@ pub(crate) fn several_steps(random: &mut Random, ask: &mut impl Ask) {
     let alone = vec![Disc::new(4.0, 5.0, speed, 0.5)];
     let two = vec![Disc::new(495.0, 500.0, speed, 0.5), Disc::new(505.0, 500.5, -speed, 0.5)];
     for (name, side, discs) in [
-        (format!("a disc alone in a square of 10, with velocity ({speed:?}, 0.5)"), 10.0, alone),
-        (format!("two discs that meet in a square of 1000, at {speed:?} each"), 1000.0, two),
+        (
+            format!("a disc that is alone in a square of side 10, with velocity ({speed:?}, 0.5)"),
+            10.0,
+            alone,
+        ),
+        (format!("two discs that meet in a square of side 1000, at {speed:?} each"), 1000.0, two),
     ] {
-        let scene = Scene::new(side, 1.0, discs).expect("all are inside");
+        let scene = Scene::new(side, 1.0, discs).expect("all discs are inside the square");
         for windows in [1, 2] {
             let question = format!(
-                "{name}, 8 steps in {windows} windows each: x y vx vy, collisions with discs and with walls of each \
-                 disc after each step"
+                "{name}, 8 steps in {windows} windows each: for each disc, x y vx vy and its numbers of collisions \
+                 with discs and with walls, after each step"
             );
             let found = || run(&scene, windows, 8).states;
             ask.judge(&question, found, |found| follow(&scene, found, 8));
@@ -126,8 +130,8 @@ pub(crate) fn steps_in_windows(_: &mut Random, ask: &mut impl Ask) {
         let done = run(&scene, windows, 1);
         ask.exact(
             &format!(
-                "{name}: begin and end of each window (9 for the end of the step), and number of free discs when the \
-                 finder is called"
+                "{name}: begin and end of each window for which the finder is called (9 for the end of the step), and \
+                 number of free discs at that moment"
             ),
             || done.asked.concat(),
             || right_windows(&scene, windows),
@@ -140,8 +144,9 @@ pub(crate) fn steps_in_windows(_: &mut Random, ask: &mut impl Ask) {
             || done.hits.concat(),
             || right_hits(&scene),
         );
-        let question =
-            format!("{name}: x y vx vy, collisions with discs and with walls of each disc");
+        let question = format!(
+            "{name}: for each disc, x y vx vy and its numbers of collisions with discs and with walls"
+        );
         ask.judge(&question, || done.states, |found| follow(&scene, found, 1));
     }
 }
@@ -191,7 +196,7 @@ impl Walls {
     fn taken(&self) -> Vec<f64> {
         let mut engine = Engine::<Lab7, _>::new(OnePair, Choice::Sort, Workers::One);
         let discs = vec![Disc::new(5.0, 5.0, 0.0, 0.0); self.times.len() + 2];
-        engine.load(&Scene::new(10.0, 1.0, discs).expect("all are inside"));
+        engine.load(&Scene::new(10.0, 1.0, discs).expect("all discs are inside the square"));
         let walls = self.times.iter().enumerate();
         engine.walls = walls
             .map(|(wall, &time)| Candidate { time, hit: Hit::WallX(Self::disc(wall)) })
@@ -218,8 +223,9 @@ pub(crate) fn windows(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..300 {
         let walls = Walls::drawn(random, case);
         let question = format!(
-            "discs 2 to {} that hit walls at λ = {:?}, and window {} of {}, counted from 0, in which discs 0 and 1 \
-             touch: index of the first wall collision of a later window, then the first disc of each collision taken",
+            "discs 2 to {} hit walls at λ = {:?}. Discs 0 and 1 touch in window {} of {}, counted from 0: (1) index \
+             of the first wall collision of a later window, (2) the first disc of each collision taken, in ascending \
+             order",
             walls.times.len() + 1,
             walls.times,
             walls.k,

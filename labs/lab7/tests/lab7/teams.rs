@@ -19,7 +19,7 @@ pub(crate) fn held_up(_: &mut Random, ask: &mut impl Ask) {
     for (name, share) in [SHARES[OUTER], SHARES[NESTED]] {
         for chunk in [1, 5] {
             let question = format!(
-                "{name} of {N} discs from a queue in parts of {chunk}, 2 workers, of which the worker with disc 0 is \
+                "{name} of {N} discs from a queue in parts of {chunk}, with 2 workers. The worker that has disc 0 is \
                  delayed: rows that the other worker does meanwhile"
             );
             let found = || integers(rows_of_the_other(N, chunk, share));
@@ -30,7 +30,7 @@ pub(crate) fn held_up(_: &mut Random, ask: &mut impl Ask) {
 
 fn rows_of_the_other(n: usize, chunk: usize, share: Loop) -> Vec<usize> {
     let others = Mutex::new(Vec::new());
-    let rows = || others.lock().expect("no thread panics here");
+    let rows = || others.lock().expect("no thread panics while it holds this lock");
     let seen = OnceLock::new();
     share(n, Team::Fresh(2), Schedule::Dynamic { chunk }, &|_, a, partners| {
         let begin = Instant::now();
@@ -63,8 +63,8 @@ pub(crate) fn shared_loops(random: &mut Random, ask: &mut impl Ask) {
             let row = (which == INNER).then(|| random.below(20));
             let what = row.map_or("all rows".into(), |row| format!("row {row}"));
             let question = format!(
-                "{name} of {n} discs on a team of {count}, {schedule:?}, {what}: number of threads that test pairs, at \
-                 least {count}; then 1 if one of them tests more than two thirds, 0 if not"
+                "{name} of {n} discs on a team of {count}, {schedule:?}, {what}: (1) number of threads that test \
+                 pairs, at least {count}, (2) 1 if one thread tests more than two thirds of the pairs, 0 if not"
             );
             let found = || threads_of(n, count, schedule, share, row);
             ask.judge(&question, found, |found| match found {
@@ -84,7 +84,7 @@ fn threads_of(
     share: Loop,
     row: Option<usize>,
 ) -> Vec<f64> {
-    let workers = Workers::new(count).expect("some threads start");
+    let workers = Workers::new(count).expect("the threads start");
     let pairs = row.map_or(n * (n - 1) / 2, |row| n - row - 1);
     let found = LOOKS.of(count, pairs as u64, || {
         share(n, Team::Standing(&workers), schedule, &|_, a, partners| {
@@ -99,16 +99,21 @@ fn threads_of(
 /// Asks whether each row has its own team if both loops are shared. The second worker of a row must
 /// not be a thread of the team that shares the rows.
 pub(crate) fn fresh_teams(_: &mut Random, ask: &mut impl Ask) {
-    let question = "both loops of 20 discs, on a team of 2 that waits for work: number of parts of a row's second \
-                    worker that a thread of that team did";
+    let question = "both loops of 20 discs, on a team of 2 that waits for work. Each row has its own team: number of \
+                    parts of the second worker of a row that were done by a thread of the waiting team";
     ask.exact(question, || integers([parts_of_standing_threads()]), || integers([0]));
 }
 
 fn parts_of_standing_threads() -> usize {
-    let workers = Workers::new(2).expect("two threads start");
+    let workers = Workers::new(2).expect("both threads start");
     let team = Team::Standing(&workers);
     let standing = Mutex::new(Vec::new());
-    team.on_each(|_| standing.lock().expect("no thread panics here").push(thread::current().id()));
+    team.on_each(|_| {
+        standing
+            .lock()
+            .expect("no thread panics while it holds this lock")
+            .push(thread::current().id())
+    });
     let standing = standing.into_inner().expect("as above");
     let seen = AtomicUsize::new(0);
     nested(20, team, Schedule::Static, |list, _, _| {

@@ -61,7 +61,7 @@ pub(crate) fn walls(random: &mut Random, ask: &mut impl Ask) {
         let disc = Disc::new(x.x, y.x, x.v, y.v);
         let a = if room.is_plain { case as u32 } else { number(random) };
         let question = format!(
-            "disc {a} of radius {:?} at {}, in a square of side {:?}: {EACH}; no numbers if it hits nothing",
+            "disc {a} of radius {:?} at {}, in a square of side {:?}: {EACH}, or no numbers if it hits no wall",
             square.radius,
             words(&disc),
             square.side
@@ -140,7 +140,8 @@ pub(crate) fn stops(random: &mut Random, ask: &mut impl Ask) {
         let beyond = Beyond::drawn(random);
         let square = beyond.square;
         let question = format!(
-            "case {case}: a disc at {}, centres from {:?} to {:?}: x y vx vy of the position at which it waits",
+            "case {case}: a disc at {}, whose centre can be from {:?} to {:?}: x y vx vy of the disc at the position \
+             at which it waits",
             words(&beyond.disc),
             square.least(),
             square.most()

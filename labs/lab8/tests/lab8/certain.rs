@@ -27,9 +27,10 @@ pub(crate) fn rounds(random: &mut Random, ask: &mut impl Ask) {
     for discs in [1, 2, 3, 9, 33, 300].into_iter().flat_map(|discs| [discs; 20]) {
         let case = Case::drawn(random, discs + 2);
         let question = format!(
-            "rank 1 of three with {} discs and {} candidates, which decides in {} rounds. After each round: number of \
-             candidates taken, number in the front, {CANDIDATE} of each; then for each disc 1 if it is free, and for \
-             each disc 1 if it waits",
+            "rank 1 of three has {} discs and {} candidates, and decides in {} rounds. After each round: (1) number \
+             of candidates taken, (2) number of candidates in the front, (3) {CANDIDATE} of each taken candidate and \
+             of each candidate in the front, (4) for each disc 1 if it is free, 0 if not, (5) for each disc 1 if it \
+             waits, 0 if not",
             case.found.numbers.len(),
             case.found.candidates.len(),
             case.rounds.len()
@@ -111,7 +112,7 @@ fn numbers_of(decisions: &Decisions) -> Vec<f64> {
 /// goes through all of them in every round does not finish.
 pub(crate) fn crowd_behind_one(_: &mut Random, ask: &mut impl Ask) {
     let question = format!(
-        "1,000,000 times the same candidate of two discs, and 100,000 rounds without news from the other ranks: \
+        "a list with 1,000,000 copies of one candidate of two discs. The other ranks send no news in 100,000 rounds: \
          {CANDIDATE} of each candidate in the front"
     );
     let open = pair(0.5, 0, 1);

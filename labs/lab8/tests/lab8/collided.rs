@@ -23,8 +23,8 @@ pub(crate) fn collided_discs(random: &mut Random, ask: &mut impl Ask) {
         let taken = happened(random, n);
         let held: Vec<usize> = (0..ranks).filter(|_| random.below(2) == 0).collect();
         let question = format!(
-            "{n} discs in {ranks} blocks, {} collisions: {DISC} of each disc that has collided and is in blocks \
-             {held:?}",
+            "{n} discs in {ranks} blocks, {} collisions: {DISC} of each disc that has collided and is in one of the \
+             blocks {held:?}",
             taken.len()
         );
         let found = || {
@@ -75,8 +75,8 @@ pub(crate) fn updates(random: &mut Random, ask: &mut impl Ask) {
         let arrived: Vec<DiscWire> =
             arrived.into_iter().map(|number| DiscWire::new(number, &disc(random))).collect();
         let question = format!(
-            "a worker that has discs {held:?} of {n} (it moves them: {moves}), and {} discs that arrive: {DISC} of all \
-             discs",
+            "a worker that has discs {held:?} of {n} (it moves these discs: {moves}), and {} discs that arrive: \
+             {DISC} of all discs",
             arrived.len()
         );
         let found = || {

@@ -36,7 +36,7 @@ fn drawn_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {
 /// speed 44 / `slow`.
 fn tower(slow: f64) -> Scene {
     let disc = |k: u32| Disc::new(50.0, 2.2 * f64::from(k) + 1.0, 0.0, f64::from(44 - k) / slow);
-    Scene::new(100.0, 1.0, (0..45).map(disc).collect()).expect("all are inside")
+    Scene::new(100.0, 1.0, (0..45).map(disc).collect()).expect("all discs are inside the square")
 }
 
 /// Returns a chain of discs along the middle of a square that crosses the middle repeatedly. Each
@@ -49,7 +49,7 @@ pub(crate) fn zigzag(slow: f64) -> Scene {
         let up = [-1.5, 0.0, 1.5, 0.0][k as usize % 4];
         Disc::new(5.0 + 1.61 * i + 5e-5 * i * i, 200.0 + up + 1e-6 * i, (240.0 - i) / slow, 0.0)
     };
-    Scene::new(400.0, 1.0, (0..240).map(disc).collect()).expect("all are inside")
+    Scene::new(400.0, 1.0, (0..240).map(disc).collect()).expect("all discs are inside the square")
 }
 
 /// Draws a disc that flies through all strips and hits a disc in the last strip.
@@ -65,7 +65,7 @@ fn shot(random: &mut Random) -> Scene {
         let mut slow = || random.between(-1.0, 1.0);
         discs.push(Disc::new(x, 10.0 + 10.0 * row, slow(), slow()));
     }
-    Scene::new(100.0, 1.0, discs).expect("all are inside")
+    Scene::new(100.0, 1.0, discs).expect("all discs are inside the square")
 }
 
 /// Draws 40 to 99 discs of radius 1 with speeds up to 3, on a part of the square.
@@ -74,7 +74,7 @@ fn crowd(random: &mut Random, fraction: f64) -> Scene {
     let side = (n as f64 * PI / fraction).sqrt();
     let seed = 1 + random.below(1_000_000_000) as u32;
     let scene = RandomScene::new(n, side, 1.0, seed).with_speeds(0.5, 3.0);
-    scene.draw().expect("the scene is sound")
+    scene.draw().expect("the scene is valid")
 }
 
 /// Draws 300 to 499 discs with speeds up to 3.
@@ -82,5 +82,5 @@ pub(crate) fn wide(random: &mut Random) -> Scene {
     let n = 300 + random.below(200) as u64;
     let seed = 1 + random.below(1 << 30) as u32;
     let scene = RandomScene::new(n, 100.0, 1.0, seed).with_speeds(0.5, 3.0);
-    scene.draw().expect("the scene is sound")
+    scene.draw().expect("the scene is valid")
 }

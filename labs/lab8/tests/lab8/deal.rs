@@ -36,13 +36,16 @@ fn by_the_rule(found: &[usize], workers: usize) -> Result<(), String> {
         let new = found[count];
         let gained = gain(before, new, workers, &missing);
         if gained.is_empty() {
-            return Err(format!("{before:?}, then {new}: this block adds no missing distance"));
+            return Err(format!(
+                "the blocks {before:?} and then {new}: block {new} adds no missing distance"
+            ));
         }
         for other in 1..workers {
             let most = gain(before, other, workers, &missing).len();
             if most > gained.len() || most == gained.len() && other < new {
                 return Err(format!(
-                    "{before:?}, then {new}: this block adds {} missing distances, but block {other} adds {most}",
+                    "the blocks {before:?} and then {new}: this block adds {} missing distances, but block {other} \
+                     adds {most}",
                     gained.len()
                 ));
             }
@@ -51,7 +54,7 @@ fn by_the_rule(found: &[usize], workers: usize) -> Result<(), String> {
     }
     match missing.first() {
         None => Ok(()),
-        Some(distance) => Err(format!("no two of {found:?} are {distance} apart")),
+        Some(distance) => Err(format!("no two of the blocks {found:?} are {distance} apart")),
     }
 }
 
@@ -73,8 +76,8 @@ pub(crate) fn dealt(random: &mut Random, ask: &mut impl Ask) {
         let deal = Deal { workers, offsets: offsets_for(random, workers) };
         for worker in 0..workers {
             let question = format!(
-                "worker {worker} of {workers}, blocks at {:?}: row, column and part (0 whole, 1 first half, 2 second \
-                 half) of each of its jobs",
+                "worker {worker} of {workers}, with blocks at the offsets {:?}: row, column and part (0 whole, 1 \
+                 first half, 2 second half) of each of the worker's jobs",
                 deal.offsets
             );
             let numbers = |job: Job| [job.row, job.column, job.part as usize];
@@ -109,7 +112,7 @@ fn one_of_each_distance(deal: &Deal, worker: usize, found: &[usize]) -> Result<(
     let distances = 0..=deal.workers / 2;
     if found.len() != 3 * distances.clone().count() {
         return Err(format!(
-            "there are {} jobs, but {} distances",
+            "there are {} jobs, but {} distances, and each distance needs one job",
             found.len() / 3,
             distances.count()
         ));
@@ -126,25 +129,28 @@ fn is_its_job(deal: &Deal, worker: usize, d: usize, job: &[usize]) -> Result<(),
     let Deal { workers, offsets } = deal;
     let [row, column, part] = [job[0], job[1], job[2]];
     if row > column || column >= *workers {
-        return Err("the row must be the lesser of the two blocks");
+        return Err("the row must be the smaller number of the two blocks");
     }
     let is_opposite = d > 0 && 2 * d == *workers;
     if is_opposite != (part > 0) {
-        return Err("opposite blocks must be searched by halves, and other blocks as a whole");
+        return Err(
+            "two opposite blocks must be searched by halves, and all other pairs of blocks as a whole",
+        );
     }
     // The block `near` is at offset p of the worker. The block `far` is d steps further round the
     // ring.
     let from_row = if is_opposite { part == 1 } else { (row + d) % workers == column };
     let [near, far] = if from_row { [row, column] } else { [column, row] };
     if (near + d) % workers != far {
-        return Err("the two blocks are not at this distance");
+        return Err("the distance between the two blocks is different");
     }
     let offset = (near + workers - worker) % workers;
     let bridges = |p: &usize| offsets.contains(&((p + d) % workers));
     match offsets.iter().find(|p| **p == offset || bridges(p)) {
         Some(first) if *first == offset && bridges(first) => Ok(()),
         _ => Err(
-            "the worker must have both blocks, and no earlier offset may have the other block too",
+            "the job must belong to the first of the worker's offsets that makes this distance with another of its \
+             blocks. The worker does not have both blocks, or an earlier offset makes this distance too",
         ),
     }
 }
@@ -184,7 +190,7 @@ fn search(discs: &[Disc], blocks: &Cut, job: Job, ask: &mut impl Ask) {
         || integers([pairs_of(&job, blocks).len()]),
     );
     ask.exact(
-        &format!("{name}: {CANDIDATE} of each candidate, and of one from before"),
+        &format!("{name}: {CANDIDATE} of each candidate in the list, which contained one candidate before the search"),
         || flat(found),
         || {
             let pairs = pairs_of(&job, blocks).into_iter();

@@ -128,7 +128,7 @@ impl Known<'_> {
         let rival = self.rivals[slot]?;
         Some(match rival == UNKNOWN {
             true => format!(
-                "other ranks have not reported yet what they have for disc {}",
+                "other ranks have not yet reported their candidates for disc {}",
                 numbers[slot]
             ),
             false => format!("the rival {} of disc {} comes first", words(&rival), numbers[slot]),
@@ -164,7 +164,7 @@ impl Known<'_> {
                 return Err(format!("disc {number} must {not}be free"));
             }
             if after.waits[slot] {
-                return Err(format!("disc {number} still waits at the end"));
+                return Err(format!("disc {number} still waits at the end of the round"));
             }
         }
         Ok(())
@@ -182,7 +182,7 @@ fn same(what: &str, found: &[Candidate], right: Vec<Candidate>) -> Result<(), St
         return Err(format!("{what}: {} is missing", words(missing)));
     }
     Err(match found.iter().find(|candidate| !right.contains(candidate)) {
-        Some(extra) => format!("{what}: {} must not be there", words(extra)),
-        None => format!("{what}: a candidate is there more than once"),
+        Some(extra) => format!("{what}: {} must not be in the list", words(extra)),
+        None => format!("{what}: the list contains a candidate more than once"),
     })
 }

@@ -194,7 +194,8 @@ pub(crate) fn three_steps(random: &mut Random, ask: &mut impl Ask) {
         let table = rank.call("three steps", |world| {
             let discs = [(4.0, 2.0), (8.0, -2.0), (16.0, -2.0), (18.0, 0.0)];
             let discs = discs.map(|(x, vx)| Disc::new(x, 10.0, vx, 0.0));
-            let scene = Scene::new(20.0, 1.0, discs.to_vec()).expect("all are inside");
+            let scene =
+                Scene::new(20.0, 1.0, discs.to_vec()).expect("all discs are inside the square");
             let mut engine = runs.engine(world);
             engine.load(&scene);
             let mut table = Table::new([

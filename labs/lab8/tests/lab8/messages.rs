@@ -58,9 +58,13 @@ pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
             let own = if rank.is_root() { &lists[..] } else { &[] };
             let found = rank.call("hand_out", |world| hand_out(world, team, own));
             let name = name_of(team, rank, most);
-            let question = format!("{name}: number of sends begun before it waits for one");
+            let question =
+                format!("{name}: number of sends that this rank begins before it waits for a send");
             ask.exact(&question, || integers([sends_begun()]), || integers([sends(team, rank)]));
-            let question = format!("{name}: number of discs that it gets, and two sums of them");
+            let question = format!(
+                "{name}: (1) number of discs that this rank gets, (2) a checksum of their \
+                                    positions in the order of the list, (3) the sum of their numbers"
+            );
             let worker = team.worker(rank.number as i32);
             let right = || worker.map_or_else(|| sums_of(&[]), |worker| sums_of(&lists[worker]));
             ask.exact(&question, || sums_of(&found), right);
@@ -102,8 +106,10 @@ pub(crate) fn collects(random: &mut Random, ask: &mut impl Ask) {
                 collect(world, team, own)
             });
             let name = name_of(team, rank, most);
-            let question =
-                format!("{name}: number of discs that it has at the end, and two sums of them");
+            let question = format!(
+                "{name}: (1) number of discs that this rank has at the end, (2) a checksum of their positions \
+                         in the order of the list, (3) the sum of their numbers"
+            );
             let right = || {
                 let workers = (0..team.workers).filter(|_| rank.is_root());
                 let lists = workers.map(|worker| &lists[team.rank(worker) as usize][..]);
@@ -149,8 +155,8 @@ pub(crate) fn quiet_steps(random: &mut Random, ask: &mut impl Ask) {
         let many = bytes(30);
         if rank.is_root() {
             let question = format!(
-                "{}, two discs that meet in step 2: 1 if bytes are sent after step 1, 0 if not; then the number of \
-                 bytes sent after step 3, in which nothing happens any more",
+                "{}, two discs that meet only in step 2: (1) 1 if bytes are sent after step 1, 0 if not, (2) number \
+                 of bytes sent after step 3, when the discs no longer meet",
                 rank.name()
             );
             ask.exact(
@@ -177,7 +183,8 @@ pub(crate) fn kept_deal(random: &mut Random, ask: &mut impl Ask) {
             engine.deal
         });
         let question = format!(
-            "{}, two steps from a deal of all blocks to each worker: the offsets of the deal after them",
+            "{}, two steps of an engine whose deal gives all blocks to each worker: the offsets of the deal after \
+             these steps",
             rank.name()
         );
         let found = || kept.map_or_else(Vec::new, |deal| integers(deal.offsets));
@@ -187,7 +194,7 @@ pub(crate) fn kept_deal(random: &mut Random, ask: &mut impl Ask) {
 
 fn two_that_meet() -> Scene {
     let discs = [(490.0, 3.0), (500.0, -3.0)].map(|(x, vx)| Disc::new(x, 500.0, vx, 0.5));
-    Scene::new(1000.0, 1.0, discs.to_vec()).expect("all are inside")
+    Scene::new(1000.0, 1.0, discs.to_vec()).expect("all discs are inside the square")
 }
 
 /// Returns the bytes that the busiest rank sends in `steps` steps after the first.
@@ -205,13 +212,13 @@ pub(crate) fn neighbours(random: &mut Random, ask: &mut impl Ask) {
         let scene = RandomScene::new(500, 100.0, 1.0, 8).with_speeds(0.1, 0.2).draw();
         let mut engine = rank.call("loading", |world| {
             let mut engine = runs.engine(world);
-            engine.load(scene.as_ref().expect("the scene is sound"));
+            engine.load(scene.as_ref().expect("the scene is valid"));
             Some(engine)
         });
         rank.call("a step", |_| engine.iter_mut().for_each(|engine| engine.step()));
         let question = format!(
-            "slow discs, {}: 1 if it sends to more than two ranks in a round, 0 if not; then the number of MPI calls \
-             that bring lists to all ranks",
+            "slow discs, {}: (1) 1 if this rank sends to more than two ranks in a round, 0 if not, (2) number of MPI \
+             calls that bring lists to all ranks",
             rank.name()
         );
         ask.exact(&question, to_many_or_all, || vec![0.0; 2]);
@@ -262,7 +269,7 @@ fn at_rest_beside(pairs: usize) -> Scene {
         (0..30).map(|k| Disc::new(place(k % 6), place(k / 6), 0.0, 0.0)).collect();
     let pair = [(17.0, 2.0), (22.0, -2.0)].map(|(x, vx)| Disc::new(x, 17.0, vx, 0.0));
     discs.extend_from_slice(&pair[..2 * pairs]);
-    Scene::new(100.0, 1.0, discs).expect("all are inside")
+    Scene::new(100.0, 1.0, discs).expect("all discs are inside the square")
 }
 
 /// Asks whether the rank searches for wall collisions after it has sent the ghosts, and before it
@@ -273,16 +280,17 @@ pub(crate) fn walls_meanwhile(random: &mut Random, ask: &mut impl Ask) {
         let scene = RandomScene::new(300, 100.0, 1.0, 9).with_speeds(0.1, 0.2).draw();
         rank.call("a step", |world| {
             let mut engine = runs.engine(world);
-            engine.load(scene.as_ref().expect("the scene is sound"));
+            engine.load(scene.as_ref().expect("the scene is valid"));
             engine.step();
         });
         let question = format!(
-            "300 slow discs, {}, a step: 1 if `walls_of` is called while no ghosts are under way, 0 if not",
+            "300 slow discs, {}, a step: 1 if `walls_of` is called at a time when no ghosts are under way, 0 if not",
             rank.name()
         );
         ask.judge(&question, || vec![truth(walls_alone())], |found| match found {
             [0.0] => Ok(()),
-            _ => Err("the wall collisions are found before or after the ghosts travel; find them while the ghosts travel".into()),
+            _ => Err("the wall collisions are found before or after the ghosts travel. Find them while the ghosts \
+                      travel".into()),
         });
     });
 }

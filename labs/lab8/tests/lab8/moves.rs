@@ -24,8 +24,8 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
     for (number, discs) in [1, 2, 9, 33, 300, 4097].into_iter().cycle().take(90).enumerate() {
         let case = Case::drawn(random, discs + 2);
         let question = format!(
-            "case {number}, a rank with {} discs, of which {} are its own, and {} collisions that it has taken: {DISC} \
-             of each disc that it moves, after the step",
+            "case {number}, a rank with {} discs, of which {} are its own, and {} collisions that the rank has taken: \
+             {DISC} after the step, for each disc that the rank moves",
             case.here.len(),
             case.owns.iter().filter(|owns| **owns).count(),
             case.decisions.taken.len()

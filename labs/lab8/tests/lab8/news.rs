@@ -27,8 +27,9 @@ pub(crate) fn news_for_partners(random: &mut Random, ask: &mut impl Ask) {
         decisions.reported = random.below(taken.len() + 1);
         for partner in [0, 2] {
             let question = format!(
-                "case {case}, {} taken candidates, {} of them reported, {} in the front, news for rank {partner}: \
-                 {CANDIDATE} of each candidate, and 1 if it is taken",
+                "case {case}, {} taken candidates, {} of which are already reported, {} candidates in the front, news \
+                 for rank {partner}: for each candidate in the news, {CANDIDATE}, and 1 if it is taken, 0 if it is \
+                 open",
                 taken.len(),
                 decisions.reported,
                 decisions.front.len()
@@ -82,7 +83,7 @@ fn same(found: &[String], right: &[String]) -> Result<(), String> {
     let Some(k) = (0..most).find(|&k| found.get(k) != right.get(k)) else { return Ok(()) };
     let item = |list: &[String]| list.get(k).map_or("nothing".to_owned(), String::clone);
     Err(format!(
-        "number {k} of the news, counted from 0\n     found: {}\n  expected: {}",
+        "entry {k} of the news, counted from 0\n     found: {}\n  expected: {}",
         item(found),
         item(right)
     ))
@@ -95,8 +96,8 @@ pub(crate) fn news_from_ranks(random: &mut Random, ask: &mut impl Ask) {
         let all_news: Vec<Vec<News>> = (0..3).map(|time| drawn(random, discs, time)).collect();
         let lengths: Vec<usize> = all_news.iter().map(Vec::len).collect();
         let question = format!(
-            "case {case}, {} discs, and news three times, of {lengths:?} candidates. After each news, for each disc: 1 \
-             if it is free; {CANDIDATE} of its rival, all -1 if it has none",
+            "case {case}, {} discs. News arrives three times, with {lengths:?} candidates. After each arrival, for \
+             each disc: 1 if it is free, 0 if not; then {CANDIDATE} of its rival, or only -1 if it has no rival",
             found.numbers.len()
         );
         let answer = || {
@@ -159,7 +160,7 @@ fn are_known(found: &Found, all_news: &[Vec<News>], answer: &[f64]) -> Result<()
             let found = after.next().unwrap_or_default();
             if found != right {
                 return Err(format!(
-                    "news {time}, disc {disc}\n     found: {}\n  expected: {}",
+                    "arrival {time} of news, disc {disc}\n     found: {}\n  expected: {}",
                     disc_words(found),
                     disc_words(&right)
                 ));

@@ -73,7 +73,11 @@ fn shares(runs: &DiscsOnRanks, random: &mut Random, ask: &mut impl Ask) {
     let scene = wide(random);
     let names = ["pair tests, busiest rank", "pair tests"];
     runs.counters(ask, (&scene, 4), &names, |found| match 3.0 * found[0] > 2.0 * found[1] {
-        true => Err(format!("one rank tests {} of all {} pairs", found[0], found[1])),
+        true => Err(format!(
+            "the busiest rank tests {} of all {} pairs, but may test at most two \
+                             thirds",
+            found[0], found[1]
+        )),
         false => Ok(()),
     });
 }
@@ -110,14 +114,15 @@ pub(crate) fn only_what_crosses(_: &mut Random, ask: &mut impl Ask) {
     spatial_cuts(&[4]).counters(ask, (&scene, 3), &names, |found| {
         if !(20.0..240.0).contains(&found[0]) {
             return Err(format!(
-                "{} ghosts in a step at three cuts; there must be 20 to 240",
+                "the ranks get {} ghosts in a step at three cuts, but must get 20 to 240",
                 found[0]
             ));
         }
         match found[1] < all_bytes / 4.0 {
             true => Ok(()),
             false => Err(format!(
-                "a rank sends {} bytes in a step; all discs together have {all_bytes} bytes",
+                "a rank sends {} bytes in a step, but may send less than a quarter of the {all_bytes} bytes of all \
+                 discs",
                 found[1]
             )),
         }
@@ -148,7 +153,7 @@ fn job(task: &str, folder: &Path, variant: &str, ranks: usize, input: &str) -> J
     let program = option_env!("CARGO_BIN_EXE_lab8").or(option_env!("CARGO_BIN_EXE_solution8"));
     let path = folder.join("input.txt");
     fs::write(&path, input).expect("the temporary folder is writable");
-    let job = Job::new(task, program.expect("the lab has a program"), ranks);
+    let job = Job::new(task, program.expect("the lab has its own program"), ranks);
     job.args(["--variant", variant]).arg(path)
 }
 

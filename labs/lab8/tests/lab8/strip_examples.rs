@@ -181,7 +181,7 @@ pub(crate) fn one_step(random: &mut Random, ask: &mut impl Ask) {
 fn rows_of_a_step() -> Vec<(&'static str, String)> {
     let tower = [(5.0, 0.0), (7.5, 0.0), (10.0, 5.0), (12.5, 4.0), (15.0, 2.0), (17.5, -2.0)];
     let discs = tower.map(|(y, vy)| Disc::new(15.0, y, 0.0, vy));
-    let scene = Scene::new(30.0, 1.0, discs.to_vec()).expect("all are inside");
+    let scene = Scene::new(30.0, 1.0, discs.to_vec()).expect("all discs are inside the square");
     let world = common_mpi::world().expect("this is a rank");
     let mut engine = SpatialCuts::<Lab8>::new(world, 0, Clock::new(false));
     engine.load(&scene);

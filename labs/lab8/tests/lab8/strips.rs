@@ -28,7 +28,7 @@ fn rank_of(strips: &Strips, y: f64) -> usize {
 /// Draws a disc in few or many strips. Its box ends within a strip, on an edge, slightly beside an
 /// edge, or outside all strips.
 fn flying(random: &mut Random, strips: &Strips, reach: f64, number: u64) -> DiscWire {
-    let rows = *strips.cuts.starts.last().expect("there are rows");
+    let rows = *strips.cuts.starts.last().expect("the cuts include the end of the rows");
     let edge = |random: &mut Random| strips.bottom + random.below(rows + 1) as f64 * strips.height;
     let y = edge(random) + [0.25, 0.5][random.below(2)] * strips.height;
     let to = edge(random) + [reach, -reach, 0.25 * strips.height][random.below(3)];
@@ -54,8 +54,8 @@ pub(crate) fn boxes(random: &mut Random, ask: &mut impl Ask) {
         let disc = flying(random, &strips, reach, 0);
         let Strips { bottom, height, cuts } = &strips;
         let question = format!(
-            "a disc at y = {:?} with vy = {:?}, and its box {reach:?} beyond its path; rows {height:?} high from \
-             {bottom:?} on, and strips that begin at rows {:?}: first and last rank that the box reaches",
+            "a disc at y = {:?} with vy = {:?}. Its box extends {reach:?} beyond its path. Rows are {height:?} high \
+             and begin at {bottom:?}, and the strips begin at the rows {:?}: first and last rank that the box reaches",
             disc.y, disc.vy, cuts.starts
         );
         let ends = |reach: Reach| integers([reach.first, reach.last]);
@@ -72,7 +72,7 @@ pub(crate) fn lookers(_: &mut Random, ask: &mut impl Ask) {
     let all = || (0..5).flat_map(|first| (first..5).map(move |last| Reach { first, last }));
     for (a, b) in all().flat_map(|a| all().map(move |b| (a, b))) {
         ask.exact(
-            &format!("a pair of discs whose boxes reach {a:?} and {b:?}: ranks that test it"),
+            &format!("a pair of discs whose boxes reach {a:?} and {b:?}: ranks that test the pair"),
             || integers((0..5).filter(|&rank| looks_at(rank, a, b))),
             || integers((0..5).filter(|&rank| a.contains(rank) && b.contains(rank)).take(1)),
         );

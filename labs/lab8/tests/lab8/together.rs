@@ -19,8 +19,8 @@ pub(crate) fn together(random: &mut Random, ask: &mut impl Ask) {
         let ranks = 2 + case % 4;
         let all = Ranks::drawn(random, ranks, 40);
         let question = format!(
-            "case {case}, {ranks} ranks that have found {} candidates of 40 discs: 1 if they come to an end; then for \
-             each candidate taken, its rank and {CANDIDATE}",
+            "case {case}, {ranks} ranks that have found {} candidates of 40 discs: (1) 1 if the ranks come to an end, \
+             0 if not, (2) for each candidate taken, its rank and {CANDIDATE}",
             all.found.len()
         );
         ask.judge(&question, || all.decide(), |found| all.is_decided(found));
@@ -113,7 +113,8 @@ impl Ranks {
             }
             if !right.contains(&candidate) {
                 return Err(format!(
-                    "rank {} takes {name}, although an earlier candidate has one of its discs",
+                    "rank {} takes {name}, although a disc of this candidate belongs to an earlier candidate that is \
+                     taken",
                     taken[0]
                 ));
             }

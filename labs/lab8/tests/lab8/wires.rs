@@ -37,9 +37,11 @@ pub(crate) fn same_discs(found: &[f64], right: &[DiscWire]) -> Result<(), String
             format!("disc {} is {}, but must be {}", right[0], state(found), state(right))
         }
         (_, Some(right)) if !has(&found, right) => format!("disc {} is missing", right[0]),
-        (Some(extra), _) if !has(&right, extra) => format!("disc {} must not be there", extra[0]),
+        (Some(extra), _) if !has(&right, extra) => {
+            format!("disc {} must not be in the list", extra[0])
+        }
         (Some(found), Some(right)) => {
-            format!("disc {} is where disc {} must be", found[0], right[0])
+            format!("disc {} is at the place in the list where disc {} must be", found[0], right[0])
         }
         (found, right) => {
             let disc = found.or(right).map_or(f64::NAN, |disc| disc[0]);
@@ -52,7 +54,7 @@ pub(crate) fn same_discs(found: &[f64], right: &[DiscWire]) -> Result<(), String
 fn state(disc: &[f64]) -> String {
     let [x, y, vx, vy] = [disc[1], disc[2], disc[3], disc[4]];
     format!(
-        "at ({x:?}, {y:?}) with velocity ({vx:?}, {vy:?}) and {} and {} collisions",
+        "at ({x:?}, {y:?}) with velocity ({vx:?}, {vy:?}), {} collisions with discs and {} with walls",
         disc[5], disc[6]
     )
 }

@@ -57,7 +57,7 @@ fn probed(gpu: &Gpu, places: &[[f32; 4]]) -> Vec<f64> {
     let kernel = Lab9::checked(gpu, "probe", || Kernel::new(gpu, "probe", &sources, 64, &[]));
     let kernel = kernel.unwrap_or_else(|error| panic!("{error}"));
     let memory = gpu.storage("the test's memory", size_of_val(places) as u64);
-    let memory = memory.expect("there is memory");
+    let memory = memory.expect("the device has enough memory");
     gpu.upload(&memory, places);
     let mut work = Work::new(gpu, None);
     let groups = [(places.len() as u32).div_ceil(64), 1];
@@ -77,15 +77,15 @@ fn are_carried(found: &[f64], places: &[[f32; 4]]) -> Result<(), String> {
         let way = format!("offset {at:?} and distance {distance:?}");
         if !(0.0..1.0).contains(offset) {
             return Err(format!(
-                "{way}: the new offset is {offset:?}, which is not from 0 to below 1"
+                "{way}: the new offset is {offset:?}, but must be at least 0 and below 1"
             ));
         }
         let right = from + at + distance;
         let rounding = f64::from(f32::EPSILON) * (1.0 + (at + distance).abs());
         if (column + offset - right).abs() > rounding || *v != 2.0 {
             return Err(format!(
-                "{way}: column {column} and offset {offset:?} with velocity {v}; together they must be {right:?} \
-                 columns, with velocity 2"
+                "{way}: the particle is in column {column} at offset {offset:?} with velocity {v}. Column and offset \
+                 must add up to {right:?}, and the velocity must be 2"
             ));
         }
     }

@@ -22,8 +22,8 @@ pub(crate) fn choices(random: &mut Random, ask: &mut impl Ask) {
     for count in [1, 40, 300, 3000, 200, 5000, 1 + random.below(4000)] {
         let candidates = rivals(count, |most| random.below(most));
         let question = format!(
-            "{count} candidates among 300 discs: kind (0 corner, 1 and 2 walls, 3 pair), discs, time of each candidate \
-             chosen"
+            "{count} candidates among 300 discs: kind (0 corner, 1 and 2 walls, 3 pair), discs and time of each \
+             candidate that is chosen"
         );
         let found = || {
             let flags = chooser.choose(&candidates, 300);

@@ -48,7 +48,7 @@ fn four_discs() -> Scene {
         Disc::new(4.0, 9.0, 0.0, -1.0),
         Disc::new(8.0, 7.0, 0.0, -2.0),
     ];
-    Scene::new(20.0, 1.0, discs).expect("the scene is sound")
+    Scene::new(20.0, 1.0, discs).expect("the scene is valid")
 }
 
 /// Shows the positions and velocities of discs.
@@ -192,7 +192,7 @@ pub(crate) fn sorted_particles(_: &mut Random, ask: &mut impl Ask) {
             (0.75, 0.25),
         ];
         let particles = places.map(|(x, y)| at(x, y)).to_vec();
-        let scene = soft::Scene::new(3.01 * soft::CUTOFF, particles).expect("the scene is sound");
+        let scene = soft::Scene::new(3.01 * soft::CUTOFF, particles).expect("the scene is valid");
         let mut engine = engine(gpu, 64);
         soft::Simulation::load(&mut engine, &scene);
         let sorted = engine.sort();
@@ -216,7 +216,7 @@ pub(crate) fn single_step(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let mut particles = vec![at(2.75, 5.5), at(3.25, 5.5), at(7.98, 8.5)];
         (particles[2].vx, particles[2].vy) = (1.0, -1.0);
-        let scene = soft::Scene::new(10.01 * soft::CUTOFF, particles).expect("the scene is sound");
+        let scene = soft::Scene::new(10.01 * soft::CUTOFF, particles).expect("the scene is valid");
         let before = scene.particles().to_vec();
         let after = runs.run(move |engine| {
             engine.load(&scene);

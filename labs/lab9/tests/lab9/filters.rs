@@ -30,7 +30,7 @@ pub(super) fn drawn(random: &mut Random, n: u64, fraction: f64, speed: f64) -> S
     let side = (n as f64 * std::f64::consts::PI / fraction).sqrt();
     let seed = 1 + random.below(1_000_000_000) as u32;
     let scene = RandomScene::new(n, side, 1.0, seed).with_speeds(speed / 4.0, speed);
-    scene.draw().expect("the scene is sound")
+    scene.draw().expect("the scene is valid")
 }
 
 /// Discs whose collisions the filter must find.
@@ -77,7 +77,9 @@ impl Filtered {
 
     /// Checks that all pairs that collide are passed on, each pair once, and few other pairs.
     fn verdict(&self, found: &[f64]) -> Result<(), String> {
-        let Some((count, pairs)) = found.split_first() else { return Err("no list".into()) };
+        let Some((count, pairs)) = found.split_first() else {
+            return Err("the answer is empty".into());
+        };
         let pairs = pairs_of(pairs);
         if *count as usize != pairs.len() {
             return Err(format!("{count} pairs are counted, but {} are in the list", pairs.len()));
@@ -90,12 +92,12 @@ impl Filtered {
         let meet = |[a, b]: [u32; 2]| pair_hit(scene.discs(), a, b, scene.radius()).is_some();
         let colliding: Vec<_> = all_pairs(scene.len() as u32).filter(|&pair| meet(pair)).collect();
         if let Some([a, b]) = colliding.iter().find(|pair| !different.contains(*pair)) {
-            return Err(format!("discs {a} and {b} collide, but are not passed on"));
+            return Err(format!("discs {a} and {b} collide, but their pair is not passed on"));
         }
         let others = different.len() - colliding.len();
         if self.strict && others > colliding.len() / 20 + 2 {
             return Err(format!(
-                "{others} pairs that do not collide are passed on, besides {} that do",
+                "{others} pairs that do not collide are passed on, in addition to the {} pairs that collide",
                 colliding.len()
             ));
         }
@@ -117,8 +119,8 @@ pub(crate) fn filter_in_double(random: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn slow_contacts(random: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.2") else { return };
     let scene = touching(|| random.between(0.0, std::f64::consts::TAU));
-    let question = "100 slow contacts, of discs 0 and 1, 2 and 3, and so on, in single precision: both discs of each \
-                    contact in the list";
+    let question = "100 slow contacts, of discs 0 and 1, of discs 2 and 3, and so on, in single precision: both discs \
+                    of each contact in the list";
     let found = || {
         let search = Search { room: 10_000, ..Search::of(&scene, ALL_PAIRS) };
         let mut list = search.run::<f32>(gpu).list;
@@ -142,10 +144,10 @@ pub(crate) fn at_the_bounds(_: &mut Random, ask: &mut impl Ask) {
         pair(9.0, 3.0, [0.5, 0.0], 1.0 / 2048.0),
         pair(9.0, 12.0, [0.5, 0.0], 1.0 / 1024.0),
     ];
-    let scene = Scene::new(16.0, 0.1, discs.concat()).expect("all are inside");
-    let question = "discs 0 and 1 at a distance of 1/4, discs 2 and 3 of 17/64, discs 4 and 5 with d · D = 2^-20, discs 6 \
-                    and 7 with 2^-19; reach_squared is 1/16, and receding is 2^-20: both discs of each of these pairs in \
-                    the list";
+    let scene = Scene::new(16.0, 0.1, discs.concat()).expect("all discs are inside the square");
+    let question = "four pairs: discs 0 and 1 at the distance 1/4, discs 2 and 3 at the distance 17/64, discs 4 and 5 \
+                    with d · D = 2^-20, discs 6 and 7 with d · D = 2^-19. The bounds are reach_squared = 1/16 and \
+                    receding = 2^-20: both discs of each of these pairs that is in the list";
     let found = || {
         let bounds = Some([0.0625, 1.0 / (1 << 20) as f32]);
         let mut list = Search { bounds, ..Search::of(&scene, ALL_PAIRS) }.run::<f32>(gpu).list;
@@ -166,8 +168,9 @@ pub(crate) fn a_full_list(random: &mut Random, ask: &mut impl Ask) {
     let all = n * (n - 1) / 2;
     for room in [2 + 2 * random.below(50) as u64, all] {
         let question = format!(
-            "{all} pairs, room for {room}: number of pairs counted, number in the list, number of different pairs, and \
-             number written behind the list"
+            "{all} pairs, and a list with room for {room} pairs: (1) number of pairs counted, (2) number of pairs in \
+             the list, (3) number of different pairs in the list, (4) number of pairs written behind the end of the \
+             list"
         );
         let found = || {
             let search = Search { room, everything: true, ..Search::of(&scene, ALL_PAIRS) };

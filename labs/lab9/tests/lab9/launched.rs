@@ -31,7 +31,8 @@ fn write(
 /// launch succeeds, and the numbers.
 pub(super) fn written(gpu: &Gpu, groups: u32) -> (Result<(), GpuError>, Vec<u32>) {
     let memory = Lab9::checked(gpu, "memory", || gpu.storage("numbers", 16));
-    let memory = memory.expect("nothing is wrong with it").expect("there is so much memory");
+    let memory =
+        memory.expect("the device reports no error").expect("the device has enough memory");
     let kernel = Kernel::new(gpu, "write", &[WRITE], 4, &[]);
     let mut work = Work::new(gpu, None);
     let bound = kernel.bind(gpu, &[(0, &memory)]);
@@ -192,7 +193,7 @@ impl<'a> Search<'a> {
 }
 
 fn storage(gpu: &Gpu, bytes: u64) -> wgpu::Buffer {
-    gpu.storage("the probe's memory", bytes).expect("there is memory")
+    gpu.storage("the probe's memory", bytes).expect("the device has enough memory")
 }
 
 /// Returns 100 touching pairs, at angles of `turn`, that approach extremely slowly. Single
@@ -214,13 +215,13 @@ pub(super) fn touching(mut turn: impl FnMut() -> f64) -> Scene {
             0.002 + closing * sin + across * cos,
         ));
     }
-    Scene::new(1.0, radius, discs).expect("all are inside")
+    Scene::new(1.0, radius, discs).expect("all discs are inside the square")
 }
 
 /// Returns `n` discs on a line.
 pub(super) fn line(n: usize) -> Scene {
     let discs = (0..n).map(|i| Disc::new(1.0 + i as f64, 1.0, 0.0, 0.0)).collect();
-    Scene::new(n as f64 + 1.0, 1.0, discs).expect("all are inside")
+    Scene::new(n as f64 + 1.0, 1.0, discs).expect("all discs are inside the square")
 }
 
 /// Returns for each number the sum of all numbers before it, added up on the device by workgroups

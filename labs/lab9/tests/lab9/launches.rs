@@ -87,9 +87,9 @@ pub(crate) fn launches(random: &mut Random, ask: &mut impl Ask) {
         let Order { blocks, threads, most, wide } = order;
         let limits = order.limits();
         let answer = format!(
-            "at most {most} along an axis and {} in each: 0, the rows, the threads, and 1 if they suffice; or 1 \
-             (nothing to launch), 2 (too many threads) or 3 (too many workgroups) for an error, its two numbers, and \
-             0",
+            "at most {most} workgroups along an axis and {} invocations in each. If there is a launch: 0, its rows, \
+             its threads, and 1 if they suffice. If there is an error: its kind (1 nothing to launch, 2 too many \
+             threads, 3 too many workgroups), its two numbers, and 0",
             wide.min(256)
         );
         let question = format!("{blocks} workgroups of {threads}, {answer}");
@@ -106,7 +106,7 @@ pub(crate) fn launches(random: &mut Random, ask: &mut impl Ask) {
         }
     }
     ask.exact(
-        "ten items in workgroups of 0 threads: 1 if they are refused, 0 if not",
+        "ten items in workgroups of 0 threads: 1 if the launch is refused, 0 if not",
         || vec![truth(Lab9::launch_over(10, 0, &Limits::default()).is_err())],
         || vec![1.0],
     );
@@ -117,13 +117,13 @@ pub(crate) fn refusals(_: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.1") else { return };
     let limit = gpu.limits().max_compute_workgroups_per_dimension;
     let question = "a kernel that writes 7, 8, 9, 10, in one workgroup more than the device can run along an axis: 1 \
-                    if it is refused with a reason, 0 if not; then the four numbers";
+                    if the launch is refused with a reason, 0 if not; then the four numbers in memory";
     let right = || vec![1.0, 0.0, 0.0, 0.0, 0.0];
     ask.exact(question, || refused_and_written(gpu, limit + 1), right);
-    let question = "a kernel that writes 7, 8, 9, 10, in one workgroup: 1 if it is refused, 0 if not; then the four \
-                    numbers";
+    let question = "a kernel that writes 7, 8, 9, 10, in one workgroup: 1 if the launch is refused, 0 if not; then \
+                    the four numbers in memory";
     ask.exact(question, || refused_and_written(gpu, 1), || vec![0.0, 7.0, 8.0, 9.0, 10.0]);
-    let question = "the kernel `fn write( {`: 1 if it is refused, 0 if not";
+    let question = "the kernel `fn write( {`: 1 if the kernel is refused, 0 if not";
     ask.exact(question, || vec![truth(refuses_no_wgsl(gpu))], || vec![1.0]);
 }
 
@@ -146,12 +146,13 @@ pub(crate) fn large_workgroups(_: &mut Random, ask: &mut impl Ask) {
     }
     let refused = || {
         let balanced = HARD_VARIANTS.iter().find(|variant| variant.name == "balanced-f32");
-        let balanced = balanced.expect("the lab has it");
+        let balanced = balanced.expect("the lab has this variant");
         let mut config = balanced.config();
-        balanced.set(&mut config, "workgroup", 65_536.0).expect("there is such a parameter");
+        balanced.set(&mut config, "workgroup", 65_536.0).expect("the variant has this parameter");
         let error = (balanced.build)(&config).err();
         error.is_some_and(|error| error.to_string().contains("workgroup of 65536"))
     };
-    let question = "variant balanced-f32 with workgroups of 65536: 1 if it is refused with this number, 0 if not";
+    let question = "variant balanced-f32 with workgroups of 65536: 1 if the variant is refused with an error that \
+                    contains this number, 0 if not";
     ask.exact(question, || vec![truth(refused())], || vec![1.0]);
 }

@@ -31,7 +31,7 @@ pub(super) fn values(candidates: &[Candidate]) -> Vec<[f64; 4]> {
 /// Returns the numbers of candidates in sorted order, because a device produces no fixed order.
 pub(super) fn sorted(candidates: &[Candidate]) -> Vec<f64> {
     let mut values = values(candidates);
-    values.sort_by(|a, b| a.partial_cmp(b).expect("they are numbers"));
+    values.sort_by(|a, b| a.partial_cmp(b).expect("the values are numbers"));
     values.concat()
 }
 
@@ -77,7 +77,7 @@ pub(crate) fn confirmed(random: &mut Random, ask: &mut impl Ask) {
         let passed_on = PassedOn::drawn(random, n);
         let question = format!(
             "{n} candidates that a device passed on, after another list: kind (0 corner, 1 and 2 walls, 3 pair), \
-             discs, time of each candidate confirmed"
+             discs and time of each candidate that is confirmed"
         );
         let found = || {
             let PassedOn { square, discs, found } = &passed_on;
@@ -122,8 +122,9 @@ pub(crate) fn kernel_runs(_: &mut Random, ask: &mut impl Ask) {
         let mut search = Counted { room, runs: 0, grown: 0 };
         let mut all = Vec::new();
         let question = format!(
-            "room for {room} candidates, and {rows} candidates: how often the kernels run, how often the list grows, how \
-             many candidates are collected, and for how many there is room then"
+            "a list with room for {room} candidates, and {rows} candidates: (1) number of runs of the kernels, (2) \
+             number of times that the list grows, (3) number of candidates collected, (4) number of candidates for \
+             which the list has room afterwards"
         );
         let found = || match Lab9::collect(&mut search, 0..rows, &mut all) {
             Ok(()) => integers([search.runs, search.grown, all.len(), search.room as usize]),
@@ -163,8 +164,8 @@ impl Grown {
         let room =
             self.room.map_or_else(String::new, |room| format!(", memory for {room} candidates"));
         format!(
-            "{} discs{room}, all pairs and all walls: number of candidates found, and number of different ones; no \
-             numbers if there is no memory for one row",
+            "{} discs{room}, all pairs and all walls: (1) number of candidates found, (2) number of different \
+             candidates. No numbers if the memory is too small for one row",
             self.discs
         )
     }

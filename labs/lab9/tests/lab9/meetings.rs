@@ -87,17 +87,17 @@ pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
     let Some(gpu) = adapter("9.6") else { return };
     assert!(
         !Lab9::scan().contains("Barrier("),
-        "task 9.6: call meet() instead of a barrier of WGSL, because this test watches the accesses between two calls \
-         of meet()"
+        "task 9.6: call meet() instead of a WGSL barrier, because this test watches the accesses between two calls of \
+         meet()"
     );
     for threads in [2, 3, 8, 64, 96] {
         // The last of three workgroups is nearly empty.
         let n = 2 * threads + 1;
         let question = format!(
-            "{n} numbers, workgroups of {threads}: the first conflict, as {PLACES} times the number of barriers before \
-             it plus the index of the shared number, or -1 for none; the first barrier that invocations reach at \
-             different calls of meet(), or -1 for none; then for each barrier the number of invocations \
-             that come to it"
+            "{n} numbers, workgroups of {threads}: (1) the first conflict, encoded as {PLACES} × (1 + the number of \
+             barriers before it) + the index of the shared number, or -1 if there is no conflict, (2) the number of \
+             the first barrier that invocations reach at different calls of meet(), or -1 if there is none, (3) for \
+             each barrier, the number of invocations that reach it"
         );
         let found = || watched(gpu, n, threads);
         ask.judge(&question, found, |found| verdict(found, threads));
@@ -126,7 +126,7 @@ fn watched(gpu: &Gpu, n: u32, threads: u32) -> Vec<f64> {
     let kernel = kernel.unwrap_or_else(|error| panic!("{error}"));
     let buffer = |numbers: &[u32]| {
         let buffer = gpu.storage("the test's memory", 4 * numbers.len() as u64);
-        let buffer = buffer.expect("there is memory");
+        let buffer = buffer.expect("the device has enough memory");
         gpu.upload(&buffer, numbers);
         buffer
     };
@@ -154,15 +154,15 @@ fn verdict(found: &[f64], threads: u32) -> Result<(), String> {
     let all = f64::from(3 * threads);
     if let Some(k) = met.iter().position(|met| *met != 0.0 && *met != all) {
         return Err(format!(
-            "call {} of meet() is reached by {} of {all} invocations, but all must come to each call",
+            "call {} of meet() is reached by {} of {all} invocations, but all invocations must reach each call",
             k + 1,
             met[k]
         ));
     }
     if *parting >= 0.0 {
         return Err(format!(
-            "as barrier number {parting} the invocations of a workgroup call meet() at two places of the program: no meet() \
-             may depend on `local`"
+            "the invocations of a workgroup reach barrier number {parting} at two different calls of meet() in the \
+             program. Whether meet() is called may not depend on `local`"
         ));
     }
     if *conflict < 0.0 {
@@ -171,14 +171,14 @@ fn verdict(found: &[f64], threads: u32) -> Result<(), String> {
         // One barrier more may be before the first round, and one after the last.
         if calls > 2 * rounds + 2 {
             return Err(format!(
-                "each invocation calls meet() {calls} times, but {rounds} rounds need two calls each"
+                "each invocation calls meet() {calls} times, but {rounds} rounds need only two calls each"
             ));
         }
         return Ok(());
     }
     let (before, number) = (*conflict as u32 / PLACES - 1, *conflict as u32 % PLACES);
     Err(format!(
-        "after {before} calls of meet(), one invocation writes the shared number {number} and another reads or writes \
-         it, without a call of meet() in between"
+        "after {before} calls of meet(), one invocation writes the shared number {number}, and a different invocation \
+         reads or writes it without a call of meet() in between"
     ))
 }

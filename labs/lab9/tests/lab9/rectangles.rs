@@ -50,7 +50,7 @@ pub(crate) fn late_rows(random: &mut Random, ask: &mut impl Ask) {
     let scene = line(MANY as usize);
     for row in [0, 1, 49_999, 50_000, 85_899, 85_900, 99_998, random.below(99_999) as u32] {
         let question = format!(
-            "row {row} of {MANY} discs: number of pairs in it, then both discs of each pair"
+            "row {row} of the rectangle of {MANY} discs: number of pairs in this row, then both discs of each pair"
         );
         let found = || {
             let search = Search::of(&scene, &source);
@@ -65,7 +65,9 @@ pub(crate) fn late_rows(random: &mut Random, ask: &mut impl Ask) {
 
 /// Checks that the pairs of a row, and no others, are dealt.
 fn are_of_row(found: &[f64], row: u32) -> Result<(), String> {
-    let Some((count, pairs)) = found.split_first() else { return Err("no list".into()) };
+    let Some((count, pairs)) = found.split_first() else {
+        return Err("the answer is empty".into());
+    };
     let different: BTreeSet<_> = pairs_of(pairs).into_iter().collect();
     let right = (0..MANY / 2).map(|column| pair_at(row, column));
     let lost = right.filter(|pair| !different.contains(pair)).count();
@@ -75,7 +77,8 @@ fn are_of_row(found: &[f64], row: u32) -> Result<(), String> {
         return Ok(());
     }
     Err(format!(
-        "{count} pairs are in the row, {different} of them different, and {lost} of the {all} right pairs are missing"
+        "{count} pairs are in the row, {different} of these pairs are different, and {lost} of the {all} right pairs \
+         are missing"
     ))
 }
 
@@ -95,8 +98,8 @@ pub(crate) fn turns(ask: &mut impl Ask, deal: Deal) {
             f64::from(search.run::<f32>(gpu).count)
         };
         let question = format!(
-            "{find}, {n} discs, each of four invocations: number of pairs that it passes on, at most two fifths of \
-             all"
+            "{find}, {n} discs, four invocations: number of pairs that each invocation passes on, which must be at \
+             most two fifths of all pairs"
         );
         ask.judge(
             &question,

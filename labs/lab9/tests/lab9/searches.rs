@@ -50,8 +50,8 @@ fn candidates_of<R: Real>(
     let mut engine = HardDiscs::new(finder, Choice::Host);
     for (name, scene) in scenes {
         let question = format!(
-            "scene '{name}' of {} discs, in {}, {steps} steps: for each step the number of candidates, then kind (0 \
-             corner, 1 and 2 walls, 3 pair), discs, time of each candidate",
+            "scene '{name}' of {} discs, in {}, {steps} steps: for each step, number of candidates, then kind (0 \
+             corner, 1 and 2 walls, 3 pair), discs and time of each candidate",
             scene.len(),
             std::any::type_name::<R>()
         );
@@ -76,15 +76,18 @@ fn with_number(candidates: &[Candidate]) -> Vec<f64> {
 /// Checks that candidates are the same as in each step of lab 7's sequential program.
 fn are_of_steps(found: &[f64], scene: &Scene, steps: usize) -> Result<(), String> {
     let sequential = solution7::VARIANTS.iter().find(|variant| variant.name == "sequential");
-    let sequential = sequential.expect("lab 7 has it");
-    let mut engine = (sequential.build)(&sequential.config()).expect("it builds");
+    let sequential = sequential.expect("lab 7 has this variant");
+    let mut engine = (sequential.build)(&sequential.config()).expect("the engine can be built");
     engine.load(scene);
     let mut discs = scene.discs().to_vec();
     let mut rest = found;
     for step in 1..=steps {
         let right = candidates_of_all_pairs(&discs, Square::of(scene));
         let Some((own, more)) = rest.split_at_checked(1 + 4 * right.len()) else {
-            return Err(format!("step {step}: {} candidates are too few", rest.len() / 4));
+            return Err(format!(
+                "step {step}: the answer has only {} candidates, which are too few",
+                rest.len() / 4
+            ));
         };
         are_right(own, &right).map_err(|words| format!("step {step}: {words}"))?;
         rest = more;

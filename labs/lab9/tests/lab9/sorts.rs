@@ -22,7 +22,7 @@ pub(crate) fn scans(random: &mut Random, ask: &mut impl Ask) {
             let numbers: Vec<u32> = (0..n).map(|_| random.below(10) as u32).collect();
             let list = if n <= 33 { format!(" {numbers:?}") } else { String::new() };
             let question = format!(
-                "{n} numbers{list}, workgroups of {threads}: for each number the sum of the numbers before it"
+                "{n} numbers{list}, workgroups of {threads}: for each number, the sum of the numbers before it"
             );
             let found = || integers(&sums_before(gpu, &numbers, threads));
             ask.exact(&question, found, || before_each(&numbers));
@@ -82,8 +82,8 @@ fn bins_of_each(
 fn bins_of(engine: &mut SoftDiscs<Lab9, Double>, name: &str, scene: &Scene, ask: &mut impl Ask) {
     for step in 0..6 {
         let question = format!(
-            "{name}, after {step} steps: x and y of each particle, then the particles in the order of bins and ids, \
-             then the index at which each bin begins"
+            "{name}, after {step} steps: (1) x and y of each particle, (2) the particles in the order of bins and \
+             ids, (3) the index at which each bin begins"
         );
         let found = || {
             if step == 0 {
@@ -120,7 +120,7 @@ fn are_sorted(found: &[f64], scene: &Scene) -> Result<(), String> {
     for (place, &[bin, id]) in right.iter().enumerate() {
         if ids[place] != f64::from(id) {
             return Err(format!(
-                "place {place} belongs to particle {id}, in bin {bin}, but particle {} is there",
+                "place {place} belongs to particle {id}, which is in bin {bin}, but particle {} is at this place",
                 ids[place]
             ));
         }

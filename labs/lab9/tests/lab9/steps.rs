@@ -71,7 +71,7 @@ fn pair_tests(runs: &Runs, scene: &Scene, ask: &mut impl Ask) {
                 [tests] if [all as f64, others as f64].contains(tests) => Ok(()),
                 _ => Err(format!(
                     "     found: {found:?}\n  expected: {all}, or {others} without the tests of particles with \
-                     themselves: each particle with all particles of nine bins, also with distant ones"
+                     themselves. Each particle is tested with all particles of nine bins, also with distant particles"
                 )),
             }
         },
