@@ -145,8 +145,8 @@ fn print_failure(outcome: &Outcome) {
     let how = match &outcome.verdict {
         Verdict::Crashed(how) => format!("did not finish: {how}"),
         Verdict::TimedOut => {
-            "did not end: a loop does not end, two threads wait for each other, far more work is done than the task \
-             needs, or this machine is busy"
+            "did not end. Perhaps a loop does not end, two threads wait for each other, the program does far more work \
+             than the task needs, or this machine is busy."
                 .into()
         }
         _ => match outcome.todo() {

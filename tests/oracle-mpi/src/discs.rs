@@ -78,7 +78,7 @@ impl DiscsOnRanks {
                 if rank.is_root() {
                     let question = format!(
                         "{}, {steps} steps of {} discs ({name}): x y vx vy, collisions with discs and with walls of \
-                         each disc after each step, bit for bit as in {}",
+                         each disc after each step, which must have the same bits as in {}",
                         self.name(rank),
                         scene.len(),
                         right.name
@@ -122,7 +122,7 @@ impl DiscsOnRanks {
             let right = counted(&mut *built(right, &right.config()), scene, steps, names);
             for ((name, found), right) in names.iter().zip(found).zip(right) {
                 if *found != right {
-                    return Err(format!("{name}: {found} were counted, but there are {right}"));
+                    return Err(format!("{name}: {found} were counted, but {right} is right"));
                 }
             }
             Ok(())

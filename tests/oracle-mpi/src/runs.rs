@@ -71,7 +71,7 @@ impl RunsOnRanks {
             ask,
             all,
             steps,
-            "x y vx vy of each particle after each step, bit for bit as in all-pairs",
+            "x y vx vy of each particle after each step, which must have the same bits as in all-pairs",
             |scene, states| states.bits_of_all_pairs(scene),
         );
     }
@@ -107,7 +107,7 @@ impl RunsOnRanks {
             ask,
             &format!(
                 "counter scene, {count} particles, {steps} steps: x y vx vy of each particle after \
-                 each step, bit for bit as in all-pairs"
+                 each step, which must have the same bits as in all-pairs"
             ),
             |engine| {
                 engine.load_counter(n, 1).expect("the scene is sound");

@@ -17,8 +17,9 @@ impl RunsOnRanks {
                 if rank.is_root() {
                     let count = scene.len();
                     let question = format!(
-                        "{}, {count} particles, {steps} steps: x y vx vy of each particle after each step of a first \
-                         run and of a second one, and after the last step of a run at which nobody looks before{}",
+                        "{}, {count} particles, {steps} steps: x y vx vy of each particle (1) after each step of a first \
+                         run, (2) after each step of a second run, (3) after the last step of a run whose state is \
+                         read only once{}",
                         self.name(rank),
                         others
                             .iter()
@@ -64,7 +65,7 @@ fn equal_runs(
     same_states(&first, &second, "a second run")?;
     let end = States::split(&mut numbers, particles, 1)?;
     if let Some(words) = difference(&end.state(0), &first.state(steps - 1)) {
-        return Err(format!("a run at which nobody looked gave other bits: {words}"));
+        return Err(format!("a run whose state is read only once has different bits: {words}"));
     }
     for _ in 0..others {
         let other = States::split(&mut numbers, particles, steps)?;
@@ -77,7 +78,7 @@ fn equal_runs(
 fn same_states(first: &States, other: &States, whose: &str) -> Result<(), String> {
     for step in 0..first.count() {
         if let Some(words) = difference(&other.state(step), &first.state(step)) {
-            return Err(format!("step {}: {whose} gave other bits: {words}", step + 1));
+            return Err(format!("step {}: {whose} has different bits: {words}", step + 1));
         }
     }
     Ok(())
