@@ -2,7 +2,7 @@
 //! ghosts.
 
 use lab6::{Cuts, balanced, interior_rows, neighbours};
-use oracle::{Ask, Random, integers};
+use oracle::{Ask, Random, integers, within};
 
 /// Asks for the starts of blocks. The rows have few particles, or more than 32 bits can count.
 /// Their sum fits into 64 bits.
@@ -42,6 +42,22 @@ pub(crate) fn starts_of_blocks(random: &mut Random, ask: &mut impl Ask) {
             || integers(starts(&counts, ranks)),
         );
     }
+}
+
+/// Asks for a million blocks. A program that goes up from row 0 for every rank does not finish.
+pub(crate) fn a_million_blocks(_: &mut Random, ask: &mut impl Ask) {
+    ask.exact(
+        "1,000,000 rows with one particle each, on 1,000,000 ranks: (1) number of starts, (2) number of blocks that \
+         start at the row with the block's number",
+        || within("6.1", 60, blocks_of_a_row),
+        || vec![1_000_001.0; 2],
+    );
+}
+
+fn blocks_of_a_row() -> Vec<f64> {
+    let starts = balanced(&vec![1; 1_000_000], 1_000_000).starts;
+    let right = starts.iter().enumerate().filter(|(block, start)| block == *start).count();
+    vec![starts.len() as f64, right as f64]
 }
 
 /// Returns the correct starts of blocks.

@@ -30,6 +30,7 @@ oracle::questions! {
                             rank, (2) the number of particles in this block.",
         starts_of_blocks => "1 to 4,000 rows and ranks. Some cases have few particles, and some have more particles \
                              than 32 bits can count: the row at which each block starts.",
+        a_million_blocks => "A million rows and a million ranks: the row at which each block starts.",
     }
     task_6_2 {
         table_of_neighbours => "Blocks of rows, some of which are empty: (1) the rank that has the row before each \
