@@ -28,8 +28,8 @@ pub struct Gpu {
 impl Gpu {
     /// Returns this program's device, which is opened at the first call.
     ///
-    /// It is the device that the environment variable `WGPU_ADAPTER_NAME` names, or else the
-    /// fastest kind that the machine has.
+    /// It is the device that the environment variable `WGPU_ADAPTER_NAME` names, or else a device
+    /// of the fastest kind in the machine.
     ///
     /// # Errors
     /// There is no such device, or it cannot be opened.
@@ -54,7 +54,7 @@ impl Gpu {
 
     /// Returns the device's name.
     ///
-    /// The name of a device that is a program on the host's processor says so, because such a
+    /// The name shows whether the device is a program on the host's processor, because such a
     /// device must not be compared with a graphics processor.
     pub fn name(&self) -> String {
         let note =
@@ -92,7 +92,7 @@ impl Gpu {
     /// Returns device memory of `bytes` bytes, all zero, for kernels to read and write.
     ///
     /// # Errors
-    /// The device has no buffer of this size.
+    /// The device cannot provide a buffer of this size.
     pub fn storage(&self, what: &'static str, bytes: u64) -> Result<Buffer, GpuError> {
         let most = self.most_bytes();
         if bytes > most {
@@ -127,7 +127,7 @@ impl Gpu {
         self.device.poll(PollType::wait_indefinitely()).expect("the device is not lost");
     }
 
-    /// Returns names and values for a reader of measurements, in words, without the
+    /// Returns properties of the device in words, for readers of measurements, without the
     /// [`name`](Self::name).
     pub fn about(&self) -> Vec<(&'static str, String)> {
         let limits = self.limits();

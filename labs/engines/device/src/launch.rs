@@ -29,8 +29,8 @@ impl Launch {
 pub trait Launcher {
     /// Returns a launch of at least `blocks` workgroups of `threads` invocations, within `limits`.
     ///
-    /// A row of workgroups has a greatest length, so a launch may have several rows, and a few
-    /// workgroups more than `blocks`.
+    /// The length of a row of workgroups is limited. So a launch may have several rows, and a few
+    /// more workgroups than `blocks`.
     ///
     /// # Errors
     /// The device cannot run the launch.

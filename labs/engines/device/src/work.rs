@@ -20,7 +20,7 @@ pub struct Work<'a> {
 
 impl<'a> Work<'a> {
     /// Makes an empty piece of work. With a stopwatch, each launch is timed separately, and
-    /// submitting waits.
+    /// `submit` waits for the device.
     pub fn new(gpu: &'a Gpu, stopwatch: Option<&'a Stopwatch>) -> Self {
         let encoder = gpu.device.create_command_encoder(&Default::default());
         Self { gpu, stopwatch, encoder, pass: None, launches: Vec::new() }

@@ -11,7 +11,7 @@ use wgpu::Buffer;
 use super::kernels::{HardKernels, Launches, Search};
 use super::margins::Margins;
 
-/// The second number of a candidate that is a disc and a wall.
+/// The second number of a candidate that consists of a disc and a wall.
 pub const WALL: u32 = u32::MAX;
 
 /// Capacity of the first list, in candidates.
@@ -22,7 +22,7 @@ const FIRST_CAPACITY: u64 = 1024;
 pub enum Deal {
     /// An invocation tests a disc with the walls and with all discs after it.
     Discs,
-    /// An invocation tests pairs by their number. Another kernel tests the walls.
+    /// An invocation tests pairs, which are numbered. Another kernel tests the walls.
     Pairs,
 }
 
@@ -48,7 +48,7 @@ pub struct Finder<K, R> {
 }
 
 impl<K: HardKernels, R: Real> Finder<K, R> {
-    /// Compiles the kernels of a `deal`, which will run on `launch`.
+    /// Compiles the kernels of a `deal`, to be run with `launch`.
     ///
     /// # Errors
     /// The device cannot compute with `R`, or refuses a kernel.

@@ -19,8 +19,8 @@ pub struct Grid {
 
 /// Factor by which bins are wider than the cutoff.
 ///
-/// It is so large that rounding, even to single precision, never puts two particles at the cutoff
-/// two bins apart.
+/// It is so large that rounding, even to single precision, never puts two particles one cutoff
+/// apart into bins that are not adjacent.
 const SLACK: f64 = 1.0 + 1.0 / (1 << 20) as f64;
 
 impl Grid {

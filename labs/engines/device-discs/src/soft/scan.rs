@@ -26,8 +26,8 @@ pub struct Level {
 pub struct Sort {
     /// A u32 for each bin, and one more.
     ///
-    /// First they are the numbers of particles in the bins. After the prefix sum they are the
-    /// starts of the bins, and finally the number of particles.
+    /// Before the prefix sum, they count the particles of each bin. Afterwards they are the starts
+    /// of the bins, followed by the number of particles.
     pub starts: Buffer,
     /// Counts the particles of each bin in `starts`.
     pub count: Bound,
