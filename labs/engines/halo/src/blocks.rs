@@ -31,8 +31,8 @@ impl Cuts {
     /// Returns the rank that has `row`.
     #[inline]
     pub fn owner(&self, row: usize) -> usize {
-        // It is the last block that starts at or before the row. Earlier blocks are empty or end
-        // before it.
+        // The row is in the last block that starts at or before it. Earlier blocks are empty or end
+        // before the row.
         self.starts.partition_point(|&start| start <= row) - 1
     }
 
@@ -45,9 +45,9 @@ impl Cuts {
 /// Particles that left their block, sorted by their new ranks.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Leavers {
-    /// Particles that go to the neighbour before, and to the neighbour after.
+    /// Particles for the neighbour before the block, and for the neighbour after it.
     pub near: [Vec<Wire>; 2],
-    /// Particles that go to other ranks, each with the number of the rank.
+    /// Particles for other ranks, each with the number of its new rank.
     pub far: Vec<(usize, Wire)>,
 }
 
@@ -58,7 +58,7 @@ pub type Replay<'a> = &'a dyn Fn(&mut dyn FnMut(Particle));
 
 /// The decisions about blocks: how rows are divided, and what ranks need from each other.
 pub trait Blocks {
-    /// Divides rows with `counts[row]` particles each into `ranks` blocks.
+    /// Divides rows into `ranks` blocks. Each row has `counts[row]` particles.
     fn balanced(counts: &[u64], ranks: usize) -> Cuts;
 
     /// Returns the ranks that have the row before and the row after the block of `rank`, in this

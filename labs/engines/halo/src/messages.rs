@@ -1,4 +1,4 @@
-//! The interface for messages between ranks that do not pass through the root.
+//! The interface for messages that do not pass through the root.
 
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
