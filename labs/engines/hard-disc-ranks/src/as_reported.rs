@@ -17,10 +17,10 @@ use crate::wire::{CandidateWire, DiscWire};
 /// Master and workers as in the report.
 ///
 /// In each step the workers receive their blocks again and send back the candidates that they find.
-/// The master takes the candidates that happen, and sends them to the workers. Then the workers
-/// move discs: each worker its own block (the report's `major_chunk`) and the other discs of the
-/// collisions that it carries out (`extra_send`). They send back the moved discs. The master sends
-/// with blocking calls, to one worker after the other.
+/// The master takes the candidates that really happen, and sends them to the workers. Then the
+/// workers move discs: each worker its own block (the report's `major_chunk`) and the other discs
+/// of the collisions that it carries out (`extra_send`). They send back the moved discs. The master
+/// sends with blocking calls, to one worker after the other.
 pub struct AsReported<T> {
     base: MasterWorkers<T>,
     deal: Deal,

@@ -11,7 +11,7 @@ pub struct Job {
     pub row: usize,
     /// The block of the second discs.
     pub column: usize,
-    /// The part of block `row` that the job has.
+    /// The part of block `row` that belongs to the job.
     pub part: Part,
 }
 

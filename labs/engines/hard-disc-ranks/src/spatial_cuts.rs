@@ -1,4 +1,4 @@
-//! The engine with strips that decide together: the data of a rank, and its messages.
+//! The engine whose ranks have strips and decide together: the data of a rank, and its messages.
 
 use common::Event;
 use common::hard::{Disc, Scene, Simulation};
@@ -68,7 +68,7 @@ pub struct SpatialCuts<T: Deciding> {
     pub steps: u64,
     /// Number of rounds of decisions in these steps.
     pub rounds: u64,
-    /// Sum of the numbers of ghosts in these steps.
+    /// Total number of ghosts in these steps.
     pub ghosts: u64,
 }
 
@@ -136,8 +136,9 @@ impl<T: Deciding> SpatialCuts<T> {
     ///
     /// A disc is at most this component and the reach away from a strip that its box touches. A
     /// collision may make it faster: it gains its partner's component along the line between them.
-    /// So its squared speed is at most the sum of both, and no component is more than twice the
-    /// greatest one before. In total a disc gets at most three times the greatest component away.
+    /// So its squared speed is at most the sum of both squared speeds, and no component is more
+    /// than twice the greatest component before. So in total the disc gets at most three times as
+    /// far away.
     pub fn range(&mut self) -> Range {
         let components = self.own.iter().map(|disc| disc.vx.abs().max(disc.vy.abs()));
         let own = components.fold(0.0, f64::max);
@@ -150,8 +151,8 @@ impl<T: Deciding> SpatialCuts<T> {
         Range { reach, furthest: 3.0 * (fastest + reach) }
     }
 
-    /// Exchanges lists with `partners` and calls `work` meanwhile. Returns their lists and the
-    /// result.
+    /// Exchanges lists with `partners` and calls `work` meanwhile. Returns the partners' lists and
+    /// the result of `work`.
     pub fn exchange<W, R>(
         &mut self,
         partners: &[usize],
@@ -184,7 +185,7 @@ impl<T: Deciding> SpatialCuts<T> {
         sum
     }
 
-    /// Sends discs to the ranks of their strips. No disc flies further than to a partner.
+    /// Sends discs to the ranks of their strips. No disc flies beyond the strips of the partners.
     pub fn bring(&mut self, partners: &[usize], moved: Vec<DiscWire>) {
         let rank = self.rank();
         let mut lists = vec![Vec::new(); partners.len()];
@@ -209,7 +210,8 @@ impl<T: Deciding> SpatialCuts<T> {
 impl<T: Deciding> Simulation for SpatialCuts<T> {
     fn load(&mut self, scene: &Scene) {
         self.square = Square::of(scene);
-        // The first share is arbitrary, because the cut sends each disc to its rank.
+        // Any share is right at first, because `cut` below sends each disc to the rank of its
+        // strip.
         let share = Cut { rows: scene.len(), ranks: self.ranks() }.block(self.rank());
         self.own = share.map(|number| DiscWire::new(number, &scene.discs()[number])).collect();
         self.finder = Planned::new(Workers::One, None).undecided();

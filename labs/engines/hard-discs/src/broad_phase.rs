@@ -1,4 +1,4 @@
-//! The broad phase: it excludes pairs that cannot collide before they are tested.
+//! The broad phase: before pairs are tested, it excludes pairs that cannot collide.
 
 use std::ops::Range;
 

@@ -8,7 +8,7 @@ use crate::geometry::Square;
 
 /// The walls or the discs of a collision.
 ///
-/// Candidates of the same time are taken in the derived order: by kind, then by number.
+/// Candidates at the same time are taken in the derived order: by kind, then by number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Hit {
     /// Disc a hits two walls at once.
@@ -62,13 +62,14 @@ pub trait Collisions: Sized + Send + Sync + 'static {
     /// collision stops them.
     fn pair_hit(discs: &[Disc], a: u32, b: u32, radius: f64) -> Option<Candidate>;
 
-    /// Returns which of two candidates is taken first. It is a total order.
+    /// Compares two candidates in the order in which they are taken. The order is total.
     fn order(a: &Candidate, b: &Candidate) -> Ordering;
 
-    /// Appends the candidates that happen to `taken`, in this order, and marks their discs as not
-    /// free.
+    /// Appends the candidates that really happen to `taken`, in this order, and marks their discs
+    /// as not free.
     ///
-    /// A candidate happens if its discs are all still `free`. The candidates are left in any order.
+    /// A candidate really happens if all its discs are still `free`. The candidates are left in any
+    /// order.
     fn take_in_order(candidates: &mut [Candidate], free: &mut [bool], taken: &mut Vec<Candidate>);
 
     /// Moves a disc that hits walls at `time` from the start of the step to its end.

@@ -74,7 +74,7 @@ impl<C: Collisions, F: Find> Engine<C, F> {
         }
     }
 
-    /// Finds the candidates with walls; sorts them by time if there are several windows.
+    /// Finds the candidates with walls, and sorts them by time if there are several windows.
     pub fn find_walls(&mut self, windows: usize) {
         let square = self.square;
         self.tally.windows += windows as u64;
@@ -87,8 +87,8 @@ impl<C: Collisions, F: Find> Engine<C, F> {
         }
     }
 
-    /// Moves all discs to the end of the step: free discs straight, the others by the collisions in
-    /// `taken`.
+    /// Moves all discs to the end of the step: free discs along straight lines, the others
+    /// according to the collisions in `taken`.
     pub fn move_discs(&mut self) {
         let free = &self.free;
         for_each(&self.workers, &mut self.discs, |number, disc| {

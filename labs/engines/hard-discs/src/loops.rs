@@ -55,8 +55,8 @@ pub struct Loops<C> {
 }
 
 impl<C> Loops<C> {
-    /// Divides `which` loop among `workers`; if both loops are divided, `schedule` is for the outer
-    /// one.
+    /// Divides `which` loop among `workers`; if both loops are divided, `schedule` applies to the
+    /// outer loop.
     pub fn new(which: Which, schedule: Schedule, collect: Collect, workers: Workers) -> Self {
         Self { rules: PhantomData, which, schedule, collect, workers, shared: Slots::default() }
     }

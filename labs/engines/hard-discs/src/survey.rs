@@ -67,7 +67,7 @@ impl Survey {
         survey
     }
 
-    /// Returns the sums and bounds of two pieces together.
+    /// Combines the sums and bounds of two pieces.
     fn and(self, other: Self) -> Self {
         Self {
             n: self.n + other.n,

@@ -1,4 +1,4 @@
-//! Divides the rows of cells into strips with about as many discs each.
+//! Divides the rows of cells into strips with about the same number of discs each.
 
 use std::ops::Range;
 
@@ -22,7 +22,7 @@ const MOST_SLICES: u32 = 4096;
 /// Number of discs that are sampled to find out where the discs are.
 const SAMPLE: usize = 1 << 14;
 
-/// A lattice whose rows are divided into strips, with about as many discs in each.
+/// A lattice whose rows are divided into strips with about the same number of discs each.
 ///
 /// The strips depend on the discs, and not on the number of workers: a worker takes strip after
 /// strip.

@@ -52,7 +52,7 @@ pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
     Work { entries: free * entries, pairs, asked: asked * pairs }
 }
 
-/// Returns the sums over windows of the shares of discs, and of pairs, that are free at their start.
+/// Returns the shares of discs and of pairs that are free when a window begins, summed over windows.
 ///
 /// A disc collides at most once in a step. If it would meet m discs, the share f of free discs
 /// falls with the slope −m f², so f(t) = 1 / (1 + m t). In the first window all discs are free;
