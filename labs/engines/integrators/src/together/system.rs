@@ -45,7 +45,7 @@ impl System {
         self.evaluations = 0;
     }
 
-    /// Moves all positions with their velocities for a time `dt`: x += v dt, with reflection at the
+    /// Moves all particles with their velocities for a time `dt`: x += v dt, with reflection at the
     /// walls.
     pub fn drift(&mut self, dt: f64) {
         for (at, v) in self.state.at.iter_mut().zip(&mut self.state.v) {
@@ -66,7 +66,7 @@ impl System {
 
 /// The classical Runge-Kutta method of fourth order, with the slopes of `R`.
 ///
-/// Its stages may be outside the walls; the step as a whole is reflected.
+/// The stages may put particles outside the walls. Only the result of the whole step is reflected.
 pub struct RungeKutta<R>(PhantomData<R>);
 
 impl<R> Default for RungeKutta<R> {
