@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::collisions::Candidate;
 use crate::threads::{LockedCount, Schedule, SharedCount, Slots, Team};
 
-/// The loop over pairs that threads share.
+/// The loop over pairs a < b that threads share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which {
     /// The outer loop, over a, with a list for each thread.

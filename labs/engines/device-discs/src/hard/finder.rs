@@ -95,7 +95,7 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
 
     /// Fills `found` with the candidates of this step: pairs a < b, and (a, [`WALL`]) for walls.
     ///
-    /// Each occurs once, in any order. If `margins` are those of these discs, no collision is
+    /// Each occurs once, in any order. If `margins` were computed for these discs, no collision is
     /// missing.
     ///
     /// # Errors
