@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 
 /// Time for which a waiting thread spins before it sleeps.
 const SPIN: Duration = Duration::from_micros(50);
-/// Number of looks between two looks at the clock.
+/// Number of looks for a round between two looks at the clock.
 const LOOKS: usize = 64;
 /// The number of the round that ends the threads.
 const END: usize = usize::MAX;
@@ -47,7 +47,7 @@ struct Shared {
     entered: Line<AtomicUsize>,
     /// Number of threads that have left the round.
     left: Line<AtomicUsize>,
-    /// What a thread panicked with in this round.
+    /// The payload of a thread's panic in this round.
     panic: Mutex<Option<Box<dyn Any + Send>>>,
 }
 
@@ -60,7 +60,7 @@ struct Round {
     caller: Thread,
 }
 
-/// A value on cache lines of its own, so that writing to its neighbours does not slow its readers.
+/// A value on its own cache lines, so that writes to neighbouring values do not slow its readers.
 #[derive(Default)]
 #[repr(align(128))]
 struct Line<T>(T);
@@ -85,7 +85,8 @@ impl Team {
         self.threads.len() + 1
     }
 
-    /// Calls `act` with 0 here, and with their numbers on threads that are awake in time.
+    /// Calls `act` with 0 on this thread, and with their own numbers on threads that are awake in
+    /// time.
     ///
     /// The call with 0 must do all work that no other thread has begun.
     pub(crate) fn share(&self, act: Act<'_>) {
@@ -114,8 +115,8 @@ impl Team {
         // SAFETY: only the lifetime changes. A thread gets `act` from `open`, where it counts as
         // entered under the lock, and counts as left after its last use of `act`. Below, `open` is
         // emptied under the same lock, so no thread enters later, and this function waits until all
-        // that have entered have left. It gets there also if `act` panics, here or on a thread. So
-        // nobody has `act` when this function returns.
+        // that have entered have left. This holds even if `act` panics, here or on a thread. So no
+        // thread has `act` when this function returns.
         #[allow(unsafe_code)]
         let lasting = unsafe { std::mem::transmute::<Act<'_>, Act<'static>>(act) };
         self.shared.open(Some(Round { number: *last, act: lasting, caller: thread::current() }));
@@ -139,7 +140,7 @@ impl Drop for Team {
         self.shared.begun.0.store(END, Ordering::Release);
         for thread in self.threads.drain(..) {
             thread.thread().unpark();
-            // A thread catches the panics of its work, and has none of its own.
+            // A thread catches the panics of its work, and does not panic elsewhere.
             let _ = thread.join();
         }
     }
@@ -176,8 +177,8 @@ impl Shared {
     }
 }
 
-/// Waits until `is_over`: spins first, then sleeps. Whoever changes the answer must then unpark
-/// this thread.
+/// Waits until `is_over`: spins first, then sleeps. A thread that changes the answer must then
+/// unpark this thread.
 fn wait(is_over: impl Fn() -> bool) {
     let start = Instant::now();
     loop {
@@ -188,7 +189,7 @@ fn wait(is_over: impl Fn() -> bool) {
             std::hint::spin_loop();
         }
         if start.elapsed() >= SPIN {
-            // If another thread has called `unpark` since the last look, this returns at once.
+            // If another thread has called `unpark` since the last look, `park` returns at once.
             thread::park();
         }
     }

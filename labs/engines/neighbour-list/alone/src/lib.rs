@@ -20,7 +20,7 @@ pub const DRAWN: Parameter =
 
 type Built = Result<Box<dyn Simulation>, BuildError>;
 
-/// Builds the program that moves particles at rest by [`Primitives::drift`].
+/// Builds the program that moves particles at rest with [`Primitives::drift`].
 pub fn drift<P: Primitives>(_: &Config) -> Built {
     of(|data| dispatch(Drift(data, PhantomData::<P>)), false)
 }
@@ -30,12 +30,12 @@ pub fn plain(_: &Config) -> Built {
     of(|data| dispatch(Plain(data)), false)
 }
 
-/// Builds the program that lists pairs by [`Primitives::collect`], for the parameter [`DRAWN`].
+/// Builds the program that lists pairs with [`Primitives::collect`], for the parameter [`DRAWN`].
 pub fn collect<P: Primitives>(config: &Config) -> Built {
     of(|data| dispatch(Collect(data, PhantomData::<P>)), is_drawn(config))
 }
 
-/// Builds the program that filters pairs by [`Primitives::filter`], for the parameter [`DRAWN`].
+/// Builds the program that filters pairs with [`Primitives::filter`], for the parameter [`DRAWN`].
 pub fn filter<P: Primitives>(config: &Config) -> Built {
     of(|data| dispatch(Filter(data, PhantomData::<P>)), is_drawn(config))
 }

@@ -87,7 +87,7 @@ pub(crate) struct Moment {
     /// Greatest distance between a particle in LAMMPS and in the program; `None` once LAMMPS has
     /// lost particles.
     pub(crate) furthest_in_cutoffs: Option<f64>,
-    /// Root of the mean squared distance from the exact positions; `None` after other steps than [`EARLY`].
+    /// Root of the mean squared distance from the exact positions; `None` except after step [`EARLY`].
     pub(crate) rms_error: Option<f64>,
     pub(crate) rms_error_lammps: Option<f64>,
     /// Relative changes of energy since the start.

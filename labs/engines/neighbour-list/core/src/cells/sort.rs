@@ -34,7 +34,7 @@ const BAND: usize = 4096;
 /// Greatest number of bands.
 const BANDS: usize = 256;
 
-/// The memory of a sort, kept for the next one.
+/// The memory of a sort, kept for the next sort.
 #[derive(Default)]
 pub struct Sorter {
     /// The memory for the next result. After a sort it contains the particles in their order before

@@ -49,7 +49,8 @@ impl<P: Primitives> Across<P> {
     }
 }
 
-/// Accelerations of some of the engine's particles by particles outside the engine, in one step.
+/// Accelerations of some of the engine's particles due to particles outside the engine, in one
+/// step.
 #[derive(Clone, Copy, Default)]
 pub struct External<'a> {
     /// The particles as indices into the engine's order, ascending.

@@ -1,4 +1,5 @@
-//! The engine: it sorts particles, lists pairs with a skin, and computes forces and move together.
+//! The engine: it sorts particles, lists pairs with a skin, and sums forces and moves particles in
+//! one pass.
 //!
 //! The pass over a block is in `sweep.rs`.
 
@@ -148,7 +149,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         self.count(tested);
     }
 
-    /// Moves the blocks that contain none of the particles `waiting`, whose indices ascend.
+    /// Moves the blocks that contain none of the particles `waiting`, whose indices are ascending.
     ///
     /// Particles outside the engine may act on the particles `waiting`, so their blocks are left
     /// for [`move_outer`](Self::move_outer).
@@ -157,7 +158,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     }
 
     /// Moves the other blocks, on which the accelerations `external` act too, and ends the step.
-    /// Returns an upper bound of the distance that the fastest particle went.
+    /// Returns an upper bound for the distance that the fastest particle went.
     pub fn move_outer(&mut self, external: External<'_>) -> f64 {
         self.sweep(external, |block| block.has_any(external.indices));
         let over = self.passes.iter().fold(1.0, |over: f64, pass| over.max(pass.fast.over));
@@ -198,7 +199,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
 
     /// Moves all particles by a small step, with a new list if the old one has expired.
     ///
-    /// Returns an upper bound of the distance that the fastest particle went.
+    /// Returns an upper bound for the distance that the fastest particle went.
     pub fn advance(&mut self) -> f64 {
         if self.has_expired() {
             self.rebuild();

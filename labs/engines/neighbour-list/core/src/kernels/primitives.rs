@@ -52,6 +52,7 @@ pub trait Primitives: Default + Send + Sync + 'static {
 
     /// Returns the skin that makes a step cheapest. It is positive.
     ///
-    /// There are `density` particles per area, and the fastest goes `displacement` in a step.
+    /// There are `density` particles per area, and the fastest particle goes `displacement` in a
+    /// step.
     fn best_skin(density: f64, displacement: f64) -> f64;
 }

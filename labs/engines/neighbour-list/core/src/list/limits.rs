@@ -9,7 +9,7 @@ use super::outliers::{Outlier, Outliers};
 use crate::kernels::Primitives;
 use crate::particles::{Bodies, Sample};
 
-/// A new list is made for a speed that one particle in this number of particles exceeds.
+/// Number of particles of which one exceeds the speed that a new list is made for.
 const PARTICLES_PER_FAST_PARTICLE: usize = 1000;
 /// Number of particles whose speeds are sampled.
 const SAMPLE: usize = 1024;
@@ -24,7 +24,7 @@ const SPARE_OUTLIERS: usize = 32;
 ///
 /// A faster particle makes the inner list expire at once; no list is built for such a speed.
 const MAX_SPEED_RATIO: f64 = 2.0;
-/// Displacements that an inner list saves: a list of m steps must last for m − `SAVED_DISPLACEMENTS`.
+/// Displacements that an inner list saves: m steps use up m − `SAVED_DISPLACEMENTS` displacements.
 ///
 /// The first step uses the list before any particle has moved, which saves one displacement. A
 /// fifth of it is kept for particles that are faster than expected.

@@ -23,7 +23,7 @@ pub struct Neighbours<P> {
     sorter: Sorter,
     /// The cells of the particles when the list was built.
     pub cells: Option<Cells>,
-    /// The pairs, block by block of the sorted particles.
+    /// The pairs, in a block for each range of sorted particles.
     pub blocks: Vec<Block>,
     /// The skin, and how much of it is used up.
     pub budget: Budget,

@@ -20,7 +20,7 @@ use crate::kernels::{Pair, Primitives};
 use crate::particles::Bodies;
 use crate::threads::pieces;
 
-/// Number of outliers whose pairs are searched one after another by a thread.
+/// Number of outliers whose pairs a thread searches one after another.
 const OUTLIERS_PER_TASK: usize = 32;
 
 /// A particle that has exceeded the speed of its list.
@@ -64,8 +64,8 @@ impl Outliers {
 
     /// Adds the particles `new`, and records the position and the speed limit of every outlier.
     ///
-    /// Until they [`leave`](Outliers::leave), a search for usual particles does not find outliers:
-    /// x of each is NaN.
+    /// The x of an outlier is NaN until it [`leaves`](Outliers::leave). So a search for usual
+    /// particles does not find outliers.
     pub fn enter(&mut self, new: impl Iterator<Item = u32>, usual: f64, bodies: &mut Bodies) {
         let before = self.all.len();
         self.all.extend(new.map(|index| Outlier { index, x: 0.0, y: 0.0, ratio: 1.0 }));
@@ -138,7 +138,7 @@ impl Outlier {
         let Some(cells) = &list.cells else { return };
         let Outlier { index, x, y, ratio } = *self;
         let reach = list.reach(displacement + ratio * displacement);
-        // The cells belong to the positions at which the list was built.
+        // The cells were computed from the positions when the list was built.
         let pad = reach + list.budget.displacement;
         let mut rows = cells.rows_of(&[x - pad, x + pad, y - pad, y + pad]);
         while let Some(range) = rows.next(cells) {

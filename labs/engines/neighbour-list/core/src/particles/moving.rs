@@ -57,7 +57,7 @@ fn split_off<'a, T>(slice: &mut &'a mut [T], len: usize) -> &'a mut [T] {
     slice.split_off_mut(..len).expect("there are as many")
 }
 
-/// Number of particles that are tested together for having left the box.
+/// Number of particles for which one test shows whether any has left the box.
 const CHUNK: usize = 64;
 
 /// Moves one coordinate, and reflects the particles that have left the box.

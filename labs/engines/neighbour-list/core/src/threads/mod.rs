@@ -10,7 +10,7 @@ use workers::Workers;
 /// With fewer particles, waking the thread takes longer than its work.
 pub const LEAST: usize = 2000;
 
-/// The threads of an engine: as many as pay for the particles of the scene.
+/// The threads of an engine: as many as are worth their cost for the particles of the scene.
 #[derive(Clone, Default)]
 pub struct Crew {
     most: usize,
@@ -34,7 +34,7 @@ impl Crew {
         Self { most, share, workers: Workers::One }
     }
 
-    /// Starts as many threads as pay for `n` particles.
+    /// Starts as many threads as are worth their cost for `n` particles.
     ///
     /// If the system refuses to start them, the caller works alone: more slowly, with the same
     /// result.
@@ -65,7 +65,7 @@ pub fn pieces(n: usize, target: usize, most: usize) -> usize {
     n.div_ceil(1 << most.ilog2()).max(1)
 }
 
-/// Cuts a slice at `ends`, which ascend and end with the slice's length.
+/// Cuts a slice at `ends`, an ascending list that ends with the slice's length.
 pub fn cut<'a, T>(slice: &'a mut [T], ends: &[usize]) -> Vec<&'a mut [T]> {
     let mut rest = slice;
     let mut pieces = Vec::with_capacity(ends.len());
