@@ -46,7 +46,7 @@ pub(crate) struct Epoch {
     pub(crate) width: f64,
     /// The greatest distance that a particle of this rank went, for each step that was taken.
     pub(crate) moves: Vec<f64>,
-    /// This rank's [`wear`](Domain::wear) of its list by a step, and the number of its own
+    /// The [`wear`](Domain::wear) of this rank's list in a step, and the number of its own
     /// particles.
     pub(crate) own: [f64; 2],
 }
@@ -82,7 +82,8 @@ impl<T: DeepHalo> Deep<T> {
         self.epoch = Epoch::default();
         self.ghosts.clear();
         self.gone = 0.0;
-        // No rank has a list yet that shows how long it lasts. One step is right at any speed.
+        // No rank has a list yet that shows how long it lasts. An epoch of one step is right at any
+        // speed.
         let height = self.domain.height();
         self.outlook = Outlook { fastest: 0.0, height, particles: 1.0, most: 1 };
         self.taken_again = 0;

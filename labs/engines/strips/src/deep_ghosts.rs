@@ -29,8 +29,7 @@ impl<T: DeepHalo> Deep<T> {
     pub(crate) fn drop_ghosts(&mut self) {
         let n = self.domain.engine.bodies().len();
         let ghosts: Vec<usize> = (0..n).filter(self.is_ghost()).collect();
-        // The order is from the last to the first, so that the particle that fills a gap is not a
-        // ghost.
+        // The loop runs backwards, so that the particle that fills a gap is not a ghost.
         for index in ghosts.into_iter().rev() {
             self.domain.engine.bodies_mut().swap_remove(index);
         }
@@ -57,8 +56,7 @@ impl<T: DeepHalo> Deep<T> {
         let mut outgoing = vec![Vec::new(); partners.len()];
         self.ghosts.clear();
         let bodies = self.domain.engine.bodies_mut();
-        // The order is from the last to the first, so that the particle that fills a gap has been
-        // handled.
+        // The loop runs backwards, so that the particle that fills a gap has already been handled.
         for index in (0..bodies.len()).rev() {
             let y = bodies.y[index];
             if alone.contains(&y) {

@@ -7,7 +7,7 @@ use solution6::{balanced, exchange_all};
 use crate::domain::Domain;
 use crate::partition::{Partition, Strips};
 
-/// Load of a rank, as a multiple of the mean, above which strips are cut again.
+/// Ratio of a rank's load to the mean, above which strips are cut again.
 const TOLERANCE: f64 = 1.05;
 
 impl<O: Observer> Domain<O> {

@@ -11,7 +11,7 @@ use serde::Serialize;
 /// messages into the LogP model*, SPAA 1995.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub(crate) struct Network {
-    /// Name of the network, and who published the figures.
+    /// Name of the network, and authors of the figures.
     pub(crate) name: &'static str,
     /// L: the travel time of the first byte.
     pub(crate) latency: f64,
@@ -51,7 +51,7 @@ pub(crate) const PUBLISHED: [Network; 3] = [
 pub(crate) struct Exchange {
     /// The part that keeps the processor busy.
     pub(crate) busy: f64,
-    /// The part that passes without the processor.
+    /// The part that does not need the processor.
     pub(crate) away: f64,
 }
 

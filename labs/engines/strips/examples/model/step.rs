@@ -55,7 +55,7 @@ impl Method {
         }
     }
 
-    /// Returns the seconds of a step of `n` particles on `p` ranks.
+    /// Returns the time of a step of `n` particles on `p` ranks, in seconds.
     ///
     /// A particle takes `cost` seconds on one rank.
     pub(crate) fn step(self, n: f64, p: f64, cost: f64, network: &Network) -> f64 {
@@ -82,7 +82,7 @@ fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     blocks.largest * cost + counts + leavers + copies + back
 }
 
-/// Returns the time with ghosts that travel while the interior is computed.
+/// Returns the time of a step whose ghosts travel while the interior is computed.
 ///
 /// Movers and a sum over all ranks follow.
 fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
@@ -115,7 +115,7 @@ mod tests {
     use super::*;
     use crate::network::PUBLISHED;
 
-    /// A network on which the seconds of a step are the number of bytes.
+    /// A network on which the time of a step in seconds equals the number of bytes.
     const BYTES: Network = Network { per_byte: 1.0, ..Network::FREE };
 
     #[test]
