@@ -9,8 +9,8 @@
 //! [`Planned`] uses the neighbour list of lab 10 instead.
 //!
 //! The results do not depend on the windows. Groups sum over pairs by ascending id, and free flight
-//! makes the same additions as single steps. So windows give the bits of the naive program, on any
-//! number of threads; a list gives the same positions up to rounding.
+//! makes the same additions as single steps. So windows give the same bits as the naive program, on
+//! any number of threads; a list gives the same positions up to rounding.
 //!
 //! # Rules
 //!
@@ -61,7 +61,7 @@
 //! }
 //!
 //! let scene = Scene::official(200, 1)?;
-//! // Two threads, windows of 4 steps, each official step as one.
+//! // Two threads, windows of 4 steps, and official steps that are not divided.
 //! let mut planned = Planned::<Careful, NoStatistics>::new(Workers::if_possible(2), 4, 1);
 //! let mut naive = AllPairs::<NoStatistics>::default();
 //! assert_eq!(end(&mut planned, &scene), end(&mut naive, &scene));
@@ -80,7 +80,7 @@
 //! | `rules`, `span` | the decisions of the user, and their arguments |
 //! | `path` | the path of a particle that no force bends |
 //! | `search` | the particles that could meet in a window |
-//! | `groups` | groups of particles, and running them through a window |
+//! | `groups` | groups of particles, and their run through a window |
 //! | `window` | a window from its opening to its end, and the pairs that it missed |
 //! | `planned` | the planner and the engine |
 

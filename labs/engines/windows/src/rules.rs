@@ -8,7 +8,7 @@ use crate::span::Span;
 /// that a wall may be near, that a margin may have broken, or that a window should be short, the
 /// cost is time, and no bit of the result changes.
 ///
-/// The engine calls the rules in its innermost loops: mark short ones with `#[inline(always)]`.
+/// The engine calls the rules in its innermost loops: mark short rules with `#[inline(always)]`.
 pub trait Rules: Send + 'static {
     /// Advances one coordinate `x` of particles in free flight by `steps` steps of length `dt`.
     ///
@@ -19,13 +19,13 @@ pub trait Rules: Send + 'static {
     /// Returns the square of the least distance between two points within time `span`, or a smaller
     /// number.
     ///
-    /// At its beginning the points are (`dx`, `dy`) apart. The second moves with velocity (`wx`,
-    /// `wy`) relative to the first.
+    /// At first the points are (`dx`, `dy`) apart. The second moves with velocity (`wx`, `wy`)
+    /// relative to the first.
     fn closest_squared(dx: f64, dy: f64, wx: f64, wy: f64, span: f64) -> f64;
 
     /// Returns the least number in the group of number `k`.
     ///
-    /// For each number, `parent` contains a number of its group that is not greater. The least
+    /// For each number, `parent` contains a number of the same group that is not greater. The least
     /// number of a group is its own parent.
     fn root(parent: &mut [u32], k: u32) -> u32;
 

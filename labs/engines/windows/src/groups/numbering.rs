@@ -16,13 +16,13 @@ pub(super) struct Numbering {
     degree: Vec<u8>,
     /// For each particle of the task's range, its number, or [`NONE`].
     number: Vec<u32>,
-    /// The particle of each number.
+    /// The particle with each number.
     pub(super) particles: Vec<u32>,
     /// The number of particles in pairs that are grouped elsewhere. These particles have the lowest
     /// numbers.
     pub(super) elsewhere: u32,
-    /// The numbers below this belong to particles that are grouped elsewhere or may reach a wall,
-    /// so their group is not a small one.
+    /// The end of the numbers of particles that are grouped elsewhere or may reach a wall. The
+    /// groups of these particles are not small groups.
     pub(super) alone: u32,
     /// The pairs that are not couples, as pairs of numbers.
     pub(super) pairs: Vec<Pair>,

@@ -10,7 +10,7 @@ pub(crate) const LANES: usize = 16;
 /// Sizes of small groups. Every other group is a crowd.
 pub(crate) const SMALL: [usize; 3] = [2, 3, 4];
 
-/// Groups of particles. In a window, a particle may touch others of its group and no others.
+/// Groups of particles. In a window, a particle may touch only particles of its own group.
 ///
 /// So each group can be computed alone from the start of the window to its end, in any order and by
 /// any thread. Every member has a slot. Here are one block of sixteen couples (a, b, …), one of
@@ -25,7 +25,7 @@ pub(crate) const SMALL: [usize; 3] = [2, 3, 4];
 /// In the last block of a size some slots may be empty.
 #[derive(Default)]
 pub(crate) struct Groups {
-    /// For each size the members of all small groups, as indices in the sorted order.
+    /// For each size, the members of all small groups of this size, as indices in the sorted order.
     ///
     /// The groups follow one another; within a group members are in the order of their ids.
     pub(crate) small: [Vec<u32>; SMALL.len()],

@@ -11,7 +11,8 @@ use crate::span::Span;
 /// branch.
 ///
 /// The members are written to `out`: the first member of each group, then the second of each, and
-/// so on. Returns whether all of them stayed in the box. If one did not, the result is not valid.
+/// so on. Returns whether all members stayed in the box. If one left the box, the result is not
+/// valid.
 ///
 /// Members are in the order of their ids. Every pair of a group is computed, in contact or not,
 /// because adding zero changes no bit. If there are fewer than sixteen groups, the last one is

@@ -21,7 +21,7 @@ const WINDOWS: u64 = 16;
 /// Number of steps with a list after which the engine makes a new plan.
 const STEPS: u64 = 256;
 
-/// The engine: it surveys the scene, plans, and advances the scene by windows or by a list.
+/// The engine: it surveys the scene, plans, and advances the scene with windows or with a list.
 ///
 /// `R` are the rules of its windows, and `O` observes each step. Observations that `O` ignores cost
 /// nothing.

@@ -33,7 +33,7 @@ pub struct Plan {
     pub fastest: f64,
     /// Mean number of other particles in a disc whose radius is the cutoff, around a particle.
     pub neighbours: f64,
-    /// Number of particles per area around a particle, the mean over all particles.
+    /// Number of particles per area around a particle, averaged over all particles.
     pub density: f64,
 }
 
@@ -82,16 +82,17 @@ fn divided(steps: u32, divide: u32) -> u32 {
 
 /// Returns `MAX_NEIGHBOURS_IN_WINDOWS` for steps that are divided into `divide`.
 ///
-/// Small steps of all particles cost nearly `divide` times as much, and small steps of groups do
-/// not. The numbers were measured for `divide` from 2 to 20.
+/// A step costs nearly `divide` times as much if all particles take small steps, but not if only
+/// groups do. The numbers were measured for `divide` from 2 to 20.
 fn max_neighbours_in_windows(divide: u32) -> f64 {
     (MAX_NEIGHBOURS_IN_WINDOWS + 0.25 * f64::from(divide.max(1) - 1)).min(1.2)
 }
 
-/// Returns the number of particles per area around a particle, the mean over all particles.
+/// Returns the number of particles per area around a particle, averaged over all particles.
 ///
-/// It counts other particles in the same cell, four cutoffs wide. In a regular lattice there are
-/// fewer of them, so the result is at least the density of the whole scene.
+/// It counts other particles in the same cell, four cutoffs wide. As a particle does not count
+/// itself, the count in a regular lattice is too low. Therefore the result is never less than the
+/// density of the whole scene.
 fn density(bodies: &Bodies, extent: &Extent) -> f64 {
     let grid = Grid::new(extent, 4.0 * CUTOFF);
     let around = occupancy(bodies, &grid) / (grid.side() * grid.side());
@@ -99,7 +100,7 @@ fn density(bodies: &Bodies, extent: &Extent) -> f64 {
     around.max(even)
 }
 
-/// Returns the number of other particles in the cell of a particle, the mean over all particles.
+/// Returns the number of other particles in the cell of a particle, averaged over all particles.
 fn occupancy(bodies: &Bodies, grid: &Grid) -> f64 {
     let columns = u64::from(grid.columns);
     let key =

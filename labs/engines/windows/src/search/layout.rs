@@ -43,7 +43,8 @@ impl Layout {
 
     /// Returns the number of windows that a list should last, for `density` particles per area.
     ///
-    /// A short list must be built often, and a long one costs more in every window.
+    /// A list for few windows must be built often, and a list for many windows costs more in each
+    /// of them.
     pub(crate) fn lasting(&self, density: f64) -> f64 {
         let cost = |windows: f64| {
             let area = (CUTOFF + self.skin(windows)).powi(2) * density;

@@ -66,7 +66,7 @@ impl Band {
         if span.steps > 1 {
             walls.iter().for_each(|&i| search.at_wall::<R>(i, found));
         }
-        // Pairs with a particle of another band are grouped after the bands.
+        // Pairs with a particle of another band are grouped when all bands have been computed.
         across.clear();
         found.close.retain(|pair| {
             let here = pair.iter().all(|&i| particles.contains(&(i as usize)));

@@ -11,8 +11,8 @@ use crate::rules::Rules;
 use crate::search::{Layout, Search};
 
 impl Window {
-    /// Returns the pairs that touched, because a force bent a path, although no group computed
-    /// them.
+    /// Returns the pairs that touched although no group computed them, because a force had bent a
+    /// path.
     ///
     /// The reference paths of such a pair were further apart than cutoff + margin. So it can have
     /// touched only if one of its particles was off its path by at least half the margin. All
