@@ -74,7 +74,7 @@ pub struct ParameterError(String);
 #[error("{0}")]
 pub struct BuildError(pub String);
 
-/// Makes a variant with the bits of the naive program.
+/// Makes a variant whose results equal those of the naive program bit for bit.
 pub const fn bitwise<S: ?Sized>(
     name: &'static str,
     about: &'static str,
@@ -84,7 +84,7 @@ pub const fn bitwise<S: ?Sized>(
     Variant { name, about, reproducibility: Reproducibility::Bitwise, parameters, build }
 }
 
-/// Makes a variant with the same bits in every run, but not those of the naive program.
+/// Makes a variant whose results have the same bits in every run, but not the naive program's bits.
 pub const fn deterministic<S: ?Sized>(
     name: &'static str,
     about: &'static str,

@@ -22,7 +22,7 @@ pub enum InputError {
     },
 }
 
-/// An input that is read by lines and, within a line, by words.
+/// An input that is read line by line and, within a line, word by word.
 pub(super) struct Words<R> {
     input: R,
     text: String,

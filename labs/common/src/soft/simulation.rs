@@ -5,7 +5,7 @@ use crate::Event;
 
 /// An engine that moves soft discs.
 ///
-/// An engine can be reused: each [`load`](Simulation::load) replaces the scene. Calls of
+/// An engine can be reused: each [`load`](Simulation::load) replaces the scene. Calls to
 /// [`read`](Simulation::read) and [`statistics`](Simulation::statistics) never change later
 /// results. Under MPI every rank calls every method together; only the root's `out` is filled.
 pub trait Simulation {

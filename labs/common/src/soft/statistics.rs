@@ -31,7 +31,7 @@ pub trait Observer: Default + Clone + Send + Sync + 'static {
 
     /// Records an ordered pair at squared distance `r2` ≤ cutoff².
     ///
-    /// The pair of a particle with itself, at distance 0, may be among them and is ignored.
+    /// The pair of a particle with itself, at distance 0, may be recorded too, and is ignored.
     fn seen(&mut self, r2: f64);
 
     /// Adds the records of `other` for the same step.
