@@ -52,13 +52,13 @@ pub(crate) fn begin() {
 }
 
 /// Returns the names of the calls that this rank has made in the last [`together`](crate::together),
-/// and its [notes](note), in their order. Empty without a watch.
+/// and its [notes](note), in their order. The list is empty without a watch.
 pub fn calls_made() -> Vec<&'static str> {
     calls().made.clone()
 }
 
-/// Notes a different action of this rank, such as `walls_of`, among its [calls](calls_made). Without a
-/// watch it does nothing.
+/// Notes an action of this rank that is not a call, such as `walls_of`, among its [calls](calls_made).
+/// Without a watch it does nothing.
 pub fn note(what: &'static str) {
     let mut calls = calls();
     if calls.last.is_some() {
@@ -236,7 +236,7 @@ pub(crate) fn wrong_side(rank: i32, panic: &str, trace: &Backtrace) -> Option<St
     let method = words.rfind(|word| word.contains("_into"));
     let location =
         own_location(&trace).map_or_else(String::new, |location| format!(" ({location})"));
-    // Only the methods of the other ranks assert that two numbers differ: the rank and the root.
+    // Only methods for ranks other than the root assert that the rank and the root differ.
     if panic.contains("left != right") {
         let method = method.unwrap_or("a method of the other ranks");
         let why = "the methods of the root end in _root";

@@ -12,7 +12,7 @@ use mpi::traits::*;
 use crate::epoch::Epoch;
 use crate::watch::here;
 
-/// Error of a comparison of times on two machines, in seconds.
+/// Greatest error when times on two machines are compared, in seconds.
 const ALIKE: f64 = 2e-5;
 
 /// A recorder of this rank's activities in each step. Without `--events` it records nothing and costs
@@ -20,7 +20,8 @@ const ALIKE: f64 = 2e-5;
 ///
 /// All ranks make the same calls in the same order. Between two calls a rank computes. In a call it
 /// *waits* until the last of its partners has entered the same call, and *communicates* for the rest
-/// of the call. It did not wait for a partner that enters the call after this rank has left it.
+/// of the call. A partner that enters the call after this rank has left it did not make this rank
+/// wait.
 #[derive(Debug, Default)]
 pub struct Clock {
     log: Option<RefCell<Log>>,
@@ -69,7 +70,7 @@ pub enum Partners {
 struct Log {
     epoch: Epoch,
     step: u32,
-    /// Begin of the current stretch. `None` outside steps.
+    /// Start of the current stretch. `None` outside steps.
     since: Option<f64>,
     /// Time at which this rank entered the current call, and its partners. `None` outside calls.
     call: Option<(f64, Partners)>,
@@ -169,7 +170,7 @@ impl Clock {
         }
     }
 
-    /// Returns the activities of all ranks on the root, in the order of ranks and times, and no events
+    /// Returns the activities of all ranks on the root, in the order of ranks and times; an empty list
     /// on other ranks. `None` if the clock does not record. All ranks call it together.
     pub fn events(&self, world: &SimpleCommunicator) -> Option<Vec<Event>> {
         let own = self.own(world)?;

@@ -27,7 +27,7 @@ pub fn drive(variants: &[Variant<dyn soft::Simulation>]) -> ExitCode {
 }
 
 /// Runs a hard-disc lab on all ranks, from its command line to its exit code. The root reads the
-/// input and shares it with all.
+/// input and shares it with all ranks.
 pub fn drive_hard(variants: &[Variant<dyn hard::Simulation>]) -> ExitCode {
     as_rank(|world| hard::drive_on_rank(variants, world.rank() == 0, |input| share(world, input)))
 }
@@ -115,7 +115,7 @@ fn end_job_on_panic(world: &SimpleCommunicator) {
         if thread::current().id() == main {
             SimpleCommunicator::world().abort(PANICKED);
         }
-        // A worker thread must not call MPI; the launcher ends the job of a rank that dies.
+        // A worker thread must not call MPI; the launcher ends the job when a rank dies.
         std::process::abort();
     }));
 }

@@ -11,7 +11,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::Job;
 
-/// Time limit, long before the watch would report where ranks are.
+/// Time limit, much shorter than the time after which the watch would report where ranks are.
 const AT_ONCE: Duration = Duration::from_secs(30);
 
 fn program(part: impl FnOnce(&SimpleCommunicator)) {

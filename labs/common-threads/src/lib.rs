@@ -15,7 +15,8 @@
 //!
 //! # Example
 //!
-//! An update is lost if another update comes between, and the word reports it:
+//! An update is lost if another update comes between its load and its exchange. The word reports
+//! the loss:
 //!
 //! ```
 //! use std::sync::atomic::Ordering;

@@ -12,10 +12,10 @@ use crate::fence::take_passed;
 ///
 /// Processors of the x86 family keep more order, so a wrong ordering may do no harm there for years.
 /// Here every reading that the orderings allow happens, one after the other. A location keeps all
-/// numbers that were ever written to it. A load takes any of them that is not older than one that
-/// its thread knows. A store with [`Ordering::Release`] passes on the knowledge of its thread, and a
-/// load with [`Ordering::Acquire`] takes it over. A [`fence`](crate::fence) does the same for the
-/// relaxed stores after it and the relaxed loads before it.
+/// numbers that were ever written to it. A load takes any number that is not older than a number
+/// that its thread knows. A store with [`Ordering::Release`] passes on the knowledge of its thread,
+/// and a load with [`Ordering::Acquire`] takes it over. A [`fence`](crate::fence) does the same for
+/// the relaxed stores after it and the relaxed loads before it.
 #[derive(Default)]
 pub struct Memory(Mutex<State>);
 

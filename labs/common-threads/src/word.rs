@@ -63,7 +63,7 @@ impl Word {
     /// Replaces the number by `new` if it still is `old`.
     ///
     /// # Errors
-    /// If the number is no longer `old`: the number. Nothing has changed then. The exchange may also
+    /// The current number, if it is no longer `old`. Nothing has changed then. The exchange may also
     /// fail if the number still is `old`.
     pub fn compare_exchange(&self, old: u64, new: u64) -> Result<u64, u64> {
         self.interrupt();

@@ -89,7 +89,7 @@ fn between(name: &'static str) -> Call {
     }
 }
 
-/// Returns a call of all ranks of `comm`. Calls on fewer ranks than all are not compared.
+/// Returns a call of all ranks of `comm`. Calls that do not involve all ranks are not compared.
 fn all(name: &'static str, comm: MPI_Comm) -> Call {
     Call { is_collective: comm == unsafe { RSMPI_COMM_WORLD }, ..between(name) }
 }
