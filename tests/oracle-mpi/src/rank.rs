@@ -49,7 +49,7 @@ impl Rank<'_> {
         format!("rank {} of {}", self.number, self.ranks)
     }
 
-    /// Returns the communicator of all ranks. Only for closures of answers.
+    /// Returns the communicator of all ranks. Only the closures of answers may call this function.
     ///
     /// # Panics
     /// If there is no job.
@@ -81,8 +81,8 @@ impl Rank<'_> {
         memory(&format!("{what} on {}", self.name()), (50, bytes), turns, ask);
     }
 
-    /// Returns a table with a column for each rank on the root, and an empty text on other ranks or
-    /// without a job. `rows` contains the names and this rank's cells. All ranks must pass the same
+    /// On the root, returns a table with a column for each rank; on other ranks or without a job,
+    /// an empty text. `rows` contains the names and this rank's cells. All ranks must pass the same
     /// names.
     pub fn columns(&self, rows: &[(&str, String)]) -> String {
         let Some(world) = self.world else { return String::new() };

@@ -1,4 +1,4 @@
-//! One step of a program against one step of the model.
+//! Comparison of one step of a program with one step of the model.
 
 use common::soft::Particle;
 

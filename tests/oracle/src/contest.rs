@@ -35,7 +35,7 @@ pub enum Kind {
     Thin,
     /// The official scene in a box of 0.65 times the side: more than twice as many pairs meet.
     Crowd,
-    /// The official scene with one particle of a hundred three times as fast.
+    /// The official scene with one particle in a hundred three times as fast.
     Fast,
 }
 
@@ -64,7 +64,7 @@ impl Kind {
         }
     }
 
-    /// Makes the scene of `n` particles that this seed draws.
+    /// Makes the scene of `n` particles that this seed determines.
     ///
     /// # Panics
     /// If `n` or `seed` is 0, or `n` is more than a scene may have.

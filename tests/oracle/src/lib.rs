@@ -1,7 +1,8 @@
-//! The graders' side of the kit: a model written independently of the labs, scenes on which wrong
-//! programs show, and questions whose answers are judged in the domain's words.
+//! The graders' side of the kit: a model written independently of the labs, scenes that expose
+//! wrong programs, and questions whose answers are judged in the domain's words.
 //!
-//! The table of a lab's questions is declared by [`questions!`]; a question asks by way of [`Ask`]:
+//! The macro [`questions!`] declares the table of a lab's questions; a question asks through
+//! [`Ask`]:
 //!
 //! ```no_run
 //! # static VARIANTS: &[common::Variant<dyn common::soft::Simulation>] = &[];

@@ -131,7 +131,8 @@ macro_rules! questions {
             text: $text,
         },)+)+];
 
-        /// Asks the question of a test's name. Returns false if there is no such question.
+        /// Asks the question that belongs to a test's name. Returns false if there is no such
+        /// question.
         pub fn ask<A: $crate::Ask>(test: &str, random: &mut $crate::Random, ask: &mut A) -> bool {
             $($(if test == concat!(stringify!($task), "::", stringify!($name)) {
                 $crate::questions!(@function $name $($function)?)(random, ask);

@@ -196,8 +196,8 @@ impl Runs {
         }
     }
 
-    /// Asks whether the bits after every one of `steps` steps are those of all pairs in ascending
-    /// order.
+    /// Asks whether the state after each of `steps` steps equals that of all pairs in ascending
+    /// order, bit for bit.
     pub fn bits_of_all_pairs(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
         let of_run = scene.clone();
         let found =
@@ -217,9 +217,9 @@ impl Runs {
         );
     }
 
-    /// Asks whether the bits after `steps` steps in a row, without a read in between, are those of
-    /// all pairs. Nothing outside the program makes its threads wait between two steps, so threads
-    /// that live for the whole run must wait for each other themselves.
+    /// Asks whether the bits after `steps` steps in a row, without a read in between, equal those
+    /// of all pairs. Nothing outside the program makes its threads wait between two steps, so
+    /// threads that live for the whole run must wait for each other themselves.
     pub fn bits_after_a_run(&self, ask: &mut impl Ask, scene: &Scene, steps: u64) {
         let of_run = scene.clone();
         let found = move |engine: &mut dyn Simulation| {

@@ -52,9 +52,9 @@ pub trait Ask {
     /// Grading omits it.
     fn in_tests_only(&mut self, part: impl FnOnce());
 
-    /// Asks the ranks of a job, for each number of ranks in turn; at most once in a question. A
-    /// rank of a job calls `on_this_rank`. A judge without a job calls `of_rank` for each rank and
-    /// number of ranks. Both functions ask the same questions.
+    /// Puts questions to the ranks of a job, for each number of ranks in turn. Call it at most once
+    /// in a question. A rank of a job calls `on_this_rank`. A judge, which has no job, calls
+    /// `of_rank` for every rank of every number of ranks. Both functions ask the same questions.
     #[cfg(unix)]
     fn on_ranks(
         &mut self,
@@ -137,7 +137,7 @@ pub fn begins_send(call: &str) -> bool {
     ["MPI_Isend", "MPI_Issend"].contains(&call)
 }
 
-/// Asks how many of the calls that a rank has `made` are not in `calls`. There must be none.
+/// Asks how many of the calls that a rank has `made` are not in `calls`. The number must be 0.
 pub fn no_other_calls(made: &[&str], calls: &[&str], name: &str, ask: &mut impl Ask) {
     let others = made.iter().filter(|call| !calls.contains(call)).count();
     let question = format!("{name}: number of MPI calls other than {}", calls.join(" and "));

@@ -11,8 +11,8 @@ use std::io::{self, Read, Write};
 /// Name of the pseudo-question after the last question.
 pub(super) const END: &str = "end";
 
-/// Greatest length in bytes of a question or an answer. Longer ones are refused, because no lab has
-/// them.
+/// Greatest length in bytes of a question or an answer. Longer questions and answers are refused,
+/// because no lab has any.
 const MOST: u64 = 1 << 30;
 
 pub(super) fn write(file: &mut impl Write, question: &str, answer: &[u8]) -> io::Result<()> {

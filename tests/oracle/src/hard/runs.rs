@@ -87,7 +87,7 @@ impl Runs {
     }
 
     /// Asks whether the bits after `steps` steps equal the bits of `right`, a program that is known
-    /// to be correct. None of the lab's tasks may be a part of `right`.
+    /// to be correct. `right` must not contain any of the lab's tasks.
     pub fn bits_of(
         &self,
         ask: &mut impl Ask,

@@ -42,8 +42,8 @@ pub fn unseen(seed: u64) -> Scene {
 }
 
 /// Returns discs of radius 1 on some points of an integer lattice, with integer velocities. Such
-/// scenes have collisions at exactly the same time, at exactly λ = 0 and λ = 1, and discs at one
-/// position.
+/// scenes have collisions at exactly the same time, at exactly λ = 0 and λ = 1, and discs at the
+/// same position.
 pub fn lattice(seed: u64) -> Scene {
     let side = 24.0;
     let mut random = Random::new(seed);
@@ -80,8 +80,8 @@ pub fn mixed(seed: u64) -> Scene {
     of(side, radius, &discs)
 }
 
-/// Returns pairs that nearly miss each other. The path of the second disc passes the first at 2 r
-/// (1 − gap), for gaps from 1e-3 down to 1e-15, and outside at 2 r (1 + gap).
+/// Returns pairs that nearly miss each other. The path of the second disc passes the first at a
+/// distance of 2 r (1 − gap), for gaps from 1e-3 down to 1e-15, and outside at 2 r (1 + gap).
 pub fn grazing() -> Scene {
     let (side, radius) = (4000.0, 1.0);
     let mut discs = Vec::new();

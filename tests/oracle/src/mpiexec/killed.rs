@@ -10,7 +10,7 @@ use rustix::process::{Pid, Signal, kill_process};
 use super::Job;
 
 /// Time limit for the end of a job. A launcher may need seconds to notice that a rank is gone, and
-/// more to end the others.
+/// more seconds to end the others.
 const SOON: Duration = Duration::from_secs(15);
 
 /// Time limit for the start of ranks.

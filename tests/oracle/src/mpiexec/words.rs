@@ -1,4 +1,4 @@
-//! Messages of failed jobs for students.
+//! Messages for students about failed jobs.
 
 use std::time::Duration;
 
@@ -73,8 +73,8 @@ pub(super) fn of_no_answer(stderr: &str, ranks: usize, limit: Duration) -> Strin
 
 /// Returns the call with its location, and the seconds that a rank has waited in it.
 ///
-/// A line is such as `after 20 s rank 1 is in a run, in MPI_Recv (labs/lab5/src/root.rs, line 29)
-/// for 19 s`.
+/// An example of a line is
+/// `after 20 s rank 1 is in a run, in MPI_Recv (labs/lab5/src/root.rs, line 29) for 19 s`.
 fn wait(line: &str) -> Option<(&str, u64)> {
     let (_, wait) = line.split_once(", in MPI_")?;
     let (call, seconds) = wait.strip_suffix(" s")?.rsplit_once(" for ")?;

@@ -1,4 +1,4 @@
-//! Times at which a distance crosses the cutoff or a coordinate a wall, within a step.
+//! Times within a step at which a distance crosses the cutoff, or a coordinate crosses a wall.
 
 /// A function that is at least 0 now, and its slope.
 #[derive(Clone, Copy, Debug)]

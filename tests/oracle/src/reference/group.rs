@@ -18,7 +18,7 @@ pub(super) struct Group {
     touching: Vec<bool>,
 }
 
-/// A quantity whose fall through zero is an event.
+/// A kind of event. Each occurs when a certain quantity falls through zero.
 #[derive(Clone, Copy, Debug)]
 enum Event {
     /// The pair with this number comes within reach or leaves it.

@@ -35,11 +35,11 @@ impl Fineness {
     pub const CHECK: Self = Self { window: 3.1e-4, tolerance: 1e-15 };
 }
 
-/// Returns the exact motion of a scene for `time`, in id order.
+/// Moves the particles of a scene exactly for `time`, and returns them in id order.
 ///
 /// # Errors
-/// If a pair came closer than the model's least distance, where the motion is not smooth. The error
-/// names the pair.
+/// If a pair came closer than the model's least distance, below which the motion is not smooth. The
+/// error names the pair.
 pub fn exact(scene: &Scene, time: f64, fineness: Fineness) -> Result<Vec<Particle>, String> {
     let mut particles = scene.particles().to_vec();
     let windows = (time / fineness.window).ceil().max(1.0);
@@ -56,7 +56,7 @@ fn window(
     length: f64,
     tolerance: f64,
 ) -> Result<(), String> {
-    // Particles that become faster than this are noticed below.
+    // If a particle exceeds the allowed speed below, the window is computed again.
     let speeds: Vec<f64> = particles.iter().map(|p| p.vx.hypot(p.vy)).collect();
     let mut allowed = 1.25 * speeds.iter().copied().fold(0.0, f64::max) + 0.1;
     loop {
