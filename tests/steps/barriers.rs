@@ -125,7 +125,7 @@ impl Team {
         owner.expect("every row has an owner")
     }
 
-    /// Records the possessions of all members, and which member waits.
+    /// Records the contents of all members' bins and mail, and which member waits.
     fn note(&self, what: String, waiting: Option<usize>) {
         let members = (0..MEMBERS).map(|member| {
             let bins = self.bins[member].read();
