@@ -9,7 +9,7 @@ use crate::kernel::Kernel;
 /// The shape of a launch: a number of workgroups, and a number of invocations in each.
 ///
 /// In CUDA it is a grid of blocks of threads, `<<<blocks, threads>>>`. The device runs all of a
-/// launch or nothing: a launch that exceeds its limits leaves the buffers as they were.
+/// launch or nothing: a launch that exceeds the device's limits does not change the buffers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Launch {
     /// Number of workgroups along x and along y.

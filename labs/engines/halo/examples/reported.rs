@@ -1,8 +1,8 @@
 //! Runs the CSC581 report's MPI program as its section 5.1 prints it, on the report's scene.
 //!
-//! The program's partition bounds the speed-up, however cheap messages are. Its faults lose
-//! particles and leave old ghosts. All ranks run here one after the other, so counting needs no
-//! MPI. Rows lie along x, as in the report.
+//! The program's partition bounds the speed-up, however cheap messages are. Because of its faults,
+//! particles are lost and old ghosts remain. All ranks run here one after the other, so counting
+//! needs no MPI. Rows lie along x, as in the report.
 
 use std::ops::Range;
 use std::process::ExitCode;

@@ -42,7 +42,7 @@ impl Cuts {
     }
 }
 
-/// Particles that left their block, sorted by their new ranks.
+/// Particles that left their block, sorted by new rank.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Leavers {
     /// Particles for the neighbour before the block, and for the neighbour after it.
@@ -70,7 +70,7 @@ pub trait Blocks {
     /// `rows` is the number of rows of the box.
     fn interior_rows(block: &Range<usize>, rows: usize) -> Range<usize>;
 
-    /// Sorts particles that left a block with these `neighbours` by their new owners.
+    /// Sorts particles by new owner. The particles have left a block that has these `neighbours`.
     fn sort_leavers(
         grid: &Grid,
         cuts: &Cuts,

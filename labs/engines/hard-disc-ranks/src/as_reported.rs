@@ -66,8 +66,8 @@ impl<T: Dealing> AsReported<T> {
 
     /// Returns the worker that carries out a collision.
     ///
-    /// This worker has the blocks of all discs of the collision, and one of them is its own block
-    /// if possible.
+    /// This worker has the blocks of all discs of the collision. One of these blocks is its own if
+    /// possible.
     fn carrier(&self, candidate: &Candidate) -> usize {
         let blocks = self.blocks_of(candidate);
         let mut workers = blocks.clone().chain(0..self.deal.workers);

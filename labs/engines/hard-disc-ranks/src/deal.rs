@@ -49,7 +49,7 @@ impl Part {
 pub struct Deal {
     /// Number of workers W, and of blocks.
     pub workers: usize,
-    /// The blocks of worker 0. For every distance, two of them are this distance apart.
+    /// The blocks of worker 0. For every distance, two of these blocks are this distance apart.
     pub offsets: Vec<usize>,
 }
 // ANCHOR_END: deal

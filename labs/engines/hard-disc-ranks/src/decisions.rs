@@ -27,8 +27,7 @@ pub struct Decisions {
     pub rivals: Vec<Option<Candidate>>,
     /// The candidates that this rank has found, in a queue for each disc.
     pub queues: Queues,
-    /// The open candidates that this rank has found and that are the earliest for one or both of
-    /// their discs.
+    /// The open candidates of this rank that are the earliest for one or both of their discs.
     ///
     /// A candidate is open if it is neither taken nor dropped.
     pub front: Vec<Candidate>,

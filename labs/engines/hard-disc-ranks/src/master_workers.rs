@@ -15,7 +15,7 @@ use crate::tally::Tally;
 use crate::team::{MASTER, Messages, Team};
 use crate::wire::{CandidateWire, DiscWire};
 
-/// The work of a master and its workers: the master distributes pairs and decides, and the others
+/// The work of a master and its workers: the master distributes pairs and decides, and the workers
 /// search.
 pub trait Dealing: Messages {
     /// The rules of a collision.

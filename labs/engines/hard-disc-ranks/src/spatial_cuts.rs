@@ -31,7 +31,8 @@ pub trait Deciding: Messages {
     /// that has both discs.
     fn looks_at(rank: usize, a: Reach, b: Reach) -> bool;
 
-    /// Takes every open candidate that is certain to happen, and drops those that cannot happen.
+    /// Takes every open candidate that is certain to happen, and drops every candidate that cannot
+    /// happen.
     fn take_certain(decisions: &mut Decisions);
 
     /// Takes one step. All ranks call it together.

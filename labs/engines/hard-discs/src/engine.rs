@@ -28,7 +28,7 @@ pub struct Engine<C, F> {
     rules: PhantomData<C>,
     /// The square, and the radius of all discs.
     pub square: Square,
-    /// The discs, by number. They move at the end of a step.
+    /// The discs, in the order of their numbers. They move at the end of a step.
     pub discs: Vec<Disc>,
     /// Whether each disc has not collided yet in this step.
     pub free: Vec<bool>,

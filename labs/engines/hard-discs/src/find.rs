@@ -42,9 +42,9 @@ pub trait Find: Send {
 
     /// Adds to `found` every pair of `free` discs that collides at a time in `window`.
     ///
-    /// The collisions are those of [`Collisions::pair_hit`](crate::Collisions::pair_hit). A search
-    /// must not miss a pair, nor find it twice. The positions of the discs are those at the start
-    /// of the *step*, whatever the window.
+    /// [`Collisions::pair_hit`](crate::Collisions::pair_hit) defines the collisions. A search must
+    /// not miss a pair, nor find it twice. Whatever the window, the discs have their positions at
+    /// the start of the *step*.
     fn find(
         &mut self,
         discs: &[Disc],

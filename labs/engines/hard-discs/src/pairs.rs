@@ -9,8 +9,8 @@ use crate::collisions::{Candidate, Collisions};
 /// Whether two discs come near enough to touch at any time, past or future.
 ///
 /// It is `false` only if [`Collisions::pair_hit`] returns `None`. The collision test first asks
-/// whether the discs approach each other. Half of all pairs do, so the processor mispredicts every
-/// second test, which costs more than the rest of the function. The result here is nearly always
+/// whether the discs approach each other. Half of all pairs do, so the processor mispredicts many
+/// of these tests. That costs more than the rest of the function. The result here is nearly always
 /// `false`. The factor 4.000001 allows for rounding: with 4 and exact numbers, discs that overlap
 /// pass the test.
 #[inline]

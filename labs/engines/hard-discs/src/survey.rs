@@ -39,7 +39,7 @@ impl Survey {
 
     /// Surveys the discs with `workers`.
     ///
-    /// The means are sums over pieces, which are the same for any number of workers.
+    /// The means are summed over pieces that are the same for any number of workers.
     pub fn by(workers: &Workers, discs: &[Disc], square: Square) -> Self {
         let pieces = map_pieces(workers, discs, |_, piece| Self::sums(piece, square));
         let mut all = pieces.into_iter().reduce(Self::and).unwrap_or_default();

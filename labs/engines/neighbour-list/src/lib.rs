@@ -57,9 +57,10 @@
 //! **Errors.** A [`Scene`](common::soft::Scene) is checked when it is made. The only possible error
 //! is that the system refuses to start threads ([`Workers::new`]).
 //!
-//! **Bits.** The same scene gives the same bits on any number of threads and on any processor.
+//! **Bits.** The results for a scene have the same bits on any number of threads and on any
+//! processor.
 //!
-//! The primitives are those of lab 10. If you have your own primitives, use the package
+//! The primitives come from lab 10. If you have your own primitives, use the package
 //! `neighbour-list-core`, which contains the engine itself.
 
 pub use neighbour_list_core::*;

@@ -5,8 +5,8 @@
 //! and the pairs of its last row with the row above. Then the threads divide the particles by
 //! number, and move them.
 //!
-//! The report does not say how two threads add to one particle at a border. Here each thread has
-//! its own sums.
+//! The report does not explain how two threads add to one particle at a border. Here each thread
+//! has its own sums.
 
 use std::ops::Range;
 use std::sync::Arc;

@@ -35,8 +35,8 @@ impl<T: DeepHalo> Deep<T> {
         }
     }
 
-    /// Sends each partner the particles that it needs, and removes those that this rank no longer
-    /// needs.
+    /// Sends each partner the particles that it needs, and removes the particles that this rank no
+    /// longer needs.
     ///
     /// A partner needs the particles that are now in its strip, which become its own, and the
     /// particles within `width` of it, which become its ghosts. One message to each partner is

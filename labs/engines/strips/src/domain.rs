@@ -51,7 +51,7 @@ pub(crate) struct Counts {
 
 /// Returns the number of steps that all lists should last.
 ///
-/// `wear` is the greatest [`wear`](Domain::wear) of all ranks.
+/// `wear` is the greatest [`wear`](Domain::wear) among all ranks.
 pub(crate) fn lists_last(wear: f64) -> u32 {
     (1.0 / wear).clamp(1.0, LONGEST).round() as u32
 }

@@ -59,7 +59,7 @@ impl<T: DeepHalo> Deep<T> {
     }
     // ANCHOR_END: advance
 
-    /// Agrees with all ranks how many of the steps are right, and goes back if some are not.
+    /// Agrees with all ranks on the number of right steps, and goes back if some steps are wrong.
     ///
     /// Returns the number of steps that must be taken again. All ranks call it together.
     // ANCHOR: confirm

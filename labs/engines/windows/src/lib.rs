@@ -5,8 +5,8 @@
 //! the start of the window to its end, in the processor's registers. All other particles fly freely
 //! and are moved once per window. At the end the engine tests how far each particle in a group
 //! deviated from its free flight. If a pair may have been missed, the groups of its particles are
-//! united and computed again. If most particles have neighbours, windows do not pay, and
-//! [`Planned`] uses the neighbour list of lab 10 instead.
+//! united and computed again. If most particles have neighbours, windows are not worth their cost,
+//! and [`Planned`] uses the neighbour list of lab 10 instead.
 //!
 //! The results do not depend on the windows. Groups sum over pairs by ascending id, and free flight
 //! makes the same additions as single steps. So windows give the same bits as the naive program, on
@@ -16,8 +16,8 @@
 //!
 //! A type that implements [`Rules`] decides which particles could meet, how far a path may bend,
 //! and how long a window should be. Use `solution11::Tasks` for speed. The type below is cautious:
-//! particles near each other count as particles that may meet, so hardly any work is skipped, and
-//! the bits are the same.
+//! it assumes that all particles near each other may meet. So hardly any work is skipped, and the
+//! bits are the same.
 //!
 //! ```
 //! use common::soft::{NoStatistics, Particle, Scene, Simulation};

@@ -5,8 +5,8 @@ use crate::span::Span;
 /// The decisions that windows depend on.
 ///
 /// Each decision may be wrong in one direction only. If a rule claims that two particles may meet,
-/// that a wall may be near, that a margin may have broken, or that a window should be short, the
-/// cost is time, and no bit of the result changes.
+/// that a wall may be near, that a margin may have broken, or that a window should be short, a
+/// wrong claim costs time, but no bit of the result changes.
 ///
 /// The engine calls the rules in its innermost loops: mark short rules with `#[inline(always)]`.
 pub trait Rules: Send + 'static {

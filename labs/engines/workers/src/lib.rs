@@ -109,7 +109,7 @@ impl Workers {
         }
     }
 
-    /// Sorts items by a total order.
+    /// Sorts items in the total order `order`.
     ///
     /// The threads sort parts of equal length, and then merge pairs of parts.
     pub fn sort<T: Send>(&self, items: &mut [T], order: impl Fn(&T, &T) -> Ordering + Send + Sync) {

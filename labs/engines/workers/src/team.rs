@@ -5,8 +5,8 @@
 //! round within a microsecond; a thread that sleeps needs tens of microseconds to wake. A thread
 //! that has waited for [`SPIN`] sleeps, so that other programs get its core.
 //!
-//! A round does not wait for sleepers. A thread enters the round when it notices it, and the caller
-//! closes the round when no work is left. So a thread that gets no core costs only its help.
+//! A round does not wait for sleepers. A thread enters the round when it notices the round, and the
+//! caller closes the round when no work remains. So a thread that gets no core costs only its help.
 
 use std::any::Any;
 use std::io;

@@ -1,4 +1,4 @@
-//! The engine: the device filters all pairs, and the host computes the pairs that are left.
+//! The engine: the device filters all pairs, and the host computes the remaining pairs.
 
 use std::time::{Duration, Instant};
 

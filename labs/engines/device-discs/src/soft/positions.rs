@@ -11,7 +11,7 @@ use super::kernels::SoftKernels;
 pub struct Grid {
     /// Side of the box.
     pub size: f64,
-    /// Number of bins along x, which is also their number along y.
+    /// Number of bins along x, which equals the number along y.
     pub columns: u32,
     /// Side of a bin, `size / columns`.
     pub side: f64,

@@ -19,8 +19,8 @@ fn fetch(k: u32) -> u32 {
     return shared_numbers[k];
 }
 
-// Waits until all invocations of the workgroup have called meet() (CUDA: __syncthreads()). Then each of them sees the
-// numbers that the others wrote before.
+// Waits until all invocations of the workgroup have called meet() (CUDA: __syncthreads()). Then each invocation sees
+// the numbers that the others wrote before.
 fn meet() {
     workgroupBarrier();
 }

@@ -9,7 +9,7 @@ use crate::state::State;
 /// Greatest number of members of a group whose events are followed. A larger group has too many
 /// events.
 const MOST_MEMBERS: usize = 64;
-/// Number of events in a step after which a group takes the rest of the step at once.
+/// Number of events in a step after which a group takes the rest of the step as a single step.
 const MOST_EVENTS: u32 = 64;
 
 /// Particles that may touch each other.

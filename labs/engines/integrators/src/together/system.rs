@@ -1,4 +1,4 @@
-//! The particles of a box, which a method moves all at once.
+//! The particles of a box, which a method moves all together.
 
 use std::marker::PhantomData;
 
@@ -37,7 +37,7 @@ impl System {
         }
     }
 
-    /// Replaces the particles by those in `state`, in a box of side `size`.
+    /// Replaces the particles by the particles in `state`, in a box of side `size`.
     pub(super) fn start(&mut self, state: State, size: f64) {
         self.a = vec![Vec2::ZERO; state.at.len()];
         self.state = state;
@@ -54,7 +54,7 @@ impl System {
         }
     }
 
-    /// Changes all velocities by the forces at the current positions for a time `dt`: v += a dt.
+    /// Applies the forces at the current positions to all velocities for a time `dt`: v += a dt.
     pub fn kick(&mut self, dt: f64) {
         self.field.accelerations(&self.state.at, &mut self.a);
         self.evaluations += 1;

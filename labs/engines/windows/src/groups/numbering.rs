@@ -9,7 +9,7 @@ use super::task::Task;
 /// Entry of `number` for a particle without a number.
 const NONE: u32 = u32::MAX;
 
-/// Numbers from 0 on for all particles of a task, except for those of couples.
+/// Numbers from 0 on for all particles of a task, except for particles of couples.
 #[derive(Default)]
 pub(super) struct Numbering {
     /// For each particle of the task's range, the number of its pairs, at most 255.

@@ -150,7 +150,7 @@ fn part(ends: &[u32], k: usize) -> Range<usize> {
     start..ends[k] as usize
 }
 
-/// The members of groups after the window, and how far they were off their reference paths.
+/// The members of groups after the window, and their deviations from their reference paths.
 #[derive(Clone, Default)]
 pub(crate) struct Record {
     pub(crate) x: Vec<f64>,
@@ -197,8 +197,8 @@ impl Record {
         }
     }
 
-    /// Returns how far the member in slot `p` of a block was off its reference path after `step`
-    /// steps.
+    /// Returns the displacement of the member in slot `p` of a block from its reference path after
+    /// `step` steps.
     ///
     /// `step` is at least 1 and less than the number of steps.
     #[inline]

@@ -135,7 +135,7 @@ impl<R: Rules, O: Observer> Planned<R, O> {
                 return;
             }
             if steps == 1 {
-                // Even in one step too many particles touch, so no window pays.
+                // Even in one step too many particles touch, so no window is worth its cost.
                 self.plan.strategy = Strategy::List;
                 self.plain.start(self.window.bodies.clone(), self.size);
                 return;

@@ -73,8 +73,8 @@ const SMALL_MARGIN: f64 = 0.02;
 ///
 /// Opening a window costs the same for every length. The time for groups grows with the number of
 /// particles in them, and so with the window's length, and with `divide`. The sum of both costs per
-/// step is least at a length proportional to 1 / √`divide`. Opening a window for a single step does
-/// not pay.
+/// step is least at a length proportional to 1 / √`divide`. Opening a window for a single step is
+/// not worth its cost.
 fn divided(steps: u32, divide: u32) -> u32 {
     let length = f64::from(steps) / f64::from(divide.max(1)).sqrt();
     (length as u32).max(steps.min(2))

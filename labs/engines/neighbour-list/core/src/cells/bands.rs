@@ -8,7 +8,8 @@ use std::ops::Range;
 
 use crate::particles::{Bodies, Moving};
 
-/// Number of particles whose range of cells is stored, so that a band can skip them all at once.
+/// Number of particles whose range of cells is stored, so that a band can skip all of them
+/// together.
 pub(super) const PIECE: usize = 1024;
 
 /// The cell of each particle, in the order before the sort.

@@ -48,7 +48,7 @@ pub struct Sorter {
 }
 
 impl Sorter {
-    /// Sorts `bodies` by the cells of `grid`. Within a cell particles keep their order.
+    /// Sorts `bodies` by cell of `grid`. Within a cell particles keep their order.
     pub fn sort(&mut self, bodies: &mut Bodies, grid: Grid, workers: &Workers) -> Cells {
         self.spare.resize(bodies.len());
         let cells = if grid.is_dense(bodies.len()) {
@@ -152,7 +152,7 @@ impl NullaryFnOnce for Locate<'_> {
     }
 }
 
-/// Sorts `from` into `to` by the cells of `grid`, and stores only the occupied cells.
+/// Sorts `from` into `to` by cell of `grid`, and stores only the occupied cells.
 fn sort_sparse(from: &Bodies, to: &mut Bodies, grid: Grid) -> Cells {
     let key = |i: usize| {
         u64::from(grid.row(from.y[i])) * u64::from(grid.columns) + u64::from(grid.column(from.x[i]))

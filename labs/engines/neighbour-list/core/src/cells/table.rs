@@ -1,4 +1,4 @@
-//! A table of sorted particles by cell.
+//! A table with the range of sorted particles in each cell.
 
 use std::ops::Range;
 
@@ -9,9 +9,9 @@ use super::grid::Grid;
 /// Cells are numbered row by row, so the particles of a cell and of its right neighbour are
 /// adjacent in memory.
 pub struct Cells {
-    /// The grid that the cells belong to.
+    /// The grid of these cells.
     pub grid: Grid,
-    /// The stored cells: all of them, or only the occupied ones.
+    /// The stored cells: all cells, or only the occupied cells.
     pub kind: Kind,
     /// The index of each particle's cell among the stored cells.
     pub home: Vec<u32>,

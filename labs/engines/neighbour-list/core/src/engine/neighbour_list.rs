@@ -120,7 +120,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         self.count(tested);
     }
 
-    /// Rebuilds the list and leaves the particles in their former order in `kept`.
+    /// Rebuilds the list, and stores the particles in their former order in `kept`.
     pub fn rebuild_keeping(&mut self, kept: &mut Bodies) {
         self.rebuild();
         // Sorting has left the particles in the arrays that the next sort would write to.
@@ -151,8 +151,8 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
 
     /// Moves the blocks that contain none of the particles `waiting`, whose indices are ascending.
     ///
-    /// Particles outside the engine may act on the particles `waiting`, so their blocks are left
-    /// for [`move_outer`](Self::move_outer).
+    /// Particles outside the engine may act on the particles `waiting`, so
+    /// [`move_outer`](Self::move_outer) moves their blocks.
     pub fn move_inner(&mut self, waiting: &[u32]) {
         self.sweep(External::default(), |block| !block.has_any(waiting));
     }

@@ -3,7 +3,7 @@
 /// The accelerations of consecutive particles: the particles of a piece, and the particles ahead of
 /// it.
 ///
-/// There are so few of them that the sums stay in the cache.
+/// There are so few particles that the sums stay in the cache.
 #[derive(Default)]
 pub(super) struct Sums {
     /// The index of the first particle.

@@ -2,8 +2,8 @@
 //!
 //! A pair is listed with the particle that comes first. Once the pairs of a piece and of all pieces
 //! before it are done, no later pair needs the piece's old positions, and its accelerations are
-//! complete. So the piece moves at once. The pairs across the ends of blocks are computed before
-//! any block moves.
+//! complete. So the piece can move immediately. The pairs across the ends of blocks are computed
+//! before any block moves.
 
 use common::soft::Observer;
 use pulp::NullaryFnOnce;

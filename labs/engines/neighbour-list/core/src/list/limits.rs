@@ -22,7 +22,7 @@ const PARTICLES_PER_OUTLIER: usize = 50;
 const SPARE_OUTLIERS: usize = 32;
 /// The greatest factor by which the fastest particle is expected to exceed the speed limit.
 ///
-/// A faster particle makes the inner list expire at once; no list is built for such a speed.
+/// A faster particle makes the inner list expire immediately. No list is built for such a speed.
 const MAX_SPEED_RATIO: f64 = 2.0;
 /// Displacements that an inner list saves: m steps use up m − `SAVED_DISPLACEMENTS` displacements.
 ///
@@ -142,9 +142,9 @@ impl Limits {
         fast: impl Iterator<Item = u32>,
         workers: &Workers,
     ) -> u64 {
-        // The steps that are left are divided into equal periods, so that no inner list is built
-        // for the last one or two steps only. A list is first used before any particle has moved,
-        // so it lasts one step longer.
+        // The remaining steps are divided into equal periods, so that no inner list is built for
+        // the last one or two steps only. A list is first used before any particle has moved, so it
+        // lasts one step longer.
         let left = 0.5 * list.budget.skin - list.budget.displacement;
         let steps_left = 1.0 + left / self.displacement;
         let periods = (steps_left / self.steps.unwrap_or(1.0)).round().max(1.0);

@@ -101,8 +101,8 @@ impl<P: Primitives> Neighbours<P> {
         (CUTOFF + skin) * (1.0 + 1e-9) + self.rounding
     }
 
-    /// Builds the inner list: the pairs within the cutoff plus `skin`, and `more`, which is in
-    /// order.
+    /// Builds the inner list: the pairs within the cutoff plus `skin`, and the pairs `more`, which
+    /// are in order.
     ///
     /// Returns the number of pairs that were tested.
     pub fn rebuild_inner(

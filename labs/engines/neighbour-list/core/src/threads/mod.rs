@@ -1,11 +1,10 @@
 //! Threads, and work that gives the same result on any number of them.
 //!
-//! The work is divided into pieces by the scene, never by the number of threads.
+//! The pieces of work depend on the scene, never on the number of threads.
 
 use workers::Workers;
 
-/// The least number of particles for which another thread pays, measured on the machine of the
-/// book.
+/// The least number of particles that is worth another thread, measured on the machine of the book.
 ///
 /// With fewer particles, waking the thread takes longer than its work.
 pub const LEAST: usize = 2000;
