@@ -19,7 +19,7 @@ use crate::record;
 /// Number of words of eight bytes in a text that ranks exchange.
 const WORDS: usize = 24;
 
-/// Parts of the paths of files that a student writes or reads, in a stack trace.
+/// Parts of paths, in a stack trace, of files that a student writes or reads.
 const OWN: [&str; 3] = ["/labs/", "/solutions/", "/tests/"];
 
 /// Parts of the paths of given code that calls MPI for a lab.

@@ -18,7 +18,7 @@ const PANICKED: i32 = 101;
 /// Variables in which the launchers of Open MPI and MPICH pass the number of ranks.
 const NUMBER_OF_RANKS: [&str; 2] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE"];
 
-/// The longest message that is sent at once: its length must be an `i32`.
+/// The longest message that is sent as one message: its length must be an `i32`.
 const LONGEST: usize = 1 << 30;
 
 /// Runs a soft-disc lab on all ranks, from its command line to its exit code.

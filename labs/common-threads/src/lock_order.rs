@@ -11,7 +11,8 @@ use crate::Watch;
 ///
 /// Suppose that one thread asks for lock 7 while it holds lock 3, and that at any other time a thread
 /// asks for lock 3 while it holds lock 7. If both do so at once, they wait for each other forever.
-/// The deadlock need not happen to be found: the second request panics and names both locks.
+/// This watch finds the deadlock even if it does not happen: the second request panics and names both
+/// locks.
 #[derive(Default)]
 pub struct LockOrder(Mutex<Orders>);
 

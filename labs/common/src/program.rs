@@ -87,7 +87,7 @@ pub(crate) fn run<O: Parser>(
 }
 
 /// Makes two kinds of panics end the program with an error of one line: the `todo!` of an open
-/// task, and a thread that the system refuses.
+/// task, and a thread that the system refuses to start.
 fn end_in_one_line() {
     let usual = panic::take_hook();
     panic::set_hook(Box::new(move |panic| {

@@ -1,7 +1,8 @@
 //! Variants: the programs of a lab.
 //!
 //! A lab is a list of variants: `pub static VARIANTS: &[Variant<dyn Simulation>]`. The driver runs
-//! a variant by its name, the graders run all of them, and the benchmarks time them in turns.
+//! the variant that the user names, the graders run all variants, and the benchmarks time them in
+//! turns.
 
 use thiserror::Error;
 
@@ -57,7 +58,7 @@ pub struct Config {
     pub threads: usize,
     /// Whether [`statistics`](crate::soft::Simulation::statistics) will be called.
     ///
-    /// Collecting statistics costs time, which a run without statistics does not pay.
+    /// Collecting statistics takes time, which a run without statistics saves.
     pub statistics: bool,
     /// Whether the [`Event`](crate::Event)s of the ranks will be read.
     pub events: bool,

@@ -189,7 +189,7 @@ fn simulate(
     Ok(run)
 }
 
-/// Returns how many steps to take in a row after `done` of them.
+/// Returns the number of steps to take in a row after `done` steps.
 ///
 /// The run stops for output after steps 0, `every`, 2 `every`, …, counted from 0. With statistics
 /// it stops after each step. Without both it still stops from time to time, to move the progress

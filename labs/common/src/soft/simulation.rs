@@ -14,8 +14,8 @@ pub trait Simulation {
 
     /// Starts from the official scene.
     ///
-    /// An engine whose particles are on several machines overrides it, so that no machine stores
-    /// the whole scene.
+    /// An engine whose particles are on several machines overrides this method, so that no machine
+    /// stores the whole scene.
     ///
     /// # Errors
     /// The same as those of [`Scene::official`].
@@ -26,8 +26,8 @@ pub trait Simulation {
 
     /// Starts from the counter scene.
     ///
-    /// An engine whose particles are on several machines overrides it, so that each machine makes
-    /// only its own particles.
+    /// An engine whose particles are on several machines overrides this method, so that each
+    /// machine makes only its own particles.
     ///
     /// # Errors
     /// The same as those of [`Scene::counter`].
@@ -41,8 +41,8 @@ pub trait Simulation {
 
     /// Advances all particles by `steps` time steps.
     ///
-    /// An engine overrides it if several steps in a row are cheaper than single steps, for example
-    /// because its threads then start only once.
+    /// An engine overrides this method if several steps in a row are cheaper than single steps, for
+    /// example because its threads then start only once.
     fn run(&mut self, steps: u64) {
         for _ in 0..steps {
             self.step();

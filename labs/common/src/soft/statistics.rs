@@ -59,7 +59,7 @@ impl Observer for NoStatistics {
 
 /// Makes a boxed engine with the observer `$tally` or, without statistics, [`NoStatistics`].
 ///
-/// `$engine` is compiled for both observers, and calls either of them `$observer`.
+/// `$engine` is compiled for both observers, and refers to either as `$observer`.
 #[macro_export]
 macro_rules! observed {
     ($config:expr, $tally:ty, |$observer:ident| $engine:expr) => {
