@@ -1,8 +1,8 @@
 //! Comparison of the book's live boxes with the kit: positions byte by byte, pair tests step by
 //! step.
 //!
-//! The scripts run in node, or else in a headless Chromium. If neither is installed, nothing is
-//! compared and a line reports this.
+//! The scripts run in node, or else in a headless Chromium. If neither program is installed,
+//! nothing is compared, and a message reports this.
 
 use std::fmt::Write;
 use std::fs;
@@ -139,7 +139,7 @@ fn lists_have_the_kits_counts() {
     }
 }
 
-/// Compares the bits of all pairs with the list's box, which sums by number.
+/// Compares the bits of all pairs with the box of the list, which sums in the order of ids.
 #[test]
 fn a_list_misses_no_pair() {
     for skin in [0.1, 2.0] {
@@ -176,7 +176,8 @@ fn hard_discs_are_where_the_kit_has_them() {
     }
 }
 
-/// Compares the collisions with those of a movie that tests only pairs in sufficiently wide cells.
+/// Compares the collisions with the collisions of a movie that tests only pairs in sufficiently
+/// wide cells.
 #[test]
 fn cells_miss_no_collision() {
     let ask = "sameHits(200, 60, 1, 3, 30)";

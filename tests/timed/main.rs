@@ -66,7 +66,7 @@ fn timed(nonce: &str, team: &Team<'_>) -> io::Result<()> {
     }
     let message = team.share(if team.is_first() { line() } else { String::new() });
     let Some(order) = order(&message) else { panic!("there is no such order") };
-    // x, y, vx, vy of each particle, by number.
+    // x, y, vx, vy of each particle, in the order of ids.
     let state = scene::run(&order);
     let Some(state) = state else { panic!("there is no variant {}", order.variant) };
     if !team.is_first() {

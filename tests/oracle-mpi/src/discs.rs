@@ -68,7 +68,8 @@ impl DiscsOnRanks {
         steps: usize,
     ) {
         on_each(ask, self.task, &self.ranks, &Random::new(0), |rank, _, ask| {
-            // All scenes use one engine, so that data left over from the previous scene is noticed.
+            // All scenes use one engine, so that data left over from the previous scene is
+            // detected.
             let mut engine = rank.call("building an engine", |world| Some(self.engine(world)));
             for (name, scene) in scenes {
                 let found = rank.call("a run", |_| {

@@ -179,7 +179,8 @@ impl RunsOnRanks {
         judge: impl Fn(&Scene, &States) -> Result<(), String>,
     ) {
         on_each(ask, self.task, &self.ranks, &Random::new(0), |rank, _, ask| {
-            // All scenes use one engine, so that data left over from the previous scene is noticed.
+            // All scenes use one engine, so that data left over from the previous scene is
+            // detected.
             let mut engine = rank.call("building an engine", |world| {
                 self.begin(world);
                 Some(self.engine())

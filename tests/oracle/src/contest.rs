@@ -31,9 +31,9 @@ pub enum Kind {
     Official,
     /// The official scene with many particles.
     Large,
-    /// The official scene in a box of five times the side: hardly any pair meets.
+    /// The official scene in a box of five times the side: hardly any particles meet.
     Thin,
-    /// The official scene in a box of 0.65 times the side: more than twice as many pairs meet.
+    /// The official scene in a box of 0.65 times the side: more than twice as many particles meet.
     Crowd,
     /// The official scene with one particle in a hundred three times as fast.
     Fast,

@@ -115,9 +115,10 @@ impl Order {
 /// }
 /// ```
 ///
-/// A row is the question's name, the tasks that it needs besides its own, the function that asks it
-/// (if that has another name) and the sentence that a student reads. The function gets a `&mut
-/// Random` and an `&mut impl Ask`. The first question of a task is its worked example.
+/// A row contains the question's name, the tasks that it needs besides its own, the function that
+/// asks it (if the function has a different name) and the sentence that a student reads. The
+/// function gets a `&mut Random` and an `&mut impl Ask`. The first question of a task is its worked
+/// example.
 #[macro_export]
 macro_rules! questions {
     ($($task:ident {

@@ -129,8 +129,8 @@ impl Runs {
         self.resynchronised_on_each(ask, vec![scene.clone()], steps);
     }
 
-    /// Asks [`resynchronised`](Self::resynchronised) on many scenes with one engine. Data left over
-    /// from the previous scene is noticed.
+    /// Asks [`resynchronised`](Self::resynchronised) on many scenes with one engine. So data left
+    /// over from the previous scene is detected.
     pub fn resynchronised_on_each(&self, ask: &mut impl Ask, all: Vec<Scene>, steps: usize) {
         if steps > FIRST {
             self.steps_of_each(ask, all.clone(), FIRST);

@@ -162,7 +162,8 @@ pub fn edges() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for pitch in [CUTOFF, size / 30.0] {
         for (dx, dy, off_x, off_y) in directions {
-            // Every third edge has pairs, so that pairs do not meet. Nine scenes cover all edges.
+            // Only every third edge has pairs, so that pairs do not meet other pairs. Nine scenes
+            // cover all edges.
             for (first_column, first_row) in (0..9).map(|k| (k % 3, k / 3)) {
                 let mut particles = Vec::new();
                 for row in (first_row..=30).step_by(3) {

@@ -1,7 +1,7 @@
 //! Asking a lab: one source of questions for a student's tests and for grading.
 //!
 //! A question function draws inputs and passes two closures to its asker: the first computes the
-//! lab's answer, and the second judges it. The asker decides which of them are called:
+//! lab's answer, and the second judges it. The asker decides which closures are called:
 //!
 //! | who asks       | the lab answers         | the answer is compared           |
 //! |----------------|-------------------------|----------------------------------|

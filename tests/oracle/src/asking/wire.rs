@@ -4,7 +4,7 @@
 //! An entry consists of the length of the question, the question, the length of the answer in
 //! bytes, and the answer: 64-bit floating-point numbers, or text. All numbers are little-endian.
 //! The file ends with an answer to the question [`END`], so that a program that broke off is
-//! noticed.
+//! detected.
 
 use std::io::{self, Read, Write};
 

@@ -6,7 +6,7 @@
 //! smooth, and [extrapolation] follows it up to rounding.
 //!
 //! The motion is computed in short windows of time. A particle that cannot touch another within a
-//! window flies freely; the rest form groups, each of which is followed alone.
+//! window flies freely. All other particles form groups, and each group is followed alone.
 
 mod event;
 mod extrapolation;
