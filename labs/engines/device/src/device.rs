@@ -32,7 +32,7 @@ impl Gpu {
     /// of the fastest kind in the machine.
     ///
     /// # Errors
-    /// There is no such device, or it cannot be opened.
+    /// There is no such device, or the device cannot be opened.
     pub fn shared() -> Result<&'static Self, GpuError> {
         static SHARED: OnceLock<Result<Gpu, GpuError>> = OnceLock::new();
         SHARED.get_or_init(Self::open).as_ref().map_err(Clone::clone)
@@ -106,7 +106,7 @@ impl Gpu {
         }))
     }
 
-    /// Returns a small block of parameters that every invocation reads and none writes.
+    /// Returns a small block of parameters that invocations can read but not write.
     pub fn uniform(&self, bytes: &[u8]) -> Buffer {
         let mut contents = bytes.to_vec();
         contents.resize(bytes.len().next_multiple_of(16), 0);

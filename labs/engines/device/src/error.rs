@@ -1,4 +1,4 @@
-//! Errors of the device: it is missing, it lacks a feature, or it refuses a launch.
+//! Errors of the device: the device is missing, lacks a feature, or refuses a launch.
 
 use thiserror::Error;
 

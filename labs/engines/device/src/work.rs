@@ -62,7 +62,8 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Submits the work and does not wait for it. If the device refuses any part, it runs nothing.
+    /// Submits the work and does not wait for it. If the device refuses any part of the work, it
+    /// runs nothing.
     ///
     /// # Panics
     /// The device refuses the work outside an error scope. It never refuses a compiled kernel with

@@ -1,4 +1,4 @@
-//! The engine that steps as the report does: the workers move the discs.
+//! The engine that takes steps as the report's program does: the workers move the discs.
 
 use common::Event;
 use common::hard::{Disc, Scene, Simulation};
@@ -37,7 +37,8 @@ impl<T: Dealing> AsReported<T> {
         Self { base: MasterWorkers::new(world, team, false, clock), deal, extra: 0, steps: 0 }
     }
 
-    /// Sends each worker its list. The master waits for each message before it sends the next.
+    /// Sends each worker its list. The master waits until each message is sent before it sends the
+    /// next one.
     fn send<W: Equivalence + Clone>(&mut self, lists: &[Vec<W>]) -> Vec<W> {
         let MasterWorkers { world, team, traffic, clock, .. } = &mut self.base;
         clock.call(Partners::Through(MASTER), || {

@@ -63,8 +63,8 @@ pub struct MasterWorkers<T> {
     pub blocks: Cut,
     /// The distribution of pairs; `None` before the first step.
     pub deal: Option<Deal>,
-    /// An element for every disc of the scene. The master's elements are all valid, a worker's are
-    /// valid in its blocks.
+    /// An element for every disc of the scene. All elements of the master are valid, but only the
+    /// elements in a worker's blocks are valid on the worker.
     pub discs: Vec<Disc>,
     /// The collisions of the last step; empty on workers.
     pub taken: Vec<Candidate>,
@@ -72,7 +72,7 @@ pub struct MasterWorkers<T> {
     pub traffic: Traffic,
     /// The counters of this rank.
     pub tally: Tally,
-    /// The time that calls of the MPI library took.
+    /// The time that calls to the MPI library took.
     pub clock: Clock,
 }
 
@@ -103,7 +103,7 @@ impl<T: Dealing> MasterWorkers<T> {
 
     /// Returns the lists that the master sends to the workers.
     ///
-    /// A worker receives all its blocks if it has none yet or does not keep them. Otherwise it
+    /// A worker receives all its blocks if it has no blocks yet or does not keep them. Otherwise it
     /// receives the discs of its blocks that have collided.
     pub fn lists(&self, deal: &Deal, first: bool) -> Vec<Vec<DiscWire>> {
         let mut lists = Vec::with_capacity(self.team.workers);

@@ -19,8 +19,8 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// Replaces all discs by the lists `own` and `ghosts`, both in the order of numbers, merged
-    /// into one.
+    /// Merges `own` and `ghosts`, which are both in the order of numbers, and replaces all discs by
+    /// the result.
     pub fn fill(
         &mut self,
         own: &[DiscWire],

@@ -18,7 +18,8 @@ use crate::tally::Tally;
 use crate::team::{Messages, Team};
 use crate::wire::DiscWire;
 
-/// The work of ranks with strips: each tests the pairs of its strip, and all decide together.
+/// The work of ranks with strips: each rank tests the pairs of its strip, and all ranks decide
+/// together.
 pub trait Deciding: Messages {
     /// The rules of a collision, and the search for pairs.
     type Rules: Collisions + BroadPhase;
@@ -27,8 +28,8 @@ pub trait Deciding: Messages {
     /// beyond the path of the centre.
     fn reached(strips: &Strips, disc: &DiscWire, reach: f64) -> Reach;
 
-    /// Whether `rank` tests the pair of discs that reach a and b. It is true for exactly one rank
-    /// that has both discs.
+    /// Whether `rank` tests the pair of discs with the reaches `a` and `b`. This is true for
+    /// exactly one rank that has both discs.
     fn looks_at(rank: usize, a: Reach, b: Reach) -> bool;
 
     /// Takes every open candidate that is certain to happen, and drops every candidate that cannot
@@ -63,7 +64,7 @@ pub struct SpatialCuts<T: Deciding> {
     pub traffic: Traffic,
     /// The counters of this rank.
     pub tally: Tally,
-    /// The time that calls of the MPI library took.
+    /// The time that calls to the MPI library took.
     pub clock: Clock,
     /// Number of steps since the scene was loaded.
     pub steps: u64,
@@ -76,7 +77,7 @@ pub struct SpatialCuts<T: Deciding> {
 /// Lengths that are the same for all ranks in a step.
 #[derive(Clone, Copy)]
 pub struct Range {
-    /// Distance of a swept box beyond the path of its centre.
+    /// Distance that a swept box extends beyond the path of the disc's centre.
     pub reach: f64,
     /// Greatest distance of a disc, at any time of the step, from the strip of a rank that has it.
     pub furthest: f64,
@@ -136,10 +137,10 @@ impl<T: Deciding> SpatialCuts<T> {
     /// Returns the lengths of this step, from the greatest velocity component of the scene.
     ///
     /// A disc is at most this component and the reach away from a strip that its box touches. A
-    /// collision may make it faster: it gains its partner's component along the line between them.
-    /// So its squared speed is at most the sum of both squared speeds, and no component is more
-    /// than twice the greatest component before. So in total the disc gets at most three times as
-    /// far away.
+    /// collision may make the disc faster: it gains its partner's component along the line between
+    /// the two centres. So its squared speed is at most the sum of both squared speeds, and no
+    /// component is more than twice the greatest component before. So in total the disc gets at
+    /// most three times as far away.
     pub fn range(&mut self) -> Range {
         let components = self.own.iter().map(|disc| disc.vx.abs().max(disc.vy.abs()));
         let own = components.fold(0.0, f64::max);
@@ -174,7 +175,7 @@ impl<T: Deciding> SpatialCuts<T> {
         })
     }
 
-    /// Returns the sum of a number over all ranks, on all ranks.
+    /// Returns the sum of the numbers `own` of all ranks. Every rank gets the result.
     pub fn add_up(&mut self, own: usize) -> u64 {
         self.rounds += 1;
         let own = own as u64;

@@ -97,7 +97,7 @@ impl Loss {
     }
 }
 
-/// Makes discs on a lattice, so that none overlap, with random velocities.
+/// Makes discs with random velocities on a lattice, so that no discs overlap.
 fn start(radius: f64, seed: u64) -> Vec<Disc> {
     let mut random = Random::new(seed);
     let wide = SIDE - 2.0 * radius;

@@ -72,10 +72,12 @@ pub trait Collisions: Sized + Send + Sync + 'static {
     /// order.
     fn take_in_order(candidates: &mut [Candidate], free: &mut [bool], taken: &mut Vec<Candidate>);
 
-    /// Moves a disc that hits walls at `time` from the start of the step to its end.
+    /// Moves a disc that hits walls at `time` from its position at the start of the step to its
+    /// position at the end.
     fn bounce(disc: &mut Disc, time: f64, hit: Hit, square: Square);
 
-    /// Moves two discs that touch at `time` from the start of the step to its end.
+    /// Moves two discs that touch at `time` from their positions at the start of the step to those
+    /// at the end.
     fn collide(a: &mut Disc, b: &mut Disc, time: f64, square: Square);
 }
 
@@ -97,7 +99,7 @@ pub(crate) fn outcome<C: Collisions>(
     (first, second)
 }
 
-/// Writes the discs of a collision back.
+/// Writes the discs of a collision back to `discs`.
 pub(crate) fn write_back(hit: Hit, (first, second): Outcome, discs: &mut [Disc]) {
     discs[hit.first() as usize] = first;
     if let Some((b, second)) = hit.second().zip(second) {

@@ -18,8 +18,8 @@ pub trait Step: Collisions {
     fn step<F: Find>(engine: &mut Engine<Self, F>);
 }
 
-/// Number of collisions that are computed before their discs are written back. It bounds the memory
-/// for them.
+/// Number of collisions that are computed before their discs are written back. The number limits
+/// the memory for these collisions.
 const BATCH: usize = 1 << 16;
 
 // ANCHOR: engine
@@ -34,7 +34,7 @@ pub struct Engine<C, F> {
     pub free: Vec<bool>,
     /// The candidates with walls in this step, the earliest first if there are several windows.
     pub walls: Vec<Candidate>,
-    /// The collisions of this step that happen, in the order in which they were taken.
+    /// The collisions of this step that really happen, in the order in which they were taken.
     pub taken: Vec<Candidate>,
     /// The result of the search in a window.
     pub found: Found,

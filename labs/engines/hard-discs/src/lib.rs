@@ -1,9 +1,10 @@
 //! Hard discs: an engine for discs that fly straight until they hit a wall or each other.
 //!
-//! A step is a search and a decision. The search finds the *candidates*: all collisions that could
-//! happen in the step. The decision takes candidates in order of time, each if its discs have not
-//! collided yet in this step. This library contains searches ([`Find`]) and the engine around them
-//! ([`Engine`]). The user's type makes the decisions; it implements these traits:
+//! A step consists of a search and a decision. The search finds the *candidates*: all collisions
+//! that could happen in the step. The decision goes through the candidates in order of time, and
+//! takes a candidate if its discs have not collided yet in this step. This library contains
+//! searches ([`Find`]) and the engine around them ([`Engine`]). The user's type makes the
+//! decisions; it implements these traits:
 //!
 //! | trait | decisions | used by |
 //! |-------|-----------|---------|

@@ -66,7 +66,7 @@ impl<C: Collisions + ParallelLoops> Find for Loops<C> {
     fn find(&mut self, discs: &[Disc], _: &[bool], square: Square, _: Window, found: &mut Found) {
         let radius = square.radius;
         let team = Team::Standing(&self.workers);
-        // There is a list for each worker; in nested loops there is one for each member of each
+        // There is a list for each worker; in nested loops there is a list for each member of each
         // worker's team.
         let lists = Lists::take(found, team.count() * team.count());
         let shared = &self.shared;

@@ -11,8 +11,8 @@ use crate::collisions::{Candidate, Collisions};
 /// It is `false` only if [`Collisions::pair_hit`] returns `None`. The collision test first asks
 /// whether the discs approach each other. Half of all pairs do, so the processor mispredicts many
 /// of these tests. That costs more than the rest of the function. The result here is nearly always
-/// `false`. The factor 4.000001 allows for rounding: with 4 and exact numbers, discs that overlap
-/// pass the test.
+/// `false`. The factor is 4.000001 and not 4 because of rounding; in exact arithmetic, 4 would be
+/// enough.
 #[inline]
 pub fn may_touch(a: &Disc, b: &Disc, radius: f64) -> bool {
     let velocity = b.velocity() - a.velocity();

@@ -10,7 +10,7 @@ use wgpu::Buffer;
 use super::finder::WALL;
 use super::kernels::HardKernels;
 
-/// Number of rounds that are submitted before the host tests whether more are needed.
+/// Number of rounds that are submitted before the host tests whether more rounds are needed.
 const ROUNDS: usize = 4;
 
 /// The kernels of a round, in order.
@@ -41,7 +41,7 @@ pub enum ChoiceError {
 pub enum Choice<K> {
     /// The host sorts the candidates and takes them in order.
     Host,
-    /// The device takes, in rounds, all candidates that are the first for each of their discs.
+    /// In each round, the device takes all candidates that come first for all of their discs.
     Device(Box<Chooser<K>>),
 }
 

@@ -1,4 +1,4 @@
-//! The search for candidates, by kernels on the device.
+//! The search for candidates with kernels on the device.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -95,8 +95,8 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
 
     /// Fills `found` with the candidates of this step: pairs a < b, and (a, [`WALL`]) for walls.
     ///
-    /// Each occurs once, in any order. If `margins` were computed for these discs, no collision is
-    /// missing.
+    /// Each candidate occurs once, in any order. If `margins` were computed for these discs, no
+    /// collision is missing.
     ///
     /// # Errors
     /// The device has too little memory for the discs.

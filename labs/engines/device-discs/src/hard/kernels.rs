@@ -18,7 +18,7 @@ pub trait Search {
     /// Makes room for at least `count` candidates. The list loses its contents.
     ///
     /// # Errors
-    /// The device has too little memory for them.
+    /// The device has too little memory for these candidates.
     fn grow(&mut self, count: u64) -> Result<(), GpuError>;
 
     /// Adds the first `count` candidates of the list to `found`.

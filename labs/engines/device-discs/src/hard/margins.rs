@@ -29,7 +29,7 @@ pub struct Margins {
     pub everything: bool,
 }
 
-/// Speed above which its square exceeds the range of f32, in sides of the square per step.
+/// Greatest speed whose square is safely in the range of f32, in sides of the square per step.
 const TOO_FAST: f64 = (1_u64 << 40) as f64;
 
 impl Margins {
@@ -50,8 +50,8 @@ impl Margins {
 
     /// Returns the bounds as the kernels read them, for the rows `rows` of work with `n` discs.
     ///
-    /// As u32: n, the first row, the end of the rows, and 1 if everything may collide. Then as `R`:
-    /// the square of `reach`, `receding`, `least` and `most`.
+    /// As u32: n, the first row, the end of the rows, and 1 if all pairs are candidates. Then as
+    /// `R`: the square of `reach`, `receding`, `least` and `most`.
     pub fn bytes<R: Real>(&self, n: u32, rows: Range<u32>) -> Vec<u8> {
         let counts = [n, rows.start, rows.end, u32::from(self.everything)];
         // The square is enlarged slightly, because it will be rounded again.

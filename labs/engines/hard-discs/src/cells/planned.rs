@@ -1,4 +1,4 @@
-//! The finder that plans a step, and then searches it window by window, strip by strip.
+//! The finder that plans a step, and then searches window by window and strip by strip.
 
 use std::marker::PhantomData;
 
