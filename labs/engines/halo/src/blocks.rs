@@ -56,7 +56,7 @@ pub struct Leavers {
 /// It can be called several times: `replay(&mut |particle| n += 1)` counts the particles.
 pub type Replay<'a> = &'a dyn Fn(&mut dyn FnMut(Particle));
 
-/// The decisions about blocks: how rows are divided, and what ranks need from each other.
+/// The decisions about blocks: the division of the rows, and the exchanges between ranks.
 pub trait Blocks {
     /// Divides rows into `ranks` blocks. Each row has `counts[row]` particles.
     fn balanced(counts: &[u64], ranks: usize) -> Cuts;
@@ -80,7 +80,7 @@ pub trait Blocks {
 
     /// Returns the balanced blocks of a scene, and the particles of `rank`'s block.
     ///
-    /// The scene comes one particle after the other, so that no rank has to store all particles.
+    /// `replay` passes the scene particle by particle, so that no rank has to store all particles.
     fn keep_share(
         grid: &Grid,
         ranks: usize,

@@ -29,8 +29,8 @@ pub trait Messages {
     where
         T: Equivalence + Default + Clone;
 
-    /// Sends `lists[k]` to rank k, for every k. Returns all that was sent to this rank, in the
-    /// order of ranks.
+    /// Sends `lists[k]` to rank k, for every k. Returns the items that were sent to this rank, in
+    /// the order of ranks.
     ///
     /// All ranks call it together.
     fn exchange_all<T>(world: &SimpleCommunicator, lists: &[Vec<T>]) -> Vec<T>

@@ -73,7 +73,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         self.own.sort();
     }
 
-    /// Sends particles to the ranks that they are listed with, near or far.
+    /// Sends each particle to the rank with which it is listed, near or far.
     fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) -> Vec<Wire> {
         let lists = by_rank(particles, self.ranks());
         self.traffic.exchanged(self.rank(), &lists);

@@ -22,7 +22,7 @@ use solution3::{pool, rows_of_each};
 /// A thread's rows and lists.
 struct Owner {
     rows: Range<usize>,
-    /// Lists of the bins in its rows, with a node for each particle of the scene.
+    /// Lists of the bins in the thread's rows, with a node for each particle of the scene.
     lists: BinLists,
     /// The memory of nodes that are allocated again in each step; a node is a particle and a link.
     #[expect(clippy::vec_box, reason = "memory of its own for each node is what this measures")]
@@ -31,7 +31,7 @@ struct Owner {
 
 /// The results of a thread in this step.
 struct Sums<O> {
-    /// Acceleration of each particle by its number, valid in the thread's rows and in the row
+    /// Acceleration of each particle, at its number; valid in the thread's rows and in the row
     /// above.
     accelerations: Vec<Vec2>,
     observer: O,
@@ -126,8 +126,8 @@ impl<O: Observer> OwnerLists<O> {
 /// Adds the forces of all pairs of a bin, and of its pairs with the bins after it, to both
 /// particles.
 ///
-/// The bin belongs to the first of the two owners. The second has the row above the first owner's
-/// rows.
+/// The bin belongs to the first of the two owners. The second owner has the row above the first
+/// owner's rows.
 fn sum_bin<O: Observer>(
     sums: &mut Sums<O>,
     grid: &Grid,

@@ -1,4 +1,5 @@
-//! The border of a rank: its particles that are ghosts elsewhere, its own ghosts, and their pairs.
+//! The border of a rank: its particles that are ghosts on other ranks, its own ghosts, and the
+//! pairs of both.
 
 use common::soft::Observer;
 use mpi::Rank;
@@ -24,7 +25,7 @@ pub(crate) struct Border {
     pairs: Vec<Pair>,
     /// The particles of this rank that ghosts may exert forces on, ascending.
     pub(crate) affected: Vec<u32>,
-    /// The positions of the affected particles and, behind them, of the ghosts.
+    /// The positions of the affected particles, followed by the positions of the ghosts.
     x: Vec<f64>,
     y: Vec<f64>,
     ax: Vec<f64>,

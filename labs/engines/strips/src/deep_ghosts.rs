@@ -1,4 +1,5 @@
-//! The exchange before an epoch: particles go to all ranks that need them, once for all steps.
+//! The exchange before an epoch: particles are sent to all ranks that need them, once for all
+//! steps.
 
 use std::ops::{Range, RangeInclusive};
 
@@ -39,8 +40,8 @@ impl<T: DeepHalo> Deep<T> {
     /// longer needs.
     ///
     /// A partner needs the particles that are now in its strip, which become its own, and the
-    /// particles within `width` of it, which become its ghosts. One message to each partner is
-    /// enough, because the rank that had a particle sends it to every rank that needs it. The
+    /// particles within `width` of the strip, which become its ghosts. One message to each partner
+    /// is enough, because the rank that had a particle sends it to every rank that needs it. The
     /// particle may have left its strip by as much as `gone`, so ranks within `width` + `gone` are
     /// partners.
     pub(crate) fn exchange(&mut self, width: f64) {
@@ -91,8 +92,8 @@ fn widened(strip: Range<f64>, width: f64) -> RangeInclusive<f64> {
     strip.start - width..=strip.end + width
 }
 
-/// Sends `outgoing[k]` to rank `partners[k]`, and returns all that the partners sent, in their
-/// order.
+/// Sends `outgoing[k]` to rank `partners[k]`, and returns the items that the partners sent, in the
+/// order of partners.
 ///
 /// No rank knows the length of a message that arrives. The receiver probes the message before it
 /// makes room, so no length has to be sent first.

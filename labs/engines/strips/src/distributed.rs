@@ -40,7 +40,7 @@ impl<O: Observer, T: Halo> Distributed<O, T> {
     fn begin(&mut self) {
         self.fastest = self.domain.fastest();
         self.border = Border::default();
-        // There are no ghosts yet, so the first step must choose some.
+        // There are no ghosts yet, so the first step must choose ghosts.
         self.width = 0.0;
         self.moved = f64::INFINITY;
     }

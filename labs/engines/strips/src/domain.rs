@@ -132,7 +132,7 @@ impl<O: Observer> Domain<O> {
     /// Returns the share of the list's life that a step uses up, at the speeds that the list was
     /// made for.
     ///
-    /// It is 0 on a rank without particles.
+    /// The share is 0 on a rank without particles.
     pub(crate) fn wear(&self) -> f64 {
         if self.engine.bodies().is_empty() {
             return 0.0;

@@ -10,8 +10,9 @@ use solution6::Cuts;
 pub trait Partition {
     /// Returns the ranks that exchange ghosts with `rank`, in ascending order.
     ///
-    /// They are all other ranks whose strip is not empty and within `width` of the strip of `rank`.
-    /// If a finds b, then b finds a. A rank with an empty strip has no partners.
+    /// They are all other ranks whose strips are not empty and are within `width` of the strip of
+    /// `rank`. If a is a partner of b, then b is a partner of a. A rank with an empty strip has no
+    /// partners.
     fn partners(strips: &Strips, rank: usize, width: f64) -> Vec<Rank>;
 
     /// Returns the cost of a step for a rank with `particles` particles and `pairs` listed pairs.

@@ -41,7 +41,7 @@ impl<O: Observer> Domain<O> {
         self.counts.cuts += 1;
     }
 
-    /// Sends particles to the ranks that they are listed with, near or far.
+    /// Sends each particle to the rank with which it is listed, near or far.
     pub(crate) fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) {
         let lists = by_rank(particles, self.ranks());
         self.traffic.exchanged(self.rank(), &lists);

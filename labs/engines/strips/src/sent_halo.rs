@@ -18,8 +18,8 @@ pub trait Halo: Partition {
     /// Returns the number of steps that ghosts should last: from 1 to `scenery.most`.
     fn best_steps(scenery: Scenery) -> u32;
 
-    /// Returns the particles that a partner needs: the indices in `y` within `width` of its
-    /// `strip`.
+    /// Returns the particles that a partner needs: their indices in `y`. These particles are within
+    /// `width` of the partner's `strip`.
     ///
     /// The indices are in ascending order.
     fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32>;

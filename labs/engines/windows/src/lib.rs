@@ -8,9 +8,9 @@
 //! united and computed again. If most particles have neighbours, windows are not worth their cost,
 //! and [`Planned`] uses the neighbour list of lab 10 instead.
 //!
-//! The results do not depend on the windows. Groups sum over pairs by ascending id, and free flight
-//! makes the same additions as single steps. So windows give the same bits as the naive program, on
-//! any number of threads; a list gives the same positions up to rounding.
+//! The results do not depend on the windows. Groups sum over pairs in ascending order of ids, and
+//! free flight makes the same additions as single steps. So windows give the same bits as the naive
+//! program, on any number of threads; a list gives the same positions up to rounding.
 //!
 //! # Rules
 //!

@@ -4,9 +4,9 @@ use crate::span::Span;
 
 /// The decisions that windows depend on.
 ///
-/// Each decision may be wrong in one direction only. If a rule claims that two particles may meet,
-/// that a wall may be near, that a margin may have broken, or that a window should be short, a
-/// wrong claim costs time, but no bit of the result changes.
+/// Each decision may be wrong in one direction only. A rule may wrongly claim that two particles
+/// may meet, that a wall may be near, that a margin may have broken, or that a window should be
+/// short. This costs time, but no bit of the result changes.
 ///
 /// The engine calls the rules in its innermost loops: mark short rules with `#[inline(always)]`.
 pub trait Rules: Send + 'static {
@@ -34,8 +34,8 @@ pub trait Rules: Send + 'static {
 
     /// Whether two particles may have come within the cutoff, although their free flights did not.
     ///
-    /// Each of the particles is off its free flight by at most `deviation`. The free flights stay
-    /// further apart than cutoff + `margin`. Both arguments are lengths.
+    /// Each of the particles deviates from its free flight by at most `deviation`. The free flights
+    /// stay further apart than cutoff + `margin`. Both arguments are lengths.
     fn too_far_off(deviation: f64, margin: f64) -> bool;
 
     /// Whether the free flight from (`x`, `y`) with velocity (`vx`, `vy`) may touch a wall within

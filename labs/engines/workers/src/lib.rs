@@ -3,7 +3,7 @@
 //! The threads live as long as their [`Workers`], and wait awake for a short time (`team.rs`).
 //!
 //! Results are in the order of the pieces of work. If the pieces do not depend on the number of
-//! threads, the results do not depend on it either.
+//! threads, neither do the results.
 //!
 //! ```
 //! use workers::Workers;
@@ -29,7 +29,7 @@ use common::BuildError;
 
 use team::Team;
 
-/// One thread, or a team of several that wait for work.
+/// One thread, or a team of several threads that wait for work.
 #[derive(Clone, Default)]
 pub enum Workers {
     /// The calling thread.
@@ -118,7 +118,7 @@ impl Workers {
         self.map(parts, |part: &mut [T]| part.sort_unstable_by(&order));
         while length < items.len() {
             length *= 2;
-            // This sort finds the two sorted runs of a part, and merges them.
+            // The standard sort finds the two sorted runs of a part, and merges them.
             let parts = items.chunks_mut(length).collect();
             self.map(parts, |part: &mut [T]| part.sort_by(&order));
         }

@@ -1,12 +1,13 @@
 //! Threads that live as long as their owner and work in rounds.
 //!
-//! The caller starts a round and is thread 0 of it. Between rounds a thread first spins, which means
-//! that it looks again and again whether the next round has begun. A thread that spins notices a
-//! round within a microsecond; a thread that sleeps needs tens of microseconds to wake. A thread
-//! that has waited for [`SPIN`] sleeps, so that other programs get its core.
+//! The caller starts a round and takes part in it as thread 0. Between rounds a thread first spins,
+//! which means that it tests again and again whether the next round has begun. A thread that spins
+//! notices a round within a microsecond; a thread that sleeps needs tens of microseconds to wake. A
+//! thread that has waited for [`SPIN`] sleeps, so that other programs can use its core.
 //!
 //! A round does not wait for sleepers. A thread enters the round when it notices the round, and the
-//! caller closes the round when no work remains. So a thread that gets no core costs only its help.
+//! caller closes the round when no work remains. So a thread that gets no core only reduces the
+//! speed.
 
 use std::any::Any;
 use std::io;
@@ -18,7 +19,7 @@ use std::time::{Duration, Instant};
 
 /// Time for which a waiting thread spins before it sleeps.
 const SPIN: Duration = Duration::from_micros(50);
-/// Number of looks for a round between two looks at the clock.
+/// Number of tests for a round between two looks at the clock.
 const LOOKS: usize = 64;
 /// The number of the round that ends the threads.
 const END: usize = usize::MAX;
@@ -80,7 +81,7 @@ impl Team {
         Ok(team)
     }
 
-    /// Returns the number of threads, with the caller.
+    /// Returns the number of threads, including the caller.
     pub(crate) fn count(&self) -> usize {
         self.threads.len() + 1
     }
@@ -100,8 +101,8 @@ impl Team {
 
     /// Wakes `helpers` threads for a round, and waits until at least `least` of them have left it.
     ///
-    /// If the team is in a round already, the caller makes all calls alone, because it may be a
-    /// part of that round.
+    /// If the team is in a round already, the caller makes all calls alone, because this call may
+    /// be a part of that round.
     fn round(&self, helpers: usize, least: usize, act: Act<'_>) {
         let mut last = match self.last.try_lock() {
             Ok(last) => last,
@@ -151,7 +152,7 @@ impl Shared {
         *self.open.write().unwrap_or_else(PoisonError::into_inner) = round;
     }
 
-    /// Enters the open round, if there is one with a number above `last`.
+    /// Enters the open round, if there is a round with a number above `last`.
     fn enter(&self, last: usize) -> Option<Round> {
         let open = self.open.read().unwrap_or_else(PoisonError::into_inner);
         let round = open.clone().filter(|round| round.number > last)?;
@@ -189,7 +190,8 @@ fn wait(is_over: impl Fn() -> bool) {
             std::hint::spin_loop();
         }
         if start.elapsed() >= SPIN {
-            // If another thread has called `unpark` since the last look, `park` returns at once.
+            // If another thread has called `unpark` since the last test, `park` returns
+            // immediately.
             thread::park();
         }
     }

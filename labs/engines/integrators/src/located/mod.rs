@@ -81,7 +81,7 @@ impl<R: Rules> Located<R> {
         }
     }
 
-    /// Returns each group after a time `dt`, with its number.
+    /// Advances each group by a time `dt`, and returns it with its number.
     ///
     /// Returns `None` if a particle is then faster than `allowed`, unless `at_any_speed`.
     fn advance<'a>(

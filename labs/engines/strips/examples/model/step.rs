@@ -68,9 +68,9 @@ impl Method {
     }
 }
 
-/// Returns the time of two gathers and a scatter, each after its counts.
+/// Returns the time of two gathers and a scatter. The counts for each are sent before it.
 ///
-/// So the root exchanges messages with all ranks six times.
+/// So the root exchanges messages with all ranks six times in total.
 fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 2.0);
     let crossing = blocks.borders() * blocks.crossing;
@@ -84,7 +84,7 @@ fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
 
 /// Returns the time of a step whose ghosts travel while the interior is computed.
 ///
-/// Movers and a sum over all ranks follow.
+/// The time of movers and of a sum over all ranks is included.
 fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
     let neighbours = blocks.neighbours();

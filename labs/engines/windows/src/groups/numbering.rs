@@ -69,7 +69,7 @@ impl Numbering {
         }
     }
 
-    /// Numbers these particles, and prevents them from counting as part of a couple.
+    /// Numbers these particles, and makes sure that they do not become part of a couple.
     fn number_all(&mut self, particles: &[u32], first: u32) {
         for &i in particles {
             self.degree[(i - first) as usize] = u8::MAX;
@@ -77,7 +77,7 @@ impl Numbering {
         }
     }
 
-    /// Returns the number of a particle. A particle without a number gets the next one.
+    /// Returns the number of a particle. A particle without a number gets the next number.
     fn number_of(&mut self, i: u32, first: u32) -> u32 {
         let number = &mut self.number[(i - first) as usize];
         if *number == NONE {

@@ -24,12 +24,12 @@ pub(crate) struct Scratch {
 }
 
 impl Group<'_> {
-    /// Runs a group of any size through the steps of `span`, with its walls, and writes its members
-    /// to `out`.
+    /// Runs a group of any size through the steps of `span`, with reflections at walls, and writes
+    /// its members to `out`.
     ///
     /// Members are in the order of their ids, and pairs are in ascending order. So every particle
-    /// sums over its neighbours by ascending id, as all-pairs programs do, and the bits are the
-    /// same. `observers` is empty or has an observer for each step.
+    /// sums over its neighbours in ascending order of ids, as in all-pairs programs, and the bits
+    /// are the same. `observers` is empty or has an observer for each step.
     fn run<R: Rules, O: Observer>(
         &self,
         start: &Bodies,

@@ -37,7 +37,7 @@ pub struct Plan {
     pub density: f64,
 }
 
-/// Surveys the particles and decides how to advance them.
+/// Surveys the particles and chooses the way to advance them.
 ///
 /// A window has `fixed` steps, or as many as the rules choose if `fixed` is 0. Each step is divided
 /// into `divide` small steps.
@@ -48,8 +48,8 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     let mean = Sample::of(bodies, 4096).mean();
     let fastest = bodies.fastest();
     let steps = if fixed > 0 { fixed } else { divided(R::window_length(density, mean), divide) };
-    // The list of a window allows for the fastest particle; the list of lab 10 treats it as an
-    // outlier.
+    // The list of a window allows for the fastest particle; the list of lab 10 treats this particle
+    // as an outlier.
     let far = CUTOFF + 2.0 * fastest * f64::from(steps) * DT;
     let alone = neighbours <= max_neighbours_in_windows(divide) && far * far * density <= FULL;
     let strategy = if fixed > 0 || alone { Strategy::Windows { steps } } else { Strategy::List };
@@ -57,9 +57,9 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     Plan { strategy, margin, fastest, neighbours, density }
 }
 
-/// Number of particles in the area of a cutoff disc above which a list is cheaper than windows.
+/// Number of particles in the area of a cutoff disc. Above this number, a list is cheaper than windows.
 ///
-/// It was measured on the machine of the book.
+/// The number was measured on the machine of the book.
 const MAX_NEIGHBOURS_IN_WINDOWS: f64 = 0.12;
 /// Greatest number of particles in a square as wide as the reach of a window's list.
 const FULL: f64 = 20.0;

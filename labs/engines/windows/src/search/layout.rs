@@ -18,13 +18,14 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
-    /// Returns the distance of two reference paths up to which their pair is computed.
+    /// Returns the distance between two reference paths up to which their pair is computed.
     pub(crate) fn near(&self) -> f64 {
         let margin = if self.span.steps == 1 { 0.0 } else { self.margin };
         CUTOFF + self.span.rounding() + margin
     }
 
-    /// Returns the distance of two reference paths up to which their pair is computed or watched.
+    /// Returns the distance between two reference paths up to which their pair is computed or
+    /// watched.
     pub(crate) fn watched(&self) -> f64 {
         self.near() + WATCHED_MARGIN
     }
@@ -35,8 +36,7 @@ impl Layout {
         self.watched() - CUTOFF + 2.0 * windows * self.reach
     }
 
-    /// Returns the sum of the distances by which the particles of an unwatched pair may leave their
-    /// paths and still not touch.
+    /// Returns the sum of deviations up to which the particles of an unwatched pair cannot touch.
     pub(crate) fn slack(&self) -> f64 {
         self.margin + WATCHED_MARGIN
     }

@@ -26,7 +26,8 @@ pub(crate) use listed::Listed;
 pub(crate) struct Found {
     /// Pairs that are to be computed. A pair may occur more than once.
     pub(crate) close: Vec<Pair>,
-    /// Pairs that come nearly as close as the pairs in `close`. They are checked after the window.
+    /// Pairs that come nearly as close as the pairs in `close`. These pairs are checked after the
+    /// window.
     pub(crate) watched: Vec<Pair>,
     /// Number of pairs that were tested.
     pub(crate) tested: u64,

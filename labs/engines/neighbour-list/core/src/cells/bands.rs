@@ -30,7 +30,7 @@ impl Located<'_> {
     }
 }
 
-/// Consecutive cells, and the memory that their sorted particles are written to.
+/// Consecutive cells, and the memory for their sorted particles.
 #[derive(Default)]
 pub(super) struct Band<'a> {
     /// The number of the band's first cell.

@@ -15,9 +15,9 @@ pub struct Grid {
     bottom: f64,
     side: f64,
     inverse: f64,
-    /// Number of columns, with the empty one.
+    /// Number of columns, including the empty column.
     pub columns: u32,
-    /// Number of rows, with the empty one.
+    /// Number of rows, including the empty row.
     pub rows: u32,
 }
 

@@ -1,7 +1,7 @@
 //! Sorts particles by cell, so that neighbours in the box become neighbours in memory.
 //!
-//! If few cells are empty, many threads run a counting sort. Eight particles, four cells, two
-//! bands:
+//! If few cells are empty, many threads run a counting sort. An example with eight particles, four
+//! cells and two bands:
 //!
 //! ```text
 //! before    particle     a b c d e f g h
@@ -12,8 +12,8 @@
 //! fill      particles    b e h d                   a f c g
 //! ```
 //!
-//! The ends tell each band where it writes, so the threads need no lock. Within a cell particles
-//! keep their order.
+//! Each band knows its part of the result from the ends, so the threads need no lock. Within a cell
+//! particles keep their order.
 //!
 //! If most cells are empty, pairs of cell and particle are sorted, and only occupied cells are
 //! stored.

@@ -170,8 +170,8 @@ impl Cells {
     }
 }
 
-/// An iterator over the rows of a rectangle of cells. It does not borrow the [`Cells`]: they are an
-/// argument of [`next`](Self::next).
+/// An iterator over the rows of a rectangle of cells. The iterator does not borrow the [`Cells`],
+/// which are an argument of [`next`](Self::next).
 pub struct Rows {
     left: u32,
     right: u32,
@@ -187,7 +187,8 @@ impl Rows {
             return None;
         }
         if let Kind::Sparse { keys, .. } = &cells.kind {
-            // Rows without particles are skipped in one step, because there may be very many.
+            // Rows without particles are skipped in one step, because there may be very many such
+            // rows.
             let columns = u64::from(cells.grid.columns);
             let from = u64::from(self.row) * columns + u64::from(self.left);
             let key = keys.get(keys.partition_point(|&key| key < from))?;

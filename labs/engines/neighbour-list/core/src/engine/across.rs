@@ -55,9 +55,9 @@ impl<P: Primitives> Across<P> {
 pub struct External<'a> {
     /// The particles as indices into the engine's order, ascending.
     pub indices: &'a [u32],
-    /// Their accelerations along x.
+    /// The accelerations of these particles along x.
     pub x: &'a [f64],
-    /// Their accelerations along y.
+    /// The accelerations of these particles along y.
     pub y: &'a [f64],
 }
 

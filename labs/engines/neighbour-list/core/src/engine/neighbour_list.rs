@@ -55,7 +55,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         &self.bodies
     }
 
-    /// Returns the particles, so that the caller can remove and add some. The caller must then
+    /// Returns the particles, so that the caller can remove and add particles. The caller must then
     /// rebuild the list.
     pub fn bodies_mut(&mut self) -> &mut Bodies {
         &mut self.bodies
@@ -71,7 +71,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         &self.limits
     }
 
-    /// Returns the observer, so that the caller can take what it has recorded.
+    /// Returns the observer, so that the caller can take its records.
     pub fn observer_mut(&mut self) -> &mut O {
         &mut self.observer
     }
@@ -157,7 +157,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         self.sweep(External::default(), |block| !block.has_any(waiting));
     }
 
-    /// Moves the other blocks, on which the accelerations `external` act too, and ends the step.
+    /// Moves the other blocks, to which the accelerations `external` are added, and ends the step.
     /// Returns an upper bound for the distance that the fastest particle went.
     pub fn move_outer(&mut self, external: External<'_>) -> f64 {
         self.sweep(external, |block| block.has_any(external.indices));
@@ -212,7 +212,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     fn official_step(&mut self) {
         self.observer = O::default();
         self.advance();
-        // An observer sees the forces of the first small step only; they are the forces of the
+        // An observer sees the forces of the first small step only; these are the forces of the
         // official step.
         let seen = std::mem::take(&mut self.observer);
         for _ in 1..self.divide {

@@ -1,7 +1,7 @@
 //! Sums of accelerations for the particles that a pass currently works on.
 
 /// The accelerations of consecutive particles: the particles of a piece, and the particles ahead of
-/// it.
+/// the piece.
 ///
 /// There are so few particles that the sums stay in the cache.
 #[derive(Default)]

@@ -1,4 +1,4 @@
-//! The life of a list of pairs, and the costs of building and using it.
+//! The life of a list of pairs, and the costs of building and using the list.
 //!
 //! Costs are in nanoseconds on the machine of the book. They affect only the speed, and they are
 //! constants, so that a run can be repeated exactly.
@@ -7,7 +7,8 @@ use common::soft::CUTOFF;
 
 use crate::kernels::Primitives;
 
-/// The skin of a list, and how much of it the particles have used up since the list was built.
+/// The skin of a list, and the part of the skin that particles have used up since the list was
+/// built.
 pub struct Budget {
     /// The list contains every pair that was within the cutoff plus this length.
     pub skin: f64,

@@ -27,10 +27,10 @@ const MAX_SPEED_RATIO: f64 = 2.0;
 /// Displacements that an inner list saves: m steps use up m − `SAVED_DISPLACEMENTS` displacements.
 ///
 /// The first step uses the list before any particle has moved, which saves one displacement. A
-/// fifth of it is kept for particles that are faster than expected.
+/// fifth of this displacement is kept for particles that are faster than expected.
 const SAVED_DISPLACEMENTS: f64 = 0.8;
 
-/// The speed that lists are built for, and the outliers, which are faster.
+/// The speed that lists are built for, and the outliers, which are faster than this speed.
 pub struct Limits {
     /// The speed that a particle may have without being an outlier.
     usual: f64,
@@ -59,8 +59,8 @@ impl Default for Limits {
 }
 
 impl Limits {
-    /// Chooses the usual speed for a new list and whether to use inner lists. Returns the list's
-    /// skin.
+    /// Chooses the usual speed for a new list, and decides whether to use inner lists. Returns the
+    /// list's skin.
     ///
     /// `skin(displacement)` is the best skin if no particle goes further than `displacement` in a
     /// step.
@@ -183,13 +183,13 @@ pub struct SpeedLimit<'a> {
     /// Whether to record the faster particles themselves, in addition to the factor by which they
     /// are faster.
     pub noted: bool,
-    /// The outliers in sorted order, which have higher limits.
+    /// The outliers, which have higher limits, in sorted order.
     pub outliers: &'a [Outlier],
 }
 
 /// The particles that have exceeded the usual speed and are not outliers yet.
 pub struct Fast {
-    /// Their indices in the sorted order. An index may occur more than once.
+    /// The indices of these particles in the sorted order. An index may occur more than once.
     pub indices: Vec<u32>,
     /// The greatest speed in the step as a multiple of the allowed speed, at least 1.
     pub over: f64,

@@ -1,9 +1,9 @@
 //! Outliers: the few particles that are too fast for a list.
 //!
 //! A list that allows for the fastest particle would expire early for all particles. Among 100,000
-//! particles, the fastest has 1.5 times the speed that all but a hundred particles stay below. So
-//! the list is built for the usual speed. In the time in which a usual particle goes at most d, an
-//! outlier goes at most ratio · d:
+//! particles, the fastest is 1.5 times as fast as all but a hundred particles. So the list is built
+//! for the usual speed. In the time in which a usual particle goes at most d, an outlier goes at
+//! most ratio · d:
 //!
 //! ```text
 //! usual ●─▶   ◀─● usual        in the inner list if closer than cutoff + d + d
@@ -30,7 +30,7 @@ pub struct Outlier {
     pub index: u32,
     x: f64,
     y: f64,
-    /// The particle's speed limit while the inner list lasts, as a multiple of the usual speed.
+    /// The particle's speed limit for the life of the inner list, as a multiple of the usual speed.
     pub ratio: f64,
 }
 
@@ -107,7 +107,7 @@ impl Outliers {
             let Outlier { index, x, y, ratio } = *outlier;
             Disc { x, y, radius: 0.5 * list.reach(2.0 * ratio * displacement), index }
         };
-        // The first task finds the pairs of two outliers. Each other task finds the pairs of some
+        // The first task finds the pairs of two outliers. Every other task finds the pairs of some
         // outliers with usual particles.
         let some = self.all.chunks(pieces(self.all.len(), OUTLIERS_PER_TASK, 64)).map(Some);
         let found = workers.map(std::iter::once(None).chain(some).collect(), |some| {

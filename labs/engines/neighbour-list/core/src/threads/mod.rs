@@ -57,8 +57,8 @@ impl Crew {
 
 /// Returns the length of pieces into which `n` items are divided.
 ///
-/// Pieces are at least `target` long if there are as many items, and there are at most `most`
-/// pieces. Their number is a power of two, so that two or four threads get equal work.
+/// Pieces are at least `target` long if there are at least `target` items, and there are at most
+/// `most` pieces. Their number is a power of two, so that two or four threads get equal work.
 pub fn pieces(n: usize, target: usize, most: usize) -> usize {
     let most = (n / target).clamp(1, most);
     n.div_ceil(1 << most.ilog2()).max(1)
