@@ -146,13 +146,13 @@ pub fn one_row() -> Scene {
 }
 
 /// Returns scenes D: isolated pairs at 0.9995 cutoffs, across every edge and corner of bins. The
-/// pairs have every direction, in a box of 30.55 cutoffs. Bins may be as wide as the cutoff or as
-/// wide as the box allows. Bins of different widths have an edge at some pair as well.
+/// pairs have all directions; the box is 30.55 cutoffs wide. Bins may be as wide as the cutoff or
+/// as wide as the box allows. Bins of a different width have an edge at some pair too.
 pub fn edges() -> Vec<Scene> {
     let size = 30.55 * CUTOFF;
     let half = 0.9995 * CUTOFF / 2.0;
     let diagonal = half / 2.0_f64.sqrt();
-    // Pairs that cross only one edge are a quarter of a bin beside the corner.
+    // Pairs that cross only one edge are a quarter of a bin away from the corner.
     let directions = [
         (half, 0.0, 0.0, 0.25),
         (0.0, half, 0.25, 0.0),

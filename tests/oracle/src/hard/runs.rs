@@ -11,7 +11,7 @@ use crate::{Ask, memory, within};
 /// Time limit of every run in seconds. The failure names the task.
 const SECONDS: u64 = 120;
 
-/// Description of the numbers of a state.
+/// Description of the numbers in a state.
 const STATE: &str = "x y vx vy, collisions with discs and with walls of each disc";
 
 /// Questions about runs of one variant of a lab on behalf of one task, with verdicts in the

@@ -58,8 +58,8 @@ const NOT_KNOWN: &str = "A loop does not end, a list grows in each step, or this
 /// ranks' messages.
 ///
 /// A call is missing only if all ranks have been waiting in calls for a quarter of the time, and
-/// not all in the same collective operation. On a busy machine correct programs may take too long
-/// as well.
+/// not all in the same collective operation. On a busy machine, correct programs may take too long
+/// too.
 pub(super) fn of_no_answer(stderr: &str, ranks: usize, limit: Duration) -> String {
     let mut lines: Vec<&str> = stderr.lines().collect();
     lines.sort_unstable();
