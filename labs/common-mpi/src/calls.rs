@@ -66,8 +66,8 @@ pub fn note(what: &'static str) {
     }
 }
 
-/// Describes where this rank is: past its last call, or in it, and for how long. `None` if it has made
-/// no call.
+/// Describes whether this rank is past its last call or still in the call, and for how long. `None`
+/// if it has made no call.
 pub(crate) fn location() -> Option<String> {
     let calls = calls();
     let Last { name, since, is_over, from } = calls.last.as_ref()?;
@@ -97,7 +97,7 @@ pub(crate) fn hear(call: Option<&Call>) {
     }
 }
 
-/// Ends the job if ranks make different calls, or if their buffers do not fit each other.
+/// Ends the job if ranks make different calls, or if their buffers do not match.
 fn compare(number: u64, call: &Call) {
     let [count, size] = call.items;
     let name = call.name.bytes().chain(call.operation.unwrap_or_default().bytes());
@@ -174,7 +174,7 @@ fn by_rank(words: &[String]) -> String {
     lines
 }
 
-/// Returns a text as numbers, cut to the length of a message.
+/// Returns a text as numbers. The text is cut to the length of a message.
 fn packed(text: &str) -> [i64; WORDS] {
     let mut bytes = [0; 8 * WORDS];
     let length = text.floor_char_boundary(bytes.len());

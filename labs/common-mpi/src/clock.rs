@@ -28,8 +28,8 @@ pub struct Clock {
     at: Cell<At>,
 }
 
-/// The position of a rank: the step, counted from 1, its calls in this step, and its calls in all
-/// steps.
+/// The position of a rank: the step, counted from 1, and the numbers of its calls in this step and
+/// in all steps.
 #[derive(Clone, Copy, Debug, Default)]
 struct At {
     step: u32,
@@ -189,8 +189,8 @@ impl Clock {
         Some(events)
     }
 
-    /// Returns the seconds that all ranks together have computed, communicated and waited. Empty if the
-    /// clock does not record. All ranks call it together.
+    /// Returns the seconds that all ranks together have computed, communicated and waited. The list is
+    /// empty if the clock does not record. All ranks call it together.
     pub fn report(&self, world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
         let Some(own) = self.own(world) else { return Vec::new() };
         let (mut seconds, mut all) = ([0.0; 3], [0.0; 3]);
@@ -236,7 +236,7 @@ impl Log {
         Self { epoch, step: 0, since: None, call: None, stretches: Vec::new() }
     }
 
-    /// Ends the stretch that began when the last one ended.
+    /// Ends the stretch that began when the last stretch ended.
     fn stretch_ends(&mut self, now: f64) {
         let Some(begin) = self.since else { return };
         let call = self.call.clone();

@@ -12,7 +12,8 @@ use mpi::traits::*;
 
 use crate::{calls, watch};
 
-/// The exit code of a job in which a rank panicked: the code of a panic in a program without ranks.
+/// The exit code of a job in which a rank panicked, which is also the code of other programs that
+/// panic.
 const PANICKED: i32 = 101;
 
 /// Variables in which the launchers of Open MPI and MPICH pass the number of ranks.
@@ -32,7 +33,7 @@ pub fn drive_hard(variants: &[Variant<dyn hard::Simulation>]) -> ExitCode {
     as_rank(|world| hard::drive_on_rank(variants, world.rank() == 0, |input| share(world, input)))
 }
 
-/// Returns the root's bytes on all ranks.
+/// Sends the root's bytes to all ranks, and returns them on every rank.
 fn share(world: &SimpleCommunicator, bytes: Option<Vec<u8>>) -> Vec<u8> {
     let root = world.process_at_rank(0);
     let mut bytes = bytes.unwrap_or_default();

@@ -8,8 +8,8 @@ use mpi::traits::*;
 
 /// A counter of the messages and bytes that this rank sends to other ranks.
 ///
-/// It counts the requests of the program. The library may send them in a different way, such as a
-/// gather through other ranks.
+/// It counts the messages that the program requests. The library may send them in a different way,
+/// such as a gather through other ranks.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Traffic {
     steps: u64,
@@ -58,8 +58,8 @@ impl Traffic {
 
 /// Returns the peak memory of ranks since their start: the mean and the maximum, in MiB.
 ///
-/// It includes the MPI library's own memory. All ranks call it together. Only the root gets the
-/// result, and only if the system reports it (Linux).
+/// The memory includes the MPI library's own memory. All ranks call it together. Only the root gets
+/// the result, and only if the system reports it (Linux).
 pub fn report_memory(world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
     let own = [peak_resident().unwrap_or(0.0)];
     match mean_and_greatest(own, world) {

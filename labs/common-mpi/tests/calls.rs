@@ -22,7 +22,7 @@ fn program(part: impl FnOnce(&SimpleCommunicator)) {
     assert_eq!(code, ExitCode::SUCCESS);
 }
 
-/// Returns the message of `part` on three ranks, which must fail at once.
+/// Returns the message of `part` on three ranks, which must fail immediately.
 fn message(part: &str) -> String {
     let ended = Job::part("0.0", part, 3).run();
     assert!(!ended.status.success(), "{part} goes well");

@@ -12,7 +12,7 @@ pub struct Variant<S: ?Sized> {
     pub name: &'static str,
     /// Description in one line for `--list-variants`.
     pub about: &'static str,
-    /// The results that this variant's results may be compared with.
+    /// The precision with which this variant repeats its results.
     pub reproducibility: Reproducibility,
     /// The parameters that `--param NAME=VALUE` can set.
     pub parameters: &'static [Parameter],

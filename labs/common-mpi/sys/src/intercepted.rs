@@ -1,6 +1,6 @@
 //! MPI calls that are reported to a watch before they are made.
 //!
-//! The package `mpi` finds these functions under the library's names, and each of them calls the
+//! The package `mpi` finds these functions under the library's names, and each function calls the
 //! library's function. MPI's own *profiling interface*, `PMPI`, works in the same way with a second set
 //! of names, where this file uses Rust's modules.
 

@@ -121,7 +121,7 @@ mod tests {
     fn numbers_in_a_row_are_strangers() {
         let shuffle = shuffle(10_000, 1);
         let indices: Vec<usize> = (0..10_000).map(|number| shuffle.forward(number)).collect();
-        // Nine of ten thousand indices are hits, so nine hits are expected.
+        // An index is a hit with probability 9 / 10,000, so nine hits are expected.
         let in_a_row = indices.windows(2);
         let hits = in_a_row
             .filter(|pair| {

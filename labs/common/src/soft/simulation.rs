@@ -62,16 +62,17 @@ pub trait Simulation {
     ///
     /// They do not include the statistics.
     ///
-    /// An example is `("lock wait [s]", 0.25)`. The program prints them at the end of a run.
+    /// An example is `("lock wait [s]", 0.25)`. The program prints the counters at the end of a
+    /// run.
     fn counters(&self) -> Vec<(&'static str, f64)> {
         Vec::new()
     }
 
     /// Returns the activities of all ranks since the scene was loaded.
     ///
-    /// Returns `None` if the engine does not record them.
+    /// Returns `None` if the engine does not record activities.
     ///
-    /// The option `--events FILE` writes them to a file.
+    /// The option `--events FILE` writes the activities to a file.
     fn events(&self) -> Option<Vec<Event>> {
         None
     }

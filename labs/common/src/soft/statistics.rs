@@ -23,7 +23,7 @@ impl Default for Statistics {
 
 /// An observer of the forces of a step.
 ///
-/// Every engine has its observer as a type parameter. With [`NoStatistics`] all calls are empty and
+/// The observer is a type parameter of every engine. With [`NoStatistics`] all calls are empty and
 /// the compiler removes them, so a run without statistics does not pay for them.
 pub trait Observer: Default + Clone + Send + Sync + 'static {
     /// Records that `pairs` ordered pairs were tested.
@@ -37,7 +37,7 @@ pub trait Observer: Default + Clone + Send + Sync + 'static {
     /// Adds the records of `other` for the same step.
     fn merge(&mut self, other: &Self);
 
-    /// Returns the statistics since this observer was made, or `None` if it collects none.
+    /// Returns the statistics since this observer was made, or `None` if it collects no statistics.
     fn statistics(&self) -> Option<Statistics>;
 }
 
