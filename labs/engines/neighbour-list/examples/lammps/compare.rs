@@ -34,9 +34,10 @@ pub(crate) struct Compared {
 pub(crate) struct PairError {
     pub(crate) style: Style,
     pub(crate) distances: usize,
-    /// Largest error from half a cutoff on. Hardly any pair of the official scene comes nearer.
+    /// Largest error at distances of at least half a cutoff. Hardly any pair of the official scene
+    /// comes nearer.
     pub(crate) beyond_half_a_cutoff: f64,
-    /// Largest error from a hundredth of a cutoff on.
+    /// Largest error at distances of at least a hundredth of a cutoff.
     pub(crate) largest: f64,
 }
 

@@ -31,7 +31,7 @@ pub(crate) struct Raced {
     pub(crate) workers: u16,
 }
 
-/// An engine that takes turns with others.
+/// An engine that takes turns with other engines.
 #[derive(Clone)]
 enum Engine {
     Lammps(Setup),

@@ -57,7 +57,7 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     Plan { strategy, margin, fastest, neighbours, density }
 }
 
-/// Number of particles in the area of a cutoff disc. Above this number, a list is cheaper than windows.
+/// Number of particles in the area of a cutoff disc. Above it, lists are cheaper than windows.
 ///
 /// The number was measured on the machine of the book.
 const MAX_NEIGHBOURS_IN_WINDOWS: f64 = 0.12;

@@ -45,7 +45,8 @@ impl<'a> Moving<'a> {
         }
     }
 
-    /// Moves the particles by `dt` under the accelerations (`ax`, `ay`), in a box of side `size`.
+    /// Moves the particles for a time `dt` under the accelerations (`ax`, `ay`), in a box of side
+    /// `size`.
     #[inline(always)]
     pub fn advance<P: Primitives>(&mut self, ax: &[f64], ay: &[f64], dt: f64, size: f64) {
         advance_along::<P>(self.x, self.vx, ax, dt, size);

@@ -1,4 +1,4 @@
-//! Threads, and work that gives the same result on any number of them.
+//! Threads, and work with the same result on any number of threads.
 //!
 //! The pieces of work depend on the scene, never on the number of threads.
 
@@ -35,8 +35,8 @@ impl Crew {
 
     /// Starts as many threads as are worth their cost for `n` particles.
     ///
-    /// If the system refuses to start them, the caller works alone: more slowly, with the same
-    /// result.
+    /// If the system refuses to start the threads, the caller works alone: more slowly, with the
+    /// same result.
     pub fn engage(&mut self, n: usize) {
         let threads = self.most.min(n / self.share.max(1)).max(1);
         if threads != self.workers.count() {
