@@ -128,7 +128,7 @@ fn bins_have_the_kits_bits_and_counts() {
 }
 
 /// Compares the counts of lists. The kit sums in a different order, which does not affect counts
-/// for some hundred steps.
+/// for a few hundred steps.
 #[test]
 fn lists_have_the_kits_counts() {
     for (skin, n, steps) in [(0.5, 1000, 300), (0.25, 300, 300), (0.6, 500, 300)] {
@@ -202,7 +202,8 @@ fn rows_are_cut_as_the_labs_cut_them() {
     // particles.
     assert_same(scripts("owners.balanced([5, 0, 1, 6], 3).join()"), "0,1,4,4", "equal numbers");
     assert_same(scripts("owners.balanced([0, 0], 2).join()"), "0,0,2", "no particles");
-    // One row in the middle: the blocks on both sides have copies of it, an empty block has none.
+    // One row in the middle: the blocks on both sides have copies of it, an empty block has no
+    // copies.
     assert_same(scripts("owners.copies([0, 1, 2, 2, 4], 1, 0, 2).join()"), "0,3", "ghosts");
 }
 

@@ -1,4 +1,5 @@
-//! Chapter 3: two members of a team and their mail, with all barriers and without one.
+//! Chapter 3: two members of a team and their mail, with all barriers and with one barrier left
+//! out.
 
 use std::ops::Range;
 
@@ -14,8 +15,8 @@ use crate::eight::{grid, numbers, particles};
 
 const MEMBERS: usize = 2;
 
-/// A member that does each part when the other member has done it and waits, or has continued
-/// without waiting.
+/// The member that does each part late: when the other member has done the part and waits, or has
+/// continued without waiting.
 const LATE: usize = 1;
 
 #[test]

@@ -2,8 +2,8 @@
 //!
 //! It reports that it is ready, waits for an order, and executes it: it makes the scene, passes it
 //! to the lab, and sends all particles back. The grader's clock runs from the order to the last
-//! particle, so all work in between is timed, and no work can be done before. If workers are ranks,
-//! all ranks are ready before the first rank reports this.
+//! particle, so all work in between is timed, and no work can be done before the order. If workers
+//! are ranks, all ranks are ready before the first rank reports this.
 
 #![allow(missing_docs)]
 

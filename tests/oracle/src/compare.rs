@@ -19,7 +19,7 @@ pub(crate) fn one_step(
     let mut model = Model::from_state(size, before.to_vec());
     model.step();
     for (id, (found, expected)) in after.iter().zip(&model.particles).enumerate() {
-        // The sum of magnitudes bounds |a|. In a crowd where forces cancel, it also bounds the
+        // The sum of magnitudes bounds |a|. In a crowd where forces cancel, the sum also bounds the
         // rounding errors of a different order of summation.
         let a = model.magnitudes[id];
         let allowed = match single {

@@ -16,7 +16,7 @@
 //! Particles are chaotic: two correct programs that add in a different order drift apart until
 //! nothing is left to compare. So the model restarts from the program's own state before every step,
 //! and that one step is compared ([`Runs::resynchronised`]). Correct programs then differ by 1e-16;
-//! the mildest mistake that we know makes 6e-8.
+//! the mildest known mistake causes a difference of 6e-8.
 
 mod allowed;
 mod apart;

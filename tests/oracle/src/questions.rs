@@ -1,5 +1,5 @@
-//! The table of a lab's questions. Its tests, its grading and the order of both are derived from
-//! the table.
+//! The table of a lab's questions. The lab's tests, its grading and the order of both are derived
+//! from the table.
 
 use crate::Random;
 use crate::asking::{Judge, Recorder};

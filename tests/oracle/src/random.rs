@@ -1,7 +1,7 @@
 //! Random numbers for the scenes of tests and probes.
 
-/// Sizes at which programs often fail: at the ends of vector lanes, of blocks, of eight and of
-/// sixteen bits.
+/// Sizes at which programs often fail: at the ends of vector lanes, of blocks, and of the ranges of
+/// eight and sixteen bits.
 const SIZES: [usize; 18] =
     [0, 1, 2, 3, 7, 8, 9, 31, 32, 33, 255, 256, 257, 1025, 4097, 65_535, 65_536, 65_537];
 

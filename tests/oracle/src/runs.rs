@@ -124,7 +124,7 @@ impl Runs {
 
     /// Asks whether every one of `steps` steps agrees with the model up to rounding. The model
     /// restarts from the program's own state before each step, so chaos and the order of summation
-    /// have no effect.
+    /// do not affect the comparison.
     pub fn resynchronised(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
         self.resynchronised_on_each(ask, vec![scene.clone()], steps);
     }
@@ -175,9 +175,9 @@ impl Runs {
         self.resynchronised_on_each(ask, (1..=200).map(scenes::crowd).collect(), 2);
     }
 
-    /// Asks for forces on particles at rest in crowds, within 10⁻¹² of the sum of magnitudes. The
-    /// total force must be zero within 10⁻¹² of the sum of all magnitudes, because pairs conserve
-    /// momentum.
+    /// Asks for forces on particles at rest in crowds. They must be right within 10⁻¹² of the sum
+    /// of magnitudes. The total force must be zero within 10⁻¹² of the sum of all magnitudes,
+    /// because pairs conserve momentum.
     pub fn forces(&self, ask: &mut impl Ask) {
         for seed in 1..=10 {
             let scene = scenes::cloud(40 * seed as usize, 4.0, seed);
@@ -319,8 +319,8 @@ impl Runs {
         format!("{}, {} particles, {steps} steps", self.name(), scene.len())
     }
 
-    /// Checks that every step agrees with the model. With bins of single precision the states begin
-    /// with the loaded state.
+    /// Checks that every step agrees with the model. For a program in single precision, the states
+    /// begin with the loaded state.
     fn follow(&self, scene: &Scene, states: States) -> Result<(), String> {
         let single = self.bins.map(|side_of| Single { side: side_of(scene) });
         let mut before = scene.particles().to_vec();

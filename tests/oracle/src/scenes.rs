@@ -12,7 +12,8 @@ pub fn official() -> Scene {
     Scene::official(1000, 1).expect("the official scene is sound")
 }
 
-/// Returns scene B: 150 particles in a box of 10.3 cutoffs, 4.4 neighbours each, all in motion.
+/// Returns scene B: 150 particles in a box of 10.3 cutoffs, with 4.4 neighbours each, all in
+/// motion.
 pub fn dense() -> Scene {
     dense_with_seed(1)
 }
@@ -113,8 +114,9 @@ pub fn on_edges(random: &mut Random, n: usize, size: f64, along: usize) -> Vec<P
     particles
 }
 
-/// Returns scene C: a crowd of 200 particles anywhere in a box of 2.55 cutoffs, 60 neighbours each.
-/// Some are so close that they are flung through the box many times in one step.
+/// Returns scene C: a crowd of 200 particles anywhere in a box of 2.55 cutoffs, with 60 neighbours
+/// each. Some particles are so close to others that they fly through the box many times in one
+/// step.
 pub fn crowd(seed: u64) -> Scene {
     anywhere(&mut Random::new(seed), 200, 2.55 * CUTOFF, 1.0)
 }
@@ -125,7 +127,7 @@ pub fn all_leave() -> Scene {
     lattice_with_jitter(150, 10.3 * CUTOFF, 40.0, 5)
 }
 
-/// Returns the dense box inside a wide box, at its left wall and `y` above its bottom.
+/// Returns the dense box inside a wide box, at the wide box's left wall and `y` above its bottom.
 pub fn corner(y: f64) -> Scene {
     in_a_wide_box(|p| Particle { y: p.y + y, ..*p })
 }

@@ -167,9 +167,9 @@ pub fn digest(items: impl IntoIterator<Item = (f64, u64)>) -> Vec<f64> {
     sums
 }
 
-/// Asks whether the memory of this process grows with its steps. `run` is called with `steps` steps
-/// and then with four times as many; each step handles `bytes` bytes. Ask this question
-/// [apart](Ask::apart).
+/// Asks whether the memory of this process grows with its steps. The function calls `run` with
+/// `steps` steps and then with four times as many steps; each step handles `bytes` bytes. Ask this
+/// question [apart](Ask::apart).
 pub fn memory(
     name: &str,
     (steps, bytes): (u64, usize),

@@ -33,7 +33,7 @@ fn anywhere(n: usize, side: f64, radius: f64, speed: f64, seed: u64) -> Scene {
     of(side, radius, &discs)
 }
 
-/// Returns 60 to 199 discs anywhere, from sparse to crowded, in a small square or a wide one.
+/// Returns 60 to 199 discs anywhere, from sparse to crowded, in a small or a wide square.
 pub fn unseen(seed: u64) -> Scene {
     let mut random = Random::new(1000 + seed);
     let n = 60 + random.below(140);
@@ -66,7 +66,7 @@ pub fn fast(n: usize, seed: u64) -> Scene {
     anywhere(n, 1000.0, 2.0, 1000.0, seed)
 }
 
-/// Returns slow discs in one corner, a few far away, and one disc that crosses everything.
+/// Returns slow discs in one corner, a few discs far away, and one disc that crosses the square.
 pub fn mixed(seed: u64) -> Scene {
     let (side, radius) = (1e7, 1.0);
     let mut random = Random::new(seed);

@@ -126,7 +126,7 @@ impl Job {
         let limit = launcher.limit(self.limit, self.ranks);
         let _own = OwnLimit::begin();
         // Ranks spin while they wait, so two simultaneous jobs on a few cores slow each other down
-        // extremely.
+        // very much.
         let _alone = only_job();
         assert!(
             !tasks_that_hang().contains(&self.task),

@@ -86,7 +86,7 @@ fn is_of_all(call: &str) -> bool {
     !OF_ONE_MESSAGE.iter().any(|part| name.contains(part))
 }
 
-/// The message of a failure if neither ranks nor launcher say anything about it.
+/// The message of a failure if neither the ranks nor the launcher print a reason.
 pub(super) const SILENT: &str = "a rank ended the job without a message";
 
 /// Returns the messages of ranks and launcher without noise.

@@ -67,7 +67,8 @@ fn rule(
 ) -> Vec<Vec2> {
     let n = start.at.len();
     let part = h / substeps as f64;
-    // `kick` is the excess of a substep's displacement over the free flight's.
+    // `kick` is the difference between a substep's displacement and the displacement in free
+    // flight.
     let mut kick: Vec<Vec2> = first.iter().map(|&a| (0.5 * part * part) * a).collect();
     let mut bend = kick.clone();
     let mut at = start.at.clone();

@@ -2,8 +2,8 @@
 //!
 //! The motion is not smooth at two kinds of moments: when a pair crosses the cutoff, and when a
 //! wall reflects a particle. A method of high order loses its order in every step that contains
-//! such a moment. So each such moment is located, and a step ends there. Between them the motion is
-//! smooth, and [extrapolation] follows it up to rounding.
+//! such a moment. So each such moment is located, and a step ends there. Between these moments the
+//! motion is smooth, and [extrapolation] follows it up to rounding.
 //!
 //! The motion is computed in short windows of time. A particle that cannot touch another within a
 //! window flies freely. All other particles form groups, and each group is followed alone.
@@ -31,7 +31,7 @@ impl Fineness {
     /// Accuracy of the kit's tables.
     pub const FINE: Self = Self { window: 2e-4, tolerance: 1e-16 };
     /// Accuracy with longer windows, different steps and a looser tolerance. The difference from
-    /// [`Self::FINE`] shows the error of both.
+    /// the results with [`Self::FINE`] shows the error of both.
     pub const CHECK: Self = Self { window: 3.1e-4, tolerance: 1e-15 };
 }
 
