@@ -28,8 +28,8 @@ pub struct Clock {
     at: Cell<At>,
 }
 
-/// The position of a rank: the step, counted from 1, and the numbers of its calls in this step and
-/// in all steps.
+/// The position of a rank: the step, from 1, and the numbers of its calls in this step and in all
+/// steps.
 #[derive(Clone, Copy, Debug, Default)]
 struct At {
     step: u32,
@@ -170,8 +170,8 @@ impl Clock {
         }
     }
 
-    /// Returns the activities of all ranks on the root, in the order of ranks and times; an empty list
-    /// on other ranks. `None` if the clock does not record. All ranks call it together.
+    /// Returns the activities of all ranks, in the order of ranks and times. The list is empty on all
+    /// ranks but the root. `None` if the clock does not record. All ranks call it together.
     pub fn events(&self, world: &SimpleCommunicator) -> Option<Vec<Event>> {
         let own = self.own(world)?;
         if world.rank() != 0 {

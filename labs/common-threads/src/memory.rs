@@ -7,8 +7,7 @@ use parking_lot::Mutex;
 
 use crate::fence::take_passed;
 
-/// The memory of a writing thread and a reading thread, with the guarantees of the language and no
-/// other guarantees.
+/// The memory of a writing thread and a reading thread, with only the guarantees of the language.
 ///
 /// Processors of the x86 family keep more order, so a wrong ordering may do no harm on such a
 /// processor for years. Here every reading that the orderings allow occurs, one after the other. A

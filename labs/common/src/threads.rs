@@ -8,8 +8,7 @@ use std::thread;
 /// Number of threads that the program was last asked to start.
 static ASKED: AtomicUsize = AtomicUsize::new(1);
 
-/// Beginnings of the panic messages of the standard library, the engines and rayon when no thread
-/// can be started.
+/// Beginnings of the panic messages of `std`, the engines and rayon when no thread can be started.
 const REFUSALS: [&str; 3] = ["failed to spawn thread", "cannot start ", "The global thread pool"];
 
 /// Records the number of threads that the program needs.
