@@ -44,8 +44,8 @@ impl Stopwatch {
         self.seconds.borrow_mut().clear();
     }
 
-    /// Returns the seconds that each kernel has run since the last reset, in the order in which the
-    /// kernels were first launched.
+    /// Returns the seconds that each kernel has run since the last reset. Kernels are in the order
+    /// of their first launches.
     pub fn seconds(&self) -> Vec<(&'static str, f64)> {
         self.seconds.borrow().clone()
     }

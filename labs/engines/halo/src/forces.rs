@@ -49,8 +49,8 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         }
     }
 
-    /// Returns the ghosts for each neighbour: the first row for the rank before, the last row for
-    /// the rank after.
+    /// Returns the ghosts for each neighbour. The rank before gets the first row, and the rank
+    /// after gets the last row.
     fn border_lists(&self) -> Vec<(Rank, Vec<Ghost>)> {
         let Range { start, end } = self.block;
         let columns = 0..self.own.grid().columns();

@@ -19,8 +19,7 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// Merges `own` and `ghosts`, which are both in the order of numbers, and replaces all discs by
-    /// the result.
+    /// Replaces all discs by `own` and `ghosts`, merged. Both lists are in the order of numbers.
     pub fn fill(
         &mut self,
         own: &[DiscWire],

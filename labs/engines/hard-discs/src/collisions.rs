@@ -65,19 +65,17 @@ pub trait Collisions: Sized + Send + Sync + 'static {
     /// Compares two candidates in the order in which they are taken. The order is total.
     fn order(a: &Candidate, b: &Candidate) -> Ordering;
 
-    /// Appends the candidates that really happen to `taken`, in this order, and marks their discs
-    /// as not free.
+    /// Appends the candidates that really happen to `taken`, in this order. Marks their discs as
+    /// not free.
     ///
     /// A candidate really happens if all its discs are still `free`. The candidates are left in any
     /// order.
     fn take_in_order(candidates: &mut [Candidate], free: &mut [bool], taken: &mut Vec<Candidate>);
 
-    /// Moves a disc that hits walls at `time` from its position at the start of the step to its
-    /// position at the end.
+    /// Moves a disc that hits walls at `time` from the start of the step to the end of the step.
     fn bounce(disc: &mut Disc, time: f64, hit: Hit, square: Square);
 
-    /// Moves two discs that touch at `time` from their positions at the start of the step to those
-    /// at the end.
+    /// Moves two discs that touch at `time` from the start of the step to the end of the step.
     fn collide(a: &mut Disc, b: &mut Disc, time: f64, square: Square);
 }
 

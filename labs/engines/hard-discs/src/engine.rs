@@ -87,8 +87,8 @@ impl<C: Collisions, F: Find> Engine<C, F> {
         }
     }
 
-    /// Moves all discs to the end of the step: free discs along straight lines, the others
-    /// according to the collisions in `taken`.
+    /// Moves all discs to the end of the step. Free discs go straight, and the others follow the
+    /// collisions in `taken`.
     pub fn move_discs(&mut self) {
         let free = &self.free;
         for_each(&self.workers, &mut self.discs, |number, disc| {

@@ -1,5 +1,4 @@
-//! The border of a rank: its particles that are ghosts on other ranks, its own ghosts, and the
-//! pairs of both.
+//! The border of a rank: its particles that are ghosts on other ranks, its ghosts, and their pairs.
 
 use common::soft::Observer;
 use mpi::Rank;

@@ -36,7 +36,7 @@ impl<T: DeepHalo> Deep<T> {
         }
     }
 
-    /// Sends each partner the particles that it needs, and removes the particles that this rank no
+    /// Sends each partner the particles that it needs. Removes the particles that this rank no
     /// longer needs.
     ///
     /// A partner needs the particles that are now in its strip, which become its own, and the
@@ -92,8 +92,8 @@ fn widened(strip: Range<f64>, width: f64) -> RangeInclusive<f64> {
     strip.start - width..=strip.end + width
 }
 
-/// Sends `outgoing[k]` to rank `partners[k]`, and returns the items that the partners sent, in the
-/// order of partners.
+/// Sends `outgoing[k]` to rank `partners[k]`, and returns the partners' items in the order of
+/// partners.
 ///
 /// No rank knows the length of a message that arrives. The receiver probes the message before it
 /// makes room, so no length has to be sent first.

@@ -14,8 +14,8 @@ pub trait DeepHalo: Partition {
     /// Returns the number of steps that an epoch should have: from 1 to `outlook.most`.
     fn best_depth(outlook: Outlook) -> u32;
 
-    /// Returns the number of right steps among the `steps` steps that all ranks have taken, with
-    /// ghosts `width` deep.
+    /// Returns the number of right steps among the last `steps` steps of all ranks, with ghosts
+    /// `width` deep.
     ///
     /// The number is at least 1, and the same on all ranks. `numbers` begins with the greatest
     /// distance that a particle of this rank went in each step. Afterwards each of its numbers is

@@ -35,8 +35,8 @@ impl Team<'_> {
         }
     }
 
-    /// Calls `act` with the thread's number on every thread of the team, and waits for all threads:
-    /// a fork and a join.
+    /// Calls `act` with the thread's number on every thread of the team, and waits: a fork and a
+    /// join.
     pub fn on_each(&self, act: impl Fn(usize) + Sync) {
         match self {
             Self::Standing(workers) => workers.on_each(act),

@@ -72,8 +72,8 @@ struct Loop {
     /// Zero accelerations.
     zeros: Vec<f64>,
     pairs: Vec<Pair>,
-    /// Whether chance decides which particles are near, and the number of particles that each
-    /// particle is compared with.
+    /// Whether chance decides which particles are near, and with how many particles each is
+    /// compared.
     drawn: bool,
     passes: usize,
     /// Number of near pairs and of chunks with a particle outside. The compiler cannot omit work
@@ -94,8 +94,8 @@ struct Plain<'a>(&'a mut Loop);
 /// If near pairs are random, a particle is compared with the next zero to six particles instead.
 struct Collect<'a, P>(&'a mut Loop, PhantomData<P>);
 
-/// Calls [`filter`](Primitives::filter) with a pair for nearly each particle: the particle and the
-/// next particle.
+/// Calls [`filter`](Primitives::filter) with pairs of a particle and the next one, for nearly all
+/// particles.
 struct Filter<'a, P>(&'a mut Loop, PhantomData<P>);
 
 impl Loop {

@@ -24,8 +24,8 @@ pub(crate) struct Scratch {
 }
 
 impl Group<'_> {
-    /// Runs a group of any size through the steps of `span`, with reflections at walls, and writes
-    /// its members to `out`.
+    /// Runs a group of any size through the steps of `span`, with its walls. Writes its members to
+    /// `out`.
     ///
     /// Members are in the order of their ids, and pairs are in ascending order. So every particle
     /// sums over its neighbours in ascending order of ids, as in all-pairs programs, and the bits

@@ -159,8 +159,8 @@ pub(crate) struct Record {
     pub(crate) vy: Vec<f64>,
     /// The greatest deviation from the reference path, beyond the path's spread; a length.
     pub(crate) deviation: Vec<f64>,
-    /// Displacement from the path along x and y after each step but the last, ordered by block,
-    /// then by step, then by slot.
+    /// Displacement from the path along x and y after each step but the last. The order is by
+    /// block, then by step, then by slot.
     off: Vec<[f32; 2]>,
     steps: usize,
 }

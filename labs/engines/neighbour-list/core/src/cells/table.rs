@@ -126,8 +126,8 @@ impl Cells {
         }
     }
 
-    /// Returns the result of [`ahead`](Self::ahead) for particle `i` in cell `key`, if only
-    /// occupied cells are stored.
+    /// Computes [`ahead`](Self::ahead) for particle `i` in cell `key`, if only occupied cells are
+    /// stored.
     #[inline(never)]
     fn ahead_of(&self, key: u64, i: usize) -> [Range<usize>; 2] {
         let columns = u64::from(self.grid.columns);

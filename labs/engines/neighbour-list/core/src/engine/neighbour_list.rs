@@ -1,5 +1,4 @@
-//! The engine: it sorts particles, lists pairs with a skin, and sums forces and moves particles in
-//! one pass.
+//! The engine: it sorts particles, lists pairs with a skin, sums forces and moves particles.
 //!
 //! The pass over a block is in `sweep.rs`.
 

@@ -13,8 +13,8 @@ use crate::cells::Cells;
 use crate::kernels::{EIGHT, Kernel, Pair, Positions, Primitives, ROOM, Signs, make_room};
 use crate::particles::Bodies;
 
-/// Number of particles that are moved together as soon as their forces are known: so few particles
-/// that they stay in the cache.
+/// Number of particles that are moved together as soon as their forces are known. So few particles
+/// stay in the cache.
 const PIECE: usize = 1000;
 
 /// Consecutive particles of the sorted order with their pairs. One thread at a time works on a

@@ -35,8 +35,8 @@ impl Budget {
     }
 }
 
-/// Returns the number of steps that an inner list should last, or `None` if a step without an inner
-/// list is cheaper.
+/// Returns the number of steps that an inner list should last. `None` if steps without an inner
+/// list are cheaper.
 ///
 /// The outer list contains the pairs within the cutoff plus `skin`, and no particle goes further
 /// than `displacement` in a step.
