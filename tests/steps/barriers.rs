@@ -15,8 +15,8 @@ use crate::eight::{grid, numbers, particles};
 
 const MEMBERS: usize = 2;
 
-/// The member that does each part late: when the other member has done the part and waits, or has
-/// continued without waiting.
+/// The member that does each part late. By then the other member has done the part and waits, or
+/// has gone on.
 const LATE: usize = 1;
 
 #[test]

@@ -81,9 +81,9 @@ impl Rank<'_> {
         memory(&format!("{what} on {}", self.name()), (50, bytes), turns, ask);
     }
 
-    /// On the root, returns a table with a column for each rank; on other ranks or without a job,
-    /// an empty text. `rows` contains the names and this rank's cells. All ranks must pass the same
-    /// names.
+    /// Returns a table with a column for each rank. On ranks other than the root and without a job,
+    /// returns an empty text. `rows` contains the names and this rank's cells. All ranks must pass
+    /// the same names.
     pub fn columns(&self, rows: &[(&str, String)]) -> String {
         let Some(world) = self.world else { return String::new() };
         let mut table = Columns::new((0..self.ranks).map(|rank| format!("rank {rank}")));

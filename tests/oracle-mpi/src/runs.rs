@@ -64,8 +64,8 @@ impl RunsOnRanks {
         self
     }
 
-    /// Asks whether the state after each of `steps` steps of each scene equals that of all pairs in
-    /// ascending order, bit for bit.
+    /// Asks whether the bits after each of `steps` steps of each scene equal those of all pairs.
+    /// The pairs are in ascending order.
     pub fn bits_of_all_pairs(&self, ask: &mut impl Ask, all: &[Scene], steps: usize) {
         self.judged(
             ask,

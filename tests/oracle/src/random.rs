@@ -1,7 +1,7 @@
 //! Random numbers for the scenes of tests and probes.
 
-/// Sizes at which programs often fail: at the ends of vector lanes, of blocks, and of the ranges of
-/// eight and sixteen bits.
+/// Sizes at which programs often fail. Vector lanes, blocks, or the range of eight or sixteen bits
+/// end there.
 const SIZES: [usize; 18] =
     [0, 1, 2, 3, 7, 8, 9, 31, 32, 33, 255, 256, 257, 1025, 4097, 65_535, 65_536, 65_537];
 
@@ -76,8 +76,8 @@ impl Random {
         if self.below(2) == 0 { magnitude } else { -magnitude }
     }
 
-    /// Returns all of [`SIZES`] up to `most`, and a random size, so that the smallest size that
-    /// fails is found first.
+    /// Returns all of [`SIZES`] up to `most`, and a random size. The smallest size that fails is
+    /// thus found first.
     pub fn sizes(&mut self, most: usize) -> Vec<usize> {
         let mut sizes: Vec<usize> = SIZES.into_iter().filter(|&size| size <= most).collect();
         sizes.push(self.below(most + 1));

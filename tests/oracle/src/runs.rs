@@ -196,8 +196,8 @@ impl Runs {
         }
     }
 
-    /// Asks whether the state after each of `steps` steps equals that of all pairs in ascending
-    /// order, bit for bit.
+    /// Asks whether the bits after each of `steps` steps equal those of all pairs in ascending
+    /// order.
     pub fn bits_of_all_pairs(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
         let of_run = scene.clone();
         let found =

@@ -1,5 +1,4 @@
-//! Checks whether threads share work: each thread does some work, and no thread does much more than
-//! its part.
+//! Checks whether threads share work: each thread does some, and no thread much more than its part.
 //!
 //! The division of a loop depends on the load of the machine: a correct program may leave nearly
 //! all of the work to one thread. Therefore threads are delayed here. The first thread that arrives

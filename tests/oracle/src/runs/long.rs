@@ -10,8 +10,8 @@ use crate::official::{OFFICIAL_SHA256, sha256};
 use crate::{Ask, Model, energy, scenes};
 
 impl Runs {
-    /// Asks for a free run on the official scene, compared with the model: positions must agree to
-    /// 10⁻⁹ until step 200. Later, chaos has doubled the differences too often.
+    /// Asks for a free run on the official scene. Its positions must agree with the model's to 10⁻⁹
+    /// until step 200. Later, chaos has doubled the differences too often.
     pub fn free_run(&self, ask: &mut impl Ask) {
         let scene = scenes::official();
         let of_run = scene.clone();
