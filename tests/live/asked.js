@@ -1,6 +1,7 @@
-// What live.rs asks of the book's scripts: runs as text, in the formats of the kit.
+// Functions that live.rs calls on the book's scripts. They return runs as text, in the kit's
+// formats.
 
-// As C's %g: six significant digits.
+// Formats a number as C's %g does: with six significant digits.
 function general(value) {
   const text = value.toPrecision(6);
   return text.includes("e") || Math.abs(value) < 1e-4
@@ -42,7 +43,7 @@ const tests = (...run) =>
     .slice(0, run[3])
     .join("\n") + "\n";
 
-// The places of hard discs after each step, and at last their collisions.
+// The positions of hard discs after each step, and finally their numbers of collisions.
 function hardSteps(n, side, radius, seed, steps) {
   const scene = hard.random(n, side, radius, seed);
   const ten = value => (Object.is(value, -0) ? "-" : "") + value.toFixed(8);
@@ -56,7 +57,8 @@ function hardSteps(n, side, radius, seed, steps) {
   return text;
 }
 
-// Whether the collisions of some steps are the same if each disc asks only those in nine cells.
+// Whether the collisions of some steps are the same if each disc is tested only with discs in nine
+// cells.
 function sameHits(n, side, radius, seed, steps) {
   const scene = hard.random(n, side, radius, seed, [0.5, 2]);
   for (let step = 0; step < steps; step++) {
@@ -76,7 +78,8 @@ function sameHits(n, side, radius, seed, steps) {
 const ownersOfRows = (starts, rows) =>
   Array.from({ length: rows }, (_, row) => `${owners.owner(starts, row)} `).join("");
 
-// Where the only disc of a run of two frames is at some parts of the way between them.
+// The positions of the only disc of a run of two frames, at these fractions of the time between the
+// frames.
 function recordedPlaces(words, fastest, parts) {
   const frames = btoa(String.fromCharCode(...new Uint8Array(new Uint16Array(words).buffer)));
   const run = new recorded.Run({ n: 1, size: 1, fastest, between: 1, dt: 0.1, frames });

@@ -1,8 +1,8 @@
 //! Comparison of the book's live boxes with the kit: positions byte by byte, pair tests step by
 //! step.
 //!
-//! The scripts run in node, or else in a headless Chromium. If neither is installed, nothing is
-//! compared and a line reports this.
+//! The scripts run in node, or else in a headless Chromium. If neither program is installed,
+//! nothing is compared, and a message reports this.
 
 use std::fmt::Write;
 use std::fs;
@@ -128,7 +128,7 @@ fn bins_have_the_kits_bits_and_counts() {
 }
 
 /// Compares the counts of lists. The kit sums in a different order, which does not affect counts
-/// for some hundred steps.
+/// for a few hundred steps.
 #[test]
 fn lists_have_the_kits_counts() {
     for (skin, n, steps) in [(0.5, 1000, 300), (0.25, 300, 300), (0.6, 500, 300)] {
@@ -139,7 +139,7 @@ fn lists_have_the_kits_counts() {
     }
 }
 
-/// Compares the bits of all pairs with the list's box, which sums by number.
+/// Compares the bits of all pairs with the box of the list, which sums in the order of ids.
 #[test]
 fn a_list_misses_no_pair() {
     for skin in [0.1, 2.0] {
@@ -176,7 +176,8 @@ fn hard_discs_are_where_the_kit_has_them() {
     }
 }
 
-/// Compares the collisions with those of a movie that tests only pairs in sufficiently wide cells.
+/// Compares the collisions with the collisions of a movie that tests only pairs in sufficiently
+/// wide cells.
 #[test]
 fn cells_miss_no_collision() {
     let ask = "sameHits(200, 60, 1, 3, 30)";
@@ -201,7 +202,8 @@ fn rows_are_cut_as_the_labs_cut_them() {
     // particles.
     assert_same(scripts("owners.balanced([5, 0, 1, 6], 3).join()"), "0,1,4,4", "equal numbers");
     assert_same(scripts("owners.balanced([0, 0], 2).join()"), "0,0,2", "no particles");
-    // One row in the middle: the blocks on both sides have copies of it, an empty block has none.
+    // One row in the middle: the blocks on both sides have copies of it, an empty block has no
+    // copies.
     assert_same(scripts("owners.copies([0, 1, 2, 2, 4], 1, 0, 2).join()"), "0,3", "ghosts");
 }
 

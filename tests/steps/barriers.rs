@@ -1,4 +1,5 @@
-//! Chapter 3: two members of a team and their mail, with all barriers and without one.
+//! Chapter 3: two members of a team and their mail, with all barriers and with one barrier left
+//! out.
 
 use std::ops::Range;
 
@@ -14,8 +15,8 @@ use crate::eight::{grid, numbers, particles};
 
 const MEMBERS: usize = 2;
 
-/// A member that does each part when the other member has done it and waits, or has continued
-/// without waiting.
+/// The member that does each part late. By then the other member has done the part and waits, or
+/// has gone on.
 const LATE: usize = 1;
 
 #[test]
@@ -125,7 +126,7 @@ impl Team {
         owner.expect("every row has an owner")
     }
 
-    /// Records the possessions of all members, and which member waits.
+    /// Records the contents of all members' bins and mail, and which member waits.
     fn note(&self, what: String, waiting: Option<usize>) {
         let members = (0..MEMBERS).map(|member| {
             let bins = self.bins[member].read();

@@ -10,8 +10,8 @@ pub(crate) fn grid() -> Grid {
 }
 
 /// Returns eight particles. Particles 2r and 2r + 1 begin in row r. Particles 1 and 3 fly up and
-/// particle 4 flies down, a row in each step; all others rest. All particles stay far from each
-/// other.
+/// particle 4 flies down, one row in each step; all other particles rest. All particles stay far
+/// from each other.
 pub(crate) fn particles() -> Vec<Particle> {
     let particle = |id: u32| {
         let rows_per_step = match id {

@@ -91,7 +91,7 @@ struct State {
 struct Thread {
     has: Vec<usize>,
     asks_for: Option<usize>,
-    /// Whether the thread has requested a lock in vain, and requests it again.
+    /// Whether the thread has requested a lock in vain, and requests the lock again.
     waits: bool,
 }
 

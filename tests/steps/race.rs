@@ -14,8 +14,8 @@ fn printed(name: &str, flags: &[&str], threads: usize) -> Option<String> {
     compiler.args(["-Wall", "-Wextra", "-Werror", "-fopenmp"]).args(flags);
     let built = compiler.arg(source).arg("-o").arg(&program).output().ok()?;
     let errors = String::from_utf8_lossy(&built.stderr);
-    // A compiler without OpenMP or without the sanitizer reports this. Only errors in the source
-    // count.
+    // A compiler without OpenMP or without the sanitizer prints errors too. Only errors in the
+    // source count.
     assert!(!errors.contains("rebin.c:"), "{errors}");
     let mut command = Command::new(program);
     let ended = command.env("OMP_NUM_THREADS", threads.to_string()).output().ok()?;

@@ -1,4 +1,4 @@
-//! The actions and possessions of threads, moment by moment: the runs of chapters 3 and 4.
+//! The actions and data of threads, moment by moment: the runs of chapters 3 and 4.
 //!
 //! Each run executes functions of the solutions on separate threads, and is a snapshot that the
 //! book includes. Where a thread could be fast or slow, a recording delays one thread, so that

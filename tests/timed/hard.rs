@@ -1,4 +1,4 @@
-//! Timed hard discs, in so sparse a gas that a disc meets about one other disc in 50 steps.
+//! Timed hard discs, in a gas so sparse that a disc meets about one other disc in 50 steps.
 //! Rounding errors grow a hundredfold in each collision; here they stay small, so results can be
 //! compared.
 

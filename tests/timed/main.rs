@@ -2,8 +2,8 @@
 //!
 //! It reports that it is ready, waits for an order, and executes it: it makes the scene, passes it
 //! to the lab, and sends all particles back. The grader's clock runs from the order to the last
-//! particle, so all work in between is timed, and no work can be done before. If workers are ranks,
-//! all ranks are ready before the first rank reports this.
+//! particle, so all work in between is timed, and no work can be done before the order. If workers
+//! are ranks, all ranks are ready before the first rank reports this.
 
 #![allow(missing_docs)]
 
@@ -66,7 +66,7 @@ fn timed(nonce: &str, team: &Team<'_>) -> io::Result<()> {
     }
     let message = team.share(if team.is_first() { line() } else { String::new() });
     let Some(order) = order(&message) else { panic!("there is no such order") };
-    // x, y, vx, vy of each particle, by number.
+    // x, y, vx, vy of each particle, in the order of ids.
     let state = scene::run(&order);
     let Some(state) = state else { panic!("there is no variant {}", order.variant) };
     if !team.is_first() {

@@ -19,7 +19,7 @@ use crate::record;
 /// Number of words of eight bytes in a text that ranks exchange.
 const WORDS: usize = 24;
 
-/// Parts of the paths of files that a student writes or reads, in a stack trace.
+/// Parts of paths, in a stack trace, of files that a student writes or reads.
 const OWN: [&str; 3] = ["/labs/", "/solutions/", "/tests/"];
 
 /// Parts of the paths of given code that calls MPI for a lab.
@@ -52,13 +52,13 @@ pub(crate) fn begin() {
 }
 
 /// Returns the names of the calls that this rank has made in the last [`together`](crate::together),
-/// and its [notes](note), in their order. Empty without a watch.
+/// and its [notes](note), in their order. The list is empty without a watch.
 pub fn calls_made() -> Vec<&'static str> {
     calls().made.clone()
 }
 
-/// Notes a different action of this rank, such as `walls_of`, among its [calls](calls_made). Without a
-/// watch it does nothing.
+/// Notes an action of this rank that is not a call, such as `walls_of`, among its [calls](calls_made).
+/// Without a watch it does nothing.
 pub fn note(what: &'static str) {
     let mut calls = calls();
     if calls.last.is_some() {
@@ -66,8 +66,8 @@ pub fn note(what: &'static str) {
     }
 }
 
-/// Describes where this rank is: past its last call, or in it, and for how long. `None` if it has made
-/// no call.
+/// Describes whether this rank is past its last call or still in the call, and for how long. `None`
+/// if it has made no call.
 pub(crate) fn location() -> Option<String> {
     let calls = calls();
     let Last { name, since, is_over, from } = calls.last.as_ref()?;
@@ -97,7 +97,7 @@ pub(crate) fn hear(call: Option<&Call>) {
     }
 }
 
-/// Ends the job if ranks make different calls, or if their buffers do not fit each other.
+/// Ends the job if ranks make different calls, or if their buffers do not match.
 fn compare(number: u64, call: &Call) {
     let [count, size] = call.items;
     let name = call.name.bytes().chain(call.operation.unwrap_or_default().bytes());
@@ -174,7 +174,7 @@ fn by_rank(words: &[String]) -> String {
     lines
 }
 
-/// Returns a text as numbers, cut to the length of a message.
+/// Returns a text as numbers. The text is cut to the length of a message.
 fn packed(text: &str) -> [i64; WORDS] {
     let mut bytes = [0; 8 * WORDS];
     let length = text.floor_char_boundary(bytes.len());
@@ -236,7 +236,7 @@ pub(crate) fn wrong_side(rank: i32, panic: &str, trace: &Backtrace) -> Option<St
     let method = words.rfind(|word| word.contains("_into"));
     let location =
         own_location(&trace).map_or_else(String::new, |location| format!(" ({location})"));
-    // Only the methods of the other ranks assert that two numbers differ: the rank and the root.
+    // Only methods for ranks other than the root assert that the rank and the root differ.
     if panic.contains("left != right") {
         let method = method.unwrap_or("a method of the other ranks");
         let why = "the methods of the root end in _root";

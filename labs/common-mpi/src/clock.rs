@@ -12,7 +12,7 @@ use mpi::traits::*;
 use crate::epoch::Epoch;
 use crate::watch::here;
 
-/// Error of a comparison of times on two machines, in seconds.
+/// Greatest error when times on two machines are compared, in seconds.
 const ALIKE: f64 = 2e-5;
 
 /// A recorder of this rank's activities in each step. Without `--events` it records nothing and costs
@@ -20,14 +20,15 @@ const ALIKE: f64 = 2e-5;
 ///
 /// All ranks make the same calls in the same order. Between two calls a rank computes. In a call it
 /// *waits* until the last of its partners has entered the same call, and *communicates* for the rest
-/// of the call. It did not wait for a partner that enters the call after this rank has left it.
+/// of the call. A partner that enters the call after this rank has left it did not make this rank
+/// wait.
 #[derive(Debug, Default)]
 pub struct Clock {
     log: Option<RefCell<Log>>,
     at: Cell<At>,
 }
 
-/// The position of a rank: the step, counted from 1, its calls in this step, and its calls in all
+/// The position of a rank: the step, from 1, and the numbers of its calls in this step and in all
 /// steps.
 #[derive(Clone, Copy, Debug, Default)]
 struct At {
@@ -69,7 +70,7 @@ pub enum Partners {
 struct Log {
     epoch: Epoch,
     step: u32,
-    /// Begin of the current stretch. `None` outside steps.
+    /// Start of the current stretch. `None` outside steps.
     since: Option<f64>,
     /// Time at which this rank entered the current call, and its partners. `None` outside calls.
     call: Option<(f64, Partners)>,
@@ -169,8 +170,8 @@ impl Clock {
         }
     }
 
-    /// Returns the activities of all ranks on the root, in the order of ranks and times, and no events
-    /// on other ranks. `None` if the clock does not record. All ranks call it together.
+    /// Returns the activities of all ranks, in the order of ranks and times. The list is empty on all
+    /// ranks but the root. `None` if the clock does not record. All ranks call it together.
     pub fn events(&self, world: &SimpleCommunicator) -> Option<Vec<Event>> {
         let own = self.own(world)?;
         if world.rank() != 0 {
@@ -188,8 +189,8 @@ impl Clock {
         Some(events)
     }
 
-    /// Returns the seconds that all ranks together have computed, communicated and waited. Empty if the
-    /// clock does not record. All ranks call it together.
+    /// Returns the seconds that all ranks together have computed, communicated and waited. The list is
+    /// empty if the clock does not record. All ranks call it together.
     pub fn report(&self, world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
         let Some(own) = self.own(world) else { return Vec::new() };
         let (mut seconds, mut all) = ([0.0; 3], [0.0; 3]);
@@ -235,7 +236,7 @@ impl Log {
         Self { epoch, step: 0, since: None, call: None, stretches: Vec::new() }
     }
 
-    /// Ends the stretch that began when the last one ended.
+    /// Ends the stretch that began when the last stretch ended.
     fn stretch_ends(&mut self, now: f64) {
         let Some(begin) = self.since else { return };
         let call = self.call.clone();

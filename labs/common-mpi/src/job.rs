@@ -12,13 +12,14 @@ use mpi::traits::*;
 
 use crate::{calls, watch};
 
-/// The exit code of a job in which a rank panicked: the code of a panic in a program without ranks.
+/// The exit code of a job in which a rank panicked, which is also the code of other programs that
+/// panic.
 const PANICKED: i32 = 101;
 
 /// Variables in which the launchers of Open MPI and MPICH pass the number of ranks.
 const NUMBER_OF_RANKS: [&str; 2] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE"];
 
-/// The longest message that is sent at once: its length must be an `i32`.
+/// The longest message that is sent as one message: its length must be an `i32`.
 const LONGEST: usize = 1 << 30;
 
 /// Runs a soft-disc lab on all ranks, from its command line to its exit code.
@@ -27,12 +28,12 @@ pub fn drive(variants: &[Variant<dyn soft::Simulation>]) -> ExitCode {
 }
 
 /// Runs a hard-disc lab on all ranks, from its command line to its exit code. The root reads the
-/// input and shares it with all.
+/// input and shares it with all ranks.
 pub fn drive_hard(variants: &[Variant<dyn hard::Simulation>]) -> ExitCode {
     as_rank(|world| hard::drive_on_rank(variants, world.rank() == 0, |input| share(world, input)))
 }
 
-/// Returns the root's bytes on all ranks.
+/// Sends the root's bytes to all ranks, and returns them on every rank.
 fn share(world: &SimpleCommunicator, bytes: Option<Vec<u8>>) -> Vec<u8> {
     let root = world.process_at_rank(0);
     let mut bytes = bytes.unwrap_or_default();
@@ -115,7 +116,7 @@ fn end_job_on_panic(world: &SimpleCommunicator) {
         if thread::current().id() == main {
             SimpleCommunicator::world().abort(PANICKED);
         }
-        // A worker thread must not call MPI; the launcher ends the job of a rank that dies.
+        // A worker thread must not call MPI; the launcher ends the job when a rank dies.
         std::process::abort();
     }));
 }

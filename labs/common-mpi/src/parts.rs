@@ -34,8 +34,8 @@ pub fn split(all: &[Wire], counts: &[Count]) -> Vec<Vec<Wire>> {
     parts
 }
 
-/// Returns a list for each of `ranks` ranks, from particles with their ranks. Lists keep the order of
-/// the particles.
+/// Distributes particles, each listed with its rank, to a list for each of `ranks` ranks. Lists keep
+/// the order of the particles.
 pub fn by_rank(particles: impl IntoIterator<Item = (usize, Wire)>, ranks: usize) -> Vec<Vec<Wire>> {
     let mut lists = vec![Vec::new(); ranks];
     for (rank, wire) in particles {

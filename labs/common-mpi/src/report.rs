@@ -8,8 +8,8 @@ use mpi::traits::*;
 
 /// A counter of the messages and bytes that this rank sends to other ranks.
 ///
-/// It counts the requests of the program. The library may send them in a different way, such as a
-/// gather through other ranks.
+/// It counts the messages that the program requests. The library may send them in a different way,
+/// such as a gather through other ranks.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Traffic {
     steps: u64,
@@ -29,8 +29,8 @@ impl Traffic {
         self.bytes += size_of_val(items) as u64;
     }
 
-    /// Counts an exchange: rank `own` sends each other rank a count, and its list unless it is empty.
-    /// `lists` has a list for each rank.
+    /// Counts an exchange: rank `own` sends every other rank a count and, unless it is empty, that
+    /// rank's list. `lists` has a list for each rank.
     pub fn exchanged<T>(&mut self, own: usize, lists: &[Vec<T>]) {
         for (_, list) in lists.iter().enumerate().filter(|(rank, _)| *rank != own) {
             self.sent(&[0_i32]);
@@ -40,8 +40,8 @@ impl Traffic {
         }
     }
 
-    /// Returns messages and bytes per step, of the mean rank and of the busiest rank. All ranks call it
-    /// together. Only the root, rank 0, gets the result.
+    /// Returns the messages and bytes per step: the mean over all ranks, and the numbers of the busiest
+    /// rank. All ranks call it together. Only the root, rank 0, gets the result.
     pub fn report(&self, world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
         let steps = self.steps.max(1) as f64;
         let own = [self.messages as f64 / steps, self.bytes as f64 / steps];
@@ -56,10 +56,10 @@ impl Traffic {
     }
 }
 
-/// Returns the peak memory of ranks since their start in MiB, of the mean rank and of the largest.
+/// Returns the peak memory of ranks since their start: the mean and the maximum, in MiB.
 ///
-/// It includes the MPI library's own memory. All ranks call it together. Only the root gets the
-/// result, and only if the system reports it (Linux).
+/// The memory includes the MPI library's own memory. All ranks call it together. Only the root gets
+/// the result, and only if the system reports it (Linux).
 pub fn report_memory(world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
     let own = [peak_resident().unwrap_or(0.0)];
     match mean_and_greatest(own, world) {
@@ -78,8 +78,8 @@ fn peak_resident() -> Option<f64> {
     Some(kibibytes / 1024.0)
 }
 
-/// Returns the mean over all ranks and the greatest of each of several numbers. All ranks call it
-/// together. Only the root, rank 0, gets the result.
+/// Returns the mean and the maximum of each number over all ranks. All ranks call it together. Only
+/// the root, rank 0, gets the result.
 fn mean_and_greatest<const N: usize>(
     own: [f64; N],
     world: &SimpleCommunicator,

@@ -14,7 +14,7 @@ const WATCH: &str = "CUTOFF_WATCH";
 static ON: AtomicBool = AtomicBool::new(false);
 static LOCATION: Mutex<String> = Mutex::new(String::new());
 
-/// Makes `call`, which other ranks must make too, and notes that this rank is in it.
+/// Makes `call`, which other ranks must make too, and records that this rank is in the call.
 ///
 /// The variable `CUTOFF_WATCH` starts a watch: after that number of seconds, each rank that still runs
 /// prints where it is. The watch also compares the calls that ranks make together, and ends the job if
@@ -27,7 +27,7 @@ pub fn together<R>(what: &str, call: impl FnOnce() -> R) -> R {
     result
 }
 
-/// Notes where this rank is. Without a watch it does nothing.
+/// Records where this rank is. Without a watch it does nothing.
 pub(crate) fn here(location: impl FnOnce() -> String) {
     if ON.load(Ordering::Relaxed) {
         *LOCATION.lock().unwrap_or_else(PoisonError::into_inner) = location();

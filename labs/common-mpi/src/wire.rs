@@ -22,8 +22,8 @@ pub struct Wire {
     pub id: u64,
 }
 
-/// A ghost: the data of another rank's particle that the forces on its neighbours need. The
-/// id is part of it, because neighbours are summed in ascending order of their ids.
+/// A ghost: the data of another rank's particle that the forces on its neighbours need. The id is
+/// part of these data, because neighbours are summed in ascending order of their ids.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Equivalence)]
 #[repr(C)]
 pub struct Ghost {

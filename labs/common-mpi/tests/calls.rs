@@ -11,7 +11,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::Job;
 
-/// Time limit, long before the watch would report where ranks are.
+/// Time limit, much shorter than the time after which the watch would report where ranks are.
 const AT_ONCE: Duration = Duration::from_secs(30);
 
 fn program(part: impl FnOnce(&SimpleCommunicator)) {
@@ -22,7 +22,7 @@ fn program(part: impl FnOnce(&SimpleCommunicator)) {
     assert_eq!(code, ExitCode::SUCCESS);
 }
 
-/// Returns the message of `part` on three ranks, which must fail at once.
+/// Returns the message of `part` on three ranks, which must fail immediately.
 fn message(part: &str) -> String {
     let ended = Job::part("0.0", part, 3).run();
     assert!(!ended.status.success(), "{part} goes well");

@@ -51,7 +51,7 @@ fn particles_travel() {
     });
 }
 
-/// A file that exists from the first silent end of a rank on.
+/// A file that exists once a rank has ended silently for the first time.
 const ENDED_ONCE: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/ended-once");
 
 #[test]

@@ -1,8 +1,8 @@
 //! Shared data of threads that tests can observe, for the labs with threads (3 and 4).
 //!
 //! An error between threads needs a second thread at the wrong moment, which may not happen in a
-//! thousand runs. So a test does not wait for the moment. It creates the moment, or shows that it
-//! exists:
+//! thousand runs. So a test does not wait for the moment. It creates the moment, or shows that such
+//! a moment exists:
 //!
 //! - [`Word`]: an atomic number. A test can insert [another thread's operation](Word::interrupted)
 //!   between a load and the exchange that relies on it.
@@ -15,7 +15,8 @@
 //!
 //! # Example
 //!
-//! An update is lost if another update comes between, and the word reports it:
+//! An update is lost if another update comes between its load and its exchange. The word reports
+//! the loss:
 //!
 //! ```
 //! use std::sync::atomic::Ordering;

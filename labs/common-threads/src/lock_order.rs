@@ -10,8 +10,9 @@ use crate::Watch;
 /// Records which locks a thread holds when it asks for another lock.
 ///
 /// Suppose that one thread asks for lock 7 while it holds lock 3, and that at any other time a thread
-/// asks for lock 3 while it holds lock 7. If both do so at once, they wait for each other forever.
-/// The deadlock need not happen to be found: the second request panics and names both locks.
+/// asks for lock 3 while it holds lock 7. If both requests come at the same time, the threads wait
+/// for each other forever. This watch finds the deadlock even if it does not happen: the second
+/// request panics and names both locks.
 #[derive(Default)]
 pub struct LockOrder(Mutex<Orders>);
 
@@ -24,7 +25,7 @@ struct Orders {
 }
 
 impl LockOrder {
-    /// Returns the greatest number of locks that one thread has held at once.
+    /// Returns the greatest number of locks that one thread has held at the same time.
     pub fn most_held(&self) -> usize {
         self.0.lock().most_held
     }

@@ -7,22 +7,23 @@ use parking_lot::Mutex;
 
 use crate::fence::take_passed;
 
-/// The memory of a writing thread and a reading thread, with the guarantees of the language and no
-/// others.
+/// The memory of a writing thread and a reading thread, with only the guarantees of the language.
 ///
-/// Processors of the x86 family keep more order, so a wrong ordering may do no harm there for years.
-/// Here every reading that the orderings allow happens, one after the other. A location keeps all
-/// numbers that were ever written to it. A load takes any of them that is not older than one that
-/// its thread knows. A store with [`Ordering::Release`] passes on the knowledge of its thread, and a
-/// load with [`Ordering::Acquire`] takes it over. A [`fence`](crate::fence) does the same for the
-/// relaxed stores after it and the relaxed loads before it.
+/// Processors of the x86 family keep more order, so a wrong ordering may do no harm on such a
+/// processor for years. Here every reading that the orderings allow occurs, one after the other. A
+/// location keeps all numbers that were ever written to it. A load takes any number that is not
+/// older than a number that its thread knows. A store with [`Ordering::Release`] passes on the
+/// knowledge of its thread, and a load with [`Ordering::Acquire`] takes it over. A
+/// [`fence`](crate::fence) has the same effect on the relaxed stores after it and the relaxed loads
+/// before it.
 #[derive(Default)]
 pub struct Memory(Mutex<State>);
 
 #[derive(Default)]
 struct State {
     locations: Vec<Location>,
-    /// For each location, the newest message that the thread knows. It reads no older message.
+    /// For each location, the newest message that the thread knows. The thread reads no older
+    /// message.
     known: Vec<usize>,
     /// Knowledge of the thread at its last release fence; empty if there was none.
     released: Vec<usize>,

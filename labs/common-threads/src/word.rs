@@ -24,8 +24,8 @@ impl Word {
     }
 
     /// Returns the same word with another thread's operation after each [`load`](Self::load) and before
-    /// each [`compare_exchange`](Self::compare_exchange). With it, a test does not need luck to lose an
-    /// update.
+    /// each [`compare_exchange`](Self::compare_exchange). With this operation, a test loses an update
+    /// without luck.
     #[must_use]
     pub fn interrupted(mut self, by: impl Fn(&AtomicU64) + Send + Sync + 'static) -> Self {
         self.interruption = Some(Box::new(by));
@@ -60,11 +60,11 @@ impl Word {
         self.bits.fetch_min(bits, Ordering::Relaxed);
     }
 
-    /// Replaces the number by `new` if it still is `old`.
+    /// Replaces the number by `new` if the number still is `old`.
     ///
     /// # Errors
-    /// If the number is no longer `old`: the number. Nothing has changed then. The exchange may also
-    /// fail if the number still is `old`.
+    /// The current number, if this number is no longer `old`. Nothing has changed then. The exchange
+    /// may also fail if the number still is `old`.
     pub fn compare_exchange(&self, old: u64, new: u64) -> Result<u64, u64> {
         self.interrupt();
         self.bits.compare_exchange_weak(old, new, Ordering::Relaxed, Ordering::Relaxed)

@@ -1,6 +1,6 @@
 //! Events of ranks: the times at which a rank computes, communicates or waits.
 //!
-//! They are the lines of `--events FILE`.
+//! The option `--events FILE` writes them to a file, one per line.
 
 use std::fmt;
 use std::str::FromStr;
@@ -53,7 +53,7 @@ impl Activity {
     }
 }
 
-/// Writes the line of a file: rank, step, activity, begin and end, with nanoseconds.
+/// Writes the event as a line: rank, step, activity, begin and end, with nine decimals.
 impl fmt::Display for Event {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { rank, step, activity, begin, end } = self;

@@ -3,10 +3,10 @@
 //! Read it in this order:
 //!
 //! 1. [`soft::Particle`] and the constants of [`soft`]: the model of labs 1 to 6, 9 and 10.
-//! 2. [`soft::Scene`]: particles in a box, checked once, so that labs need no tests.
+//! 2. [`soft::Scene`]: particles in a box, checked once, so that labs need no checks.
 //! 3. [`soft::Simulation`]: the interface of a lab's engine: load a scene, step, read the
 //!    particles.
-//! 4. [`hard`]: the same three for the colliding discs of labs 7, 8 and 9.
+//! 4. [`hard`]: a model, a scene and an interface for the colliding discs of labs 7, 8 and 9.
 //! 5. [`Variant`]: an entry in a lab's list of programs. One driver, one test harness and one
 //!    benchmark work with all variants.
 

@@ -55,9 +55,9 @@ pub(crate) fn resident() -> Option<u64> {
 
 /// Parses the command line and runs the program.
 ///
-/// Of several processes with the same command line, only the `root` prints. The root reports an
-/// error that all processes have; another process prints its error only if the job has not ended
-/// after [`GRACE`].
+/// Of several processes with the same command line, only the `root` prints. If all processes have
+/// the same error, the root reports it; another process prints its error only if the job has not
+/// ended after [`GRACE`].
 pub(crate) fn run<O: Parser>(
     root: bool,
     program: impl FnOnce(&O) -> Result<(), Complaint>,
@@ -87,15 +87,15 @@ pub(crate) fn run<O: Parser>(
 }
 
 /// Makes two kinds of panics end the program with an error of one line: the `todo!` of an open
-/// task, and a thread that the system refuses.
+/// task, and a thread that the system refuses to start.
 fn end_in_one_line() {
     let usual = panic::take_hook();
     panic::set_hook(Box::new(move |panic| {
         let message = panic.payload_as_str().unwrap_or_default();
         if let Some(refusal) = threads::refusal(message) {
             eprintln!("error: {refusal}");
-            // The threads that were started may be waiting at a barrier for the thread that was
-            // refused.
+            // The threads that were started may be waiting at a barrier for the thread that could
+            // not be started.
             process::exit(1);
         }
         match panic.location() {
@@ -118,7 +118,7 @@ fn complain(root: bool, line: &str, code: u8) -> ExitCode {
 }
 
 impl Choice {
-    /// Returns the variant that the user chose, or the first one.
+    /// Returns the variant that the user chose, or the first variant.
     pub(crate) fn variant<'v, S: ?Sized>(
         &self,
         variants: &'v [Variant<S>],
@@ -206,7 +206,7 @@ fn say_to(mut out: impl Write, text: &str) -> Result<(), Complaint> {
 
 /// Converts the result of writing to standard output.
 ///
-/// Returns `None` if the reader has closed it, as `head` does; that is not an error.
+/// Returns `None` if the reader has closed the output, as `head` does. This is not an error.
 pub(crate) fn none_if_closed<T>(written: io::Result<T>) -> Result<Option<T>, Complaint> {
     match written {
         Ok(result) => Ok(Some(result)),

@@ -1,12 +1,13 @@
-//! Memory that is tested before it is used.
+//! A test whether there is enough memory before the memory is used.
 
 use std::fs;
 
 /// Returns an empty list with room for `count` values, or `None` if the machine has too little
 /// memory.
 ///
-/// Linux grants more memory than there is, and kills a program that uses it. So this function first
-/// reads the available memory, on systems that report it, and then tries the allocation.
+/// Linux grants more memory than the machine has, and kills a program that uses too much. So this
+/// function first reads the available memory, on systems that report it, and then tries the
+/// allocation.
 pub(crate) fn room_for<T>(count: usize) -> Option<Vec<T>> {
     let bytes = (count as u64).checked_mul(size_of::<T>() as u64)?;
     if available().is_some_and(|available| bytes > available) {

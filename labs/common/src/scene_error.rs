@@ -1,4 +1,4 @@
-//! Checks that scenes of particles and scenes of discs have in common, and their errors.
+//! The common checks of scenes of particles and scenes of discs, and the errors of these checks.
 
 use std::ops::RangeInclusive;
 
@@ -11,7 +11,7 @@ pub enum SceneError {
     /// The scene is empty.
     #[error("a scene needs at least one {0}")]
     Empty(&'static str),
-    /// The scene has more particles or discs than there are numbers for them.
+    /// The scene has more particles or discs than ids can count.
     #[error("a scene holds at most {MOST} {0}s, not {1}")]
     TooMany(&'static str, u64),
     /// The machine has too little memory for the particles or discs.

@@ -1,4 +1,4 @@
-//! The error of a program to which the system refuses a thread.
+//! The error of a program if the system refuses to start a thread.
 
 use std::fs;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -8,14 +8,13 @@ use std::thread;
 /// Number of threads that the program was last asked to start.
 static ASKED: AtomicUsize = AtomicUsize::new(1);
 
-/// Beginnings of the panic messages when a thread cannot be started: of the standard library, of
-/// the engines, and of rayon.
+/// Beginnings of the panic messages of `std`, the engines and rayon when no thread can be started.
 const REFUSALS: [&str; 3] = ["failed to spawn thread", "cannot start ", "The global thread pool"];
 
 /// Records the number of threads that the program needs.
 ///
-/// A number that the user has `named` is also tested at once: an engine that cannot start its
-/// threads may work alone, which takes longer.
+/// A number that the user has `named` is also tested immediately, because an engine that cannot
+/// start its threads may work alone, which takes longer.
 ///
 /// # Errors
 /// The system cannot start so many threads.

@@ -1,7 +1,8 @@
 //! Variants: the programs of a lab.
 //!
 //! A lab is a list of variants: `pub static VARIANTS: &[Variant<dyn Simulation>]`. The driver runs
-//! a variant by its name, the graders run all of them, and the benchmarks time them in turns.
+//! the variant that the user names, the graders run all variants, and the benchmarks time them in
+//! turns.
 
 use thiserror::Error;
 
@@ -11,7 +12,7 @@ pub struct Variant<S: ?Sized> {
     pub name: &'static str,
     /// Description in one line for `--list-variants`.
     pub about: &'static str,
-    /// The results that this variant's results may be compared with.
+    /// The precision with which this variant repeats its results.
     pub reproducibility: Reproducibility,
     /// The parameters that `--param NAME=VALUE` can set.
     pub parameters: &'static [Parameter],
@@ -57,7 +58,7 @@ pub struct Config {
     pub threads: usize,
     /// Whether [`statistics`](crate::soft::Simulation::statistics) will be called.
     ///
-    /// Collecting statistics costs time, which a run without statistics does not pay.
+    /// Collecting statistics takes time, which a run without statistics saves.
     pub statistics: bool,
     /// Whether the [`Event`](crate::Event)s of the ranks will be read.
     pub events: bool,
@@ -74,7 +75,7 @@ pub struct ParameterError(String);
 #[error("{0}")]
 pub struct BuildError(pub String);
 
-/// Makes a variant with the bits of the naive program.
+/// Makes a variant whose results equal those of the naive program bit for bit.
 pub const fn bitwise<S: ?Sized>(
     name: &'static str,
     about: &'static str,
@@ -84,7 +85,7 @@ pub const fn bitwise<S: ?Sized>(
     Variant { name, about, reproducibility: Reproducibility::Bitwise, parameters, build }
 }
 
-/// Makes a variant with the same bits in every run, but not those of the naive program.
+/// Makes a variant whose results have the same bits in every run, but not the naive program's bits.
 pub const fn deterministic<S: ?Sized>(
     name: &'static str,
     about: &'static str,

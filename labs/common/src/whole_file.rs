@@ -14,9 +14,9 @@ use tempfile::Builder;
 /// Writes a file through `fill`, so that an incomplete file never appears under its name.
 ///
 /// On Linux the file has no name until it is complete, so a program that is killed leaves nothing
-/// behind. On other systems it is a hidden file in the same folder until then. After an error, an
-/// older file of that name is unchanged. A path that is not a regular file, such as `/dev/stdout`,
-/// is written to directly.
+/// behind. On other systems the incomplete file is a hidden file in the same folder. After an
+/// error, an older file of that name is unchanged. A path that is not a regular file, such as
+/// `/dev/stdout`, is written to directly.
 ///
 /// # Errors
 /// The folder or file cannot be written, or `fill` failed.

@@ -41,7 +41,7 @@ impl DiscsOnRanks {
         Self { task, variant, config, ranks: ranks.to_vec(), first: |_| {} }
     }
 
-    /// Returns the same runs, with a call of `first` on every rank before each run.
+    /// Returns the same runs, with a call to `first` on every rank before each run.
     #[must_use]
     pub fn first(mut self, first: fn(&SimpleCommunicator)) -> Self {
         self.first = first;
@@ -58,8 +58,8 @@ impl DiscsOnRanks {
         self
     }
 
-    /// Asks whether the bits after every one of `steps` steps of each scene are those of `right`.
-    /// `right` is a program of an earlier lab. Each scene has a name.
+    /// Asks whether the state after each of `steps` steps of each scene equals that of `right` bit
+    /// for bit. `right` is a program of an earlier lab. Each scene has a name.
     pub fn bits_of(
         &self,
         ask: &mut impl Ask,
@@ -68,7 +68,8 @@ impl DiscsOnRanks {
         steps: usize,
     ) {
         on_each(ask, self.task, &self.ranks, &Random::new(0), |rank, _, ask| {
-            // All scenes use one engine, so that data left over from the previous scene is noticed.
+            // All scenes use one engine, so that data left over from the previous scene is
+            // detected.
             let mut engine = rank.call("building an engine", |world| Some(self.engine(world)));
             for (name, scene) in scenes {
                 let found = rank.call("a run", |_| {
@@ -109,8 +110,8 @@ impl DiscsOnRanks {
         });
     }
 
-    /// Asks whether the totals of the counters over all ranks are those of `right`, after `steps`
-    /// steps. `right` is a program of an earlier lab.
+    /// Asks whether, after `steps` steps, the totals of the counters over all ranks equal those of
+    /// `right`. `right` is a program of an earlier lab.
     pub fn counters_of(
         &self,
         ask: &mut impl Ask,
@@ -146,7 +147,7 @@ impl DiscsOnRanks {
         });
     }
 
-    /// Returns an engine of the variant, as `common` builds it, after the call of `first`.
+    /// Returns an engine of the variant, as `common` builds it, after the call to `first`.
     ///
     /// # Panics
     /// If the engine cannot be built.

@@ -49,7 +49,7 @@ impl Rank<'_> {
         format!("rank {} of {}", self.number, self.ranks)
     }
 
-    /// Returns the communicator of all ranks. Only for closures of answers.
+    /// Returns the communicator of all ranks. Only the closures of answers may call this function.
     ///
     /// # Panics
     /// If there is no job.
@@ -81,9 +81,9 @@ impl Rank<'_> {
         memory(&format!("{what} on {}", self.name()), (50, bytes), turns, ask);
     }
 
-    /// Returns a table with a column for each rank on the root, and an empty text on other ranks or
-    /// without a job. `rows` contains the names and this rank's cells. All ranks must pass the same
-    /// names.
+    /// Returns a table with a column for each rank. On ranks other than the root and without a job,
+    /// returns an empty text. `rows` contains the names and this rank's cells. All ranks must pass
+    /// the same names.
     pub fn columns(&self, rows: &[(&str, String)]) -> String {
         let Some(world) = self.world else { return String::new() };
         let mut table = Columns::new((0..self.ranks).map(|rank| format!("rank {rank}")));

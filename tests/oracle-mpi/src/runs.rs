@@ -43,7 +43,7 @@ impl RunsOnRanks {
         Self { task, variant, ranks, threads: 1, parameters, statistics: false, first: |_| {} }
     }
 
-    /// Returns the same runs, with a call of `first` on every rank before each run.
+    /// Returns the same runs, with a call to `first` on every rank before each run.
     #[must_use]
     pub fn first(mut self, first: fn(&SimpleCommunicator)) -> Self {
         self.first = first;
@@ -64,8 +64,8 @@ impl RunsOnRanks {
         self
     }
 
-    /// Asks whether the bits after every one of `steps` steps of each scene are those of all pairs
-    /// in ascending order.
+    /// Asks whether the bits after each of `steps` steps of each scene equal those of all pairs.
+    /// The pairs are in ascending order.
     pub fn bits_of_all_pairs(&self, ask: &mut impl Ask, all: &[Scene], steps: usize) {
         self.judged(
             ask,
@@ -88,15 +88,15 @@ impl RunsOnRanks {
         );
     }
 
-    /// Asks whether the official run, n = 1000 and seed 1, has the bits of all pairs in its first
-    /// 200 steps. The output is then the reference program's, because bits that agree for so long
-    /// determine all digits of the output.
+    /// Asks whether the official run, n = 1000 and seed 1, has the same bits as all pairs in its
+    /// first 200 steps. The output is then the reference program's, because bits that agree for so
+    /// long determine all digits of the output.
     pub fn official(&self, ask: &mut impl Ask) {
         self.bits_of_all_pairs(ask, &[scenes::official()], 200);
     }
 
-    /// Asks whether the bits are those of all pairs in the counter scene of `n` particles. Each
-    /// rank makes its own share of the scene.
+    /// Asks whether the bits in the counter scene of `n` particles are the same as with all pairs.
+    /// Each rank makes its own share of the scene.
     ///
     /// # Panics
     /// If the scene does not exist.
@@ -179,7 +179,8 @@ impl RunsOnRanks {
         judge: impl Fn(&Scene, &States) -> Result<(), String>,
     ) {
         on_each(ask, self.task, &self.ranks, &Random::new(0), |rank, _, ask| {
-            // All scenes use one engine, so that data left over from the previous scene is noticed.
+            // All scenes use one engine, so that data left over from the previous scene is
+            // detected.
             let mut engine = rank.call("building an engine", |world| {
                 self.begin(world);
                 Some(self.engine())

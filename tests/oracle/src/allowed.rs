@@ -12,8 +12,8 @@ pub(crate) struct Allowed {
 }
 
 impl Allowed {
-    /// Returns the bounds for double precision. Errors of correct programs are below a thousandth
-    /// of them.
+    /// Returns the bounds for double precision. The errors of correct programs are below a
+    /// thousandth of these bounds.
     pub(crate) fn in_double(a: f64) -> Self {
         Self { position: 1e-13 * (1.0 + 100.0 * DT * DT * a), velocity: 1e-12 * (1.0 + DT * a) }
     }

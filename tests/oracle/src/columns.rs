@@ -6,7 +6,7 @@ use std::fmt::{self, Display, Formatter};
 ///
 /// The book steps through such a table row by row. A cell is a text, or numbers of particles with a
 /// bar between the parts of a buffer and the numbers of ghosts in parentheses ([`spaced`]). The
-/// name of a row with different numbers contains the word *count* or *displacements*.
+/// name of a row with other kinds of numbers contains the word *count* or *displacements*.
 pub struct Columns {
     heads: Vec<String>,
     rows: Vec<(String, Vec<String>)>,

@@ -1,4 +1,4 @@
-//! One step of a program against one step of the model.
+//! Comparison of one step of a program with one step of the model.
 
 use common::soft::Particle;
 
@@ -8,8 +8,8 @@ use crate::diagnosis::Mistake;
 use crate::single::Single;
 
 /// Compares `after`, a program's state one step after `before`, with the model's step from
-/// `before`. `single` is given for a program in single precision. Returns an explanation of the
-/// first wrong particle.
+/// `before`. `single` is not `None` for a program in single precision. Returns an explanation of
+/// the first wrong particle.
 pub(crate) fn one_step(
     size: f64,
     before: &[Particle],
@@ -19,7 +19,7 @@ pub(crate) fn one_step(
     let mut model = Model::from_state(size, before.to_vec());
     model.step();
     for (id, (found, expected)) in after.iter().zip(&model.particles).enumerate() {
-        // The sum of magnitudes bounds |a|. In a crowd where forces cancel, it also bounds the
+        // The sum of magnitudes bounds |a|. In a crowd where forces cancel, the sum also bounds the
         // rounding errors of a different order of summation.
         let a = model.magnitudes[id];
         let allowed = match single {

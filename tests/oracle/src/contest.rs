@@ -1,9 +1,9 @@
 //! The scenes of the contest and their exact ends.
 //!
-//! The kinds of scenes are announced; each scene is drawn from a seed. Computing the exact motion
+//! The kinds of scenes are public, but each scene is drawn from a seed. Computing the exact motion
 //! of 100,000 particles would take minutes. So it is computed only for the particles in a square,
-//! which is also drawn from the seed. Only the particles that the edge of the square cannot have
-//! influenced are judged.
+//! which is also drawn from the seed. The judge considers only the particles that the edge of the
+//! square cannot have influenced.
 
 use common::soft::{DT, Particle, Scene};
 
@@ -21,7 +21,7 @@ const SQUARE: f64 = 1.2;
 /// steps.
 const MARGIN: f64 = 0.25;
 
-/// Number of particles for each fast particle, in scenes of [`Kind::Fast`].
+/// Number of particles per fast particle in scenes of [`Kind::Fast`].
 const FAST: usize = 100;
 
 /// A kind of scene.
@@ -31,11 +31,11 @@ pub enum Kind {
     Official,
     /// The official scene with many particles.
     Large,
-    /// The official scene in a box of five times the side: hardly any pair meets.
+    /// The official scene in a box of five times the side: hardly any particles meet.
     Thin,
-    /// The official scene in a box of 0.65 times the side: more than twice as many pairs meet.
+    /// The official scene in a box of 0.65 times the side: more than twice as many particles meet.
     Crowd,
-    /// The official scene with one particle of a hundred three times as fast.
+    /// The official scene with one particle in a hundred three times as fast.
     Fast,
 }
 
@@ -64,7 +64,7 @@ impl Kind {
         }
     }
 
-    /// Makes the scene of `n` particles that this seed draws.
+    /// Makes the scene of `n` particles that this seed determines.
     ///
     /// # Panics
     /// If `n` or `seed` is 0, or `n` is more than a scene may have.
@@ -97,7 +97,8 @@ impl Kind {
     /// # Errors
     /// If the exact motion cannot be computed.
     pub fn exact_end(self, scene: &Scene, seed: u32) -> Result<Vec<Particle>, String> {
-        // A wide window links many particles in a crowd, and fast particles link them too.
+        // A wide window links many particles in a crowd, and fast particles also link many
+        // particles.
         let window = match self {
             Self::Official | Self::Large | Self::Thin => 2e-4,
             Self::Fast => 1e-4,

@@ -30,7 +30,8 @@ pub fn pairs_over_edges(random: &mut Random) -> Scene {
     Scene::new(40.55 * CUTOFF, particles).expect("all particles are in the box")
 }
 
-/// Draws about 60 particles in a small box, two of them at one position and two nearly so.
+/// Draws about 60 particles in a small box. Two are at the same position, and two almost at the
+/// same position.
 ///
 /// # Panics
 /// Never: all particles are in the box.

@@ -1,7 +1,8 @@
-//! The graders' side of the kit: a model written independently of the labs, scenes on which wrong
-//! programs show, and questions whose answers are judged in the domain's words.
+//! The graders' side of the kit: a model written independently of the labs, scenes that expose
+//! wrong programs, and questions whose answers are judged in the domain's words.
 //!
-//! The table of a lab's questions is declared by [`questions!`]; a question asks by way of [`Ask`]:
+//! The macro [`questions!`] declares the table of a lab's questions; a question asks through
+//! [`Ask`]:
 //!
 //! ```no_run
 //! # static VARIANTS: &[common::Variant<dyn common::soft::Simulation>] = &[];
@@ -15,7 +16,7 @@
 //! Particles are chaotic: two correct programs that add in a different order drift apart until
 //! nothing is left to compare. So the model restarts from the program's own state before every step,
 //! and that one step is compared ([`Runs::resynchronised`]). Correct programs then differ by 1e-16;
-//! the mildest mistake that we know makes 6e-8.
+//! the mildest known mistake causes a difference of 6e-8.
 
 mod allowed;
 mod apart;

@@ -28,7 +28,7 @@ impl Model {
         Self { size, particles, accelerations: vec![Vec2::ZERO; n], magnitudes: vec![0.0; n] }
     }
 
-    /// Advances by one time step. Neighbours are summed in ascending id.
+    /// Advances by one time step. Neighbours are summed in ascending order of ids.
     pub fn step(&mut self) {
         self.advance(DT);
     }

@@ -1,5 +1,5 @@
-//! The table of a lab's questions. Its tests, its grading and the order of both are derived from
-//! the table.
+//! The table of a lab's questions. The lab's tests, its grading and the order of both are derived
+//! from the table.
 
 use crate::Random;
 use crate::asking::{Judge, Recorder};
@@ -115,9 +115,10 @@ impl Order {
 /// }
 /// ```
 ///
-/// A row is the question's name, the tasks that it needs besides its own, the function that asks it
-/// (if that has another name) and the sentence that a student reads. The function gets a `&mut
-/// Random` and an `&mut impl Ask`. The first question of a task is its worked example.
+/// A row contains the question's name, the tasks that it needs besides its own, the function that
+/// asks it (if the function has a different name) and the sentence that a student reads. The
+/// function gets a `&mut Random` and an `&mut impl Ask`. The first question of a task is its worked
+/// example.
 #[macro_export]
 macro_rules! questions {
     ($($task:ident {
@@ -131,7 +132,8 @@ macro_rules! questions {
             text: $text,
         },)+)+];
 
-        /// Asks the question of a test's name. Returns false if there is no such question.
+        /// Asks the question that belongs to a test's name. Returns false if there is no such
+        /// question.
         pub fn ask<A: $crate::Ask>(test: &str, random: &mut $crate::Random, ask: &mut A) -> bool {
             $($(if test == concat!(stringify!($task), "::", stringify!($name)) {
                 $crate::questions!(@function $name $($function)?)(random, ask);

@@ -1,7 +1,7 @@
 //! Random numbers for the scenes of tests and probes.
 
-/// Sizes at which programs often fail: at the ends of vector lanes, of blocks, of eight and of
-/// sixteen bits.
+/// Sizes at which programs often fail. Vector lanes, blocks, or the range of eight or sixteen bits
+/// end there.
 const SIZES: [usize; 18] =
     [0, 1, 2, 3, 7, 8, 9, 31, 32, 33, 255, 256, 257, 1025, 4097, 65_535, 65_536, 65_537];
 
@@ -43,7 +43,7 @@ impl Random {
     }
 
     /// Draws a coordinate along a wall of length `size` with `along` bins. The coordinate is on the
-    /// wall at either end, on an edge between bins, next to an edge by a rounding, or anywhere.
+    /// wall at either end, on an edge between bins, off an edge by one rounding, or anywhere.
     pub fn coordinate(&mut self, size: f64, along: usize) -> f64 {
         let edge = self.below(along + 1) as f64 * (size / along as f64);
         let coordinate = match self.below(8) {
@@ -70,14 +70,14 @@ impl Random {
         self.between(low.ln(), high.ln()).exp()
     }
 
-    /// Draws such a number with either sign.
+    /// Draws a number as [`magnitude`](Self::magnitude) does, with either sign.
     pub fn signed(&mut self, low: f64, high: f64) -> f64 {
         let magnitude = self.magnitude(low, high);
         if self.below(2) == 0 { magnitude } else { -magnitude }
     }
 
-    /// Returns all of [`SIZES`] up to `most`, and a random size, so that the smallest size that
-    /// fails is asked first.
+    /// Returns all of [`SIZES`] up to `most`, and a random size. The smallest size that fails is
+    /// thus found first.
     pub fn sizes(&mut self, most: usize) -> Vec<usize> {
         let mut sizes: Vec<usize> = SIZES.into_iter().filter(|&size| size <= most).collect();
         sizes.push(self.below(most + 1));

@@ -70,7 +70,7 @@ pub(crate) fn different_tables(found: &str, expected: &str) -> Result<(), String
     Err(lines.join("\n"))
 }
 
-/// A test whether a found number and the expected number differ in a certain way.
+/// A function that tests whether a found number and the expected number differ in a certain way.
 type Difference<'a> = &'a dyn Fn(f64, f64) -> bool;
 
 /// Names the kind of mistake that may have caused the difference. `None` if no kind fits.

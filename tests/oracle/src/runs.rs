@@ -124,13 +124,13 @@ impl Runs {
 
     /// Asks whether every one of `steps` steps agrees with the model up to rounding. The model
     /// restarts from the program's own state before each step, so chaos and the order of summation
-    /// have no effect.
+    /// do not affect the comparison.
     pub fn resynchronised(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
         self.resynchronised_on_each(ask, vec![scene.clone()], steps);
     }
 
-    /// Asks [`resynchronised`](Self::resynchronised) on many scenes with one engine. Data left over
-    /// from the previous scene is noticed.
+    /// Asks [`resynchronised`](Self::resynchronised) on many scenes with one engine. So data left
+    /// over from the previous scene is detected.
     pub fn resynchronised_on_each(&self, ask: &mut impl Ask, all: Vec<Scene>, steps: usize) {
         if steps > FIRST {
             self.steps_of_each(ask, all.clone(), FIRST);
@@ -175,9 +175,9 @@ impl Runs {
         self.resynchronised_on_each(ask, (1..=200).map(scenes::crowd).collect(), 2);
     }
 
-    /// Asks for forces on particles at rest in crowds, within 10⁻¹² of the sum of magnitudes. The
-    /// total force must be zero within 10⁻¹² of the sum of all magnitudes, because pairs conserve
-    /// momentum.
+    /// Asks for forces on particles at rest in crowds. They must be right within 10⁻¹² of the sum
+    /// of magnitudes. The total force must be zero within 10⁻¹² of the sum of all magnitudes,
+    /// because pairs conserve momentum.
     pub fn forces(&self, ask: &mut impl Ask) {
         for seed in 1..=10 {
             let scene = scenes::cloud(40 * seed as usize, 4.0, seed);
@@ -196,7 +196,7 @@ impl Runs {
         }
     }
 
-    /// Asks whether the bits after every one of `steps` steps are those of all pairs in ascending
+    /// Asks whether the bits after each of `steps` steps equal those of all pairs in ascending
     /// order.
     pub fn bits_of_all_pairs(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
         let of_run = scene.clone();
@@ -217,9 +217,9 @@ impl Runs {
         );
     }
 
-    /// Asks whether the bits after `steps` steps in a row, without a read in between, are those of
-    /// all pairs. Nothing outside the program makes its threads wait between two steps, so threads
-    /// that live for the whole run must wait for each other themselves.
+    /// Asks whether the bits after `steps` steps in a row, without a read in between, equal those
+    /// of all pairs. Nothing outside the program makes its threads wait between two steps, so
+    /// threads that live for the whole run must wait for each other themselves.
     pub fn bits_after_a_run(&self, ask: &mut impl Ask, scene: &Scene, steps: u64) {
         let of_run = scene.clone();
         let found = move |engine: &mut dyn Simulation| {
@@ -320,8 +320,8 @@ impl Runs {
         format!("{}, {} particles, {steps} steps", self.name(), scene.len())
     }
 
-    /// Checks that every step agrees with the model. With bins of single precision the states begin
-    /// with the loaded state.
+    /// Checks that every step agrees with the model. For a program in single precision, the states
+    /// begin with the loaded state.
     fn follow(&self, scene: &Scene, states: States) -> Result<(), String> {
         let single = self.bins.map(|side_of| Single { side: side_of(scene) });
         let mut before = scene.particles().to_vec();

@@ -12,7 +12,8 @@ pub fn official() -> Scene {
     Scene::official(1000, 1).expect("the official scene is valid")
 }
 
-/// Returns scene B: 150 particles in a box of 10.3 cutoffs, 4.4 neighbours each, all in motion.
+/// Returns scene B: 150 particles in a box of 10.3 cutoffs, with 4.4 neighbours each, all in
+/// motion.
 pub fn dense() -> Scene {
     dense_with_seed(1)
 }
@@ -113,8 +114,9 @@ pub fn on_edges(random: &mut Random, n: usize, size: f64, along: usize) -> Vec<P
     particles
 }
 
-/// Returns scene C: a crowd of 200 particles anywhere in a box of 2.55 cutoffs, 60 neighbours each.
-/// Some are so close that they are flung through the box many times in one step.
+/// Returns scene C: a crowd of 200 particles anywhere in a box of 2.55 cutoffs, with 60 neighbours
+/// each. Some particles are so close to others that they fly through the box many times in one
+/// step.
 pub fn crowd(seed: u64) -> Scene {
     anywhere(&mut Random::new(seed), 200, 2.55 * CUTOFF, 1.0)
 }
@@ -125,7 +127,7 @@ pub fn all_leave() -> Scene {
     lattice_with_jitter(150, 10.3 * CUTOFF, 40.0, 5)
 }
 
-/// Returns the dense box inside a wide box, at its left wall and `y` above its bottom.
+/// Returns the dense box inside a wide box, at the wide box's left wall and `y` above its bottom.
 pub fn corner(y: f64) -> Scene {
     in_a_wide_box(|p| Particle { y: p.y + y, ..*p })
 }
@@ -146,13 +148,13 @@ pub fn one_row() -> Scene {
 }
 
 /// Returns scenes D: isolated pairs at 0.9995 cutoffs, across every edge and corner of bins. The
-/// pairs have every direction, in a box of 30.55 cutoffs. Bins may be as wide as the cutoff or as
-/// wide as the box allows. Bins of different widths have an edge at some pair as well.
+/// pairs have all directions; the box is 30.55 cutoffs wide. Bins may be as wide as the cutoff or
+/// as wide as the box allows. Bins of a different width have an edge at some pair too.
 pub fn edges() -> Vec<Scene> {
     let size = 30.55 * CUTOFF;
     let half = 0.9995 * CUTOFF / 2.0;
     let diagonal = half / 2.0_f64.sqrt();
-    // Pairs that cross only one edge are a quarter of a bin beside the corner.
+    // Pairs that cross only one edge are a quarter of a bin away from the corner.
     let directions = [
         (half, 0.0, 0.0, 0.25),
         (0.0, half, 0.25, 0.0),
@@ -162,7 +164,8 @@ pub fn edges() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for pitch in [CUTOFF, size / 30.0] {
         for (dx, dy, off_x, off_y) in directions {
-            // Every third edge has pairs, so that pairs do not meet. Nine scenes cover all edges.
+            // Only every third edge has pairs, so that pairs do not meet other pairs. Nine scenes
+            // cover all edges.
             for (first_column, first_row) in (0..9).map(|k| (k % 3, k / 3)) {
                 let mut particles = Vec::new();
                 for row in (first_row..=30).step_by(3) {

@@ -51,8 +51,8 @@ impl Table {
     }
 }
 
-/// Formats numbers in ascending order, separated by spaces; `-` if there are none. For lists in
-/// which the order does not matter.
+/// Formats numbers in ascending order, separated by spaces; `-` if there are none. Use this
+/// function for lists in which the order does not matter.
 pub fn ascending<T: Display + Ord>(items: impl IntoIterator<Item = T>) -> String {
     let mut items: Vec<T> = items.into_iter().collect();
     items.sort_unstable();

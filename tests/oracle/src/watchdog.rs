@@ -1,4 +1,4 @@
-//! Time limits, so that a test that hangs reports this.
+//! Time limits, so that a test that hangs fails with a message.
 
 use std::any::Any;
 use std::cell::RefCell;

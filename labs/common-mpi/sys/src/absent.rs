@@ -1,6 +1,6 @@
-//! MPI's types, constants and functions for machines without an MPI library, as far as the package
-//! `mpi` uses them. They are for the compiler only. The signatures are the standard's; the values have
-//! no meaning, because no call returns.
+//! The types, constants and functions of MPI that the package `mpi` uses, for machines without an MPI
+//! library. They are for the compiler only. The signatures follow the standard; the values have no
+//! meaning, because no call returns.
 
 use std::ffi::{c_char, c_int, c_void};
 use std::io::{self, Write};

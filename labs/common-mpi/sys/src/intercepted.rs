@@ -1,6 +1,6 @@
 //! MPI calls that are reported to a watch before they are made.
 //!
-//! The package `mpi` finds these functions under the library's names, and each of them calls the
+//! The package `mpi` finds these functions under the library's names, and each function calls the
 //! library's function. MPI's own *profiling interface*, `PMPI`, works in the same way with a second set
 //! of names, where this file uses Rust's modules.
 
@@ -89,7 +89,7 @@ fn between(name: &'static str) -> Call {
     }
 }
 
-/// Returns a call of all ranks of `comm`. Calls on fewer ranks than all are not compared.
+/// Returns a call of all ranks of `comm`. Calls that do not involve all ranks are not compared.
 fn all(name: &'static str, comm: MPI_Comm) -> Call {
     Call { is_collective: comm == unsafe { RSMPI_COMM_WORLD }, ..between(name) }
 }

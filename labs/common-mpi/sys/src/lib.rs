@@ -1,12 +1,12 @@
 //! MPI's functions, types and constants, under the names by which the package `mpi` calls them.
 //!
-//! It replaces the registry's `mpi-sys` (`[patch.crates-io]` in the top manifest), which does not
-//! compile without an MPI library. This package does, so labs with ranks can be written, and checked
-//! by an editor or `cargo check`, on a machine that has only Rust. A program that calls MPI there prints
-//! what is missing, and ends.
+//! This package replaces the registry's `mpi-sys` (`[patch.crates-io]` in the top manifest), which does
+//! not compile without an MPI library. This package does compile, so labs with ranks can be written, and
+//! checked by an editor or `cargo check`, on a machine that has only Rust. A program that calls MPI
+//! there prints what is missing, and ends.
 //!
-//! Its version is that of the package that it replaces. If `mpi` needs a newer version, cargo reports
-//! that the patch is not used. Then raise the version here.
+//! Its version equals the version of the package that it replaces. If `mpi` needs a newer version,
+//! cargo reports that the patch is not used. Then raise the version here.
 
 #![allow(non_camel_case_types, non_snake_case, non_upper_case_globals)]
 

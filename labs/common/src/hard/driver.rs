@@ -44,8 +44,8 @@ pub fn drive(variants: &[Variant<dyn Simulation>]) -> ExitCode {
 /// Runs the program of a lab as one of several processes with the same command line.
 ///
 /// Every process calls it; only the `root` reads, prints and writes. `share` distributes the root's
-/// input: the root calls it with the bytes, the other ranks call it with `None`, and it returns the
-/// bytes to all.
+/// input: the root calls it with the bytes, the other ranks call it with `None`, and all ranks get
+/// the bytes.
 pub fn drive_on_rank(
     variants: &[Variant<dyn Simulation>],
     root: bool,
@@ -70,7 +70,7 @@ fn run_lab(
     let name =
         options.input.as_ref().map_or("standard input".into(), |path| path.display().to_string());
     let complaint = |e: &dyn std::fmt::Display| format!("{name}: {e}");
-    // If the root cannot read the input, the other ranks receive an empty one, so that all ranks
+    // If the root cannot read the input, the other ranks receive an empty input, so that all ranks
     // fail.
     let (own, unreadable) = match root.then(|| bytes(options)).transpose() {
         Ok(own) => (own, None),
@@ -126,8 +126,8 @@ fn bytes(options: &Options) -> io::Result<Vec<u8>> {
 
 /// Returns all bytes of an input.
 ///
-/// An input with a zero byte is not text. It is refused, because a device such as `/dev/zero` never
-/// ends.
+/// An input with a zero byte is not text. The function refuses it, because a device such as
+/// `/dev/zero` never ends.
 fn text(mut input: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     loop {

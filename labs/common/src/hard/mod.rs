@@ -4,7 +4,7 @@
 //! The problem is Assignment 1 of NUS's CS3210: N discs of radius r in a square of side L, in time
 //! steps of length 1. In one step a disc takes part in at most one collision. If several collisions
 //! could happen, the earliest comes first, and its discs have no other collision in the step; this
-//! rule is the model's own. Chapter 7 of the book states every rule, and the labs implement them.
+//! rule is part of the model. Chapter 7 of the book states every rule, and the labs implement them.
 
 mod disc;
 mod driver;

@@ -7,9 +7,9 @@ use crate::room::room_for;
 
 /// The parameters of a random scene.
 ///
-/// Every number of a disc, in the order x, y, vx, vy, takes a number u in 0 .. 1 with 53 random
-/// bits from the Mersenne Twister MT19937. A coordinate is linear in u. For a velocity component
-/// let s = 2 u − 1: the component has the sign of s, and its magnitude is linear in |s|.
+/// Every number of a disc, in the order x, y, vx, vy, is computed from a number u in 0 .. 1 with 53
+/// random bits from the Mersenne Twister MT19937. A coordinate is linear in u. For a velocity
+/// component let s = 2 u − 1: the component has the sign of s, and its magnitude is linear in |s|.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RandomScene {
     /// Number of discs.
@@ -49,8 +49,8 @@ impl RandomScene {
     /// Generates the scene.
     ///
     /// # Errors
-    /// The numbers do not make a valid scene ([`SceneError`]), or the discs need more memory than
-    /// there is.
+    /// The numbers do not make a valid scene ([`SceneError`]), or the machine has too little memory
+    /// for the discs.
     pub fn draw(&self) -> Result<Scene, SceneError> {
         let Self { n, side, radius, seed, .. } = *self;
         Scene::check_square(side, radius)?;
@@ -71,7 +71,7 @@ impl RandomScene {
     /// Returns a coordinate of a centre, for a number `u` in 0 .. 1.
     fn coordinate(&self, u: f64) -> f64 {
         let Self { side, radius, within, .. } = *self;
-        // Rounding must not push a disc that touches a wall through it.
+        // Rounding must not push a disc that touches a wall through the wall.
         ((side - within) / 2.0 + within * u).clamp(radius, side - radius)
     }
 

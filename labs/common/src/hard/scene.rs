@@ -8,7 +8,7 @@ use crate::scene_error::{self, check_body, check_length};
 ///
 /// Every scene is valid: it has a disc, every number in it is finite, 0 < 2 r ≤ L, and every disc
 /// is inside the walls, r ≤ x, y ≤ L − r. Discs may overlap each other. Labs rely on this and need
-/// no tests.
+/// no checks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     side: f64,

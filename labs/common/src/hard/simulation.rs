@@ -5,7 +5,7 @@ use crate::Event;
 
 /// An engine that moves hard discs.
 ///
-/// An engine can be reused: each [`load`](Simulation::load) replaces the scene. Calls of
+/// An engine can be reused: each [`load`](Simulation::load) replaces the scene. Calls to
 /// [`read`](Simulation::read) never change later results. Under MPI every rank calls every method
 /// together; only the root's `out` is filled.
 pub trait Simulation {
@@ -22,16 +22,16 @@ pub trait Simulation {
     ///
     /// An example is `("pair tests", 4.5e7)`.
     ///
-    /// The program prints them at the end of a run.
+    /// The program prints the counters at the end of a run.
     fn counters(&self) -> Vec<(&'static str, f64)> {
         Vec::new()
     }
 
     /// Returns the activities of all ranks since the scene was loaded.
     ///
-    /// Returns `None` if the engine does not record them.
+    /// Returns `None` if the engine does not record activities.
     ///
-    /// The option `--events FILE` writes them to a file.
+    /// The option `--events FILE` writes the activities to a file.
     fn events(&self) -> Option<Vec<Event>> {
         None
     }

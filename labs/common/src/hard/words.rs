@@ -22,7 +22,7 @@ pub enum InputError {
     },
 }
 
-/// An input that is read by lines and, within a line, by words.
+/// An input that is read line by line and, within a line, word by word.
 pub(super) struct Words<R> {
     input: R,
     text: String,
@@ -45,7 +45,7 @@ impl<R: BufRead> Words<R> {
                 return Ok(false);
             }
             self.line += 1;
-            // Editors of Windows begin a file with a mark that nobody sees.
+            // Some editors on Windows begin a file with an invisible mark.
             if self.line == 1 && self.text.starts_with('\u{feff}') {
                 self.at = '\u{feff}'.len_utf8();
             }
@@ -64,7 +64,7 @@ impl<R: BufRead> Words<R> {
         Some(&self.text[start..self.at])
     }
 
-    /// Reads a field of the head, on this line or on a later one.
+    /// Reads a field of the head, on this line or on a later line.
     pub(super) fn head<T: FromStr>(
         &mut self,
         field: &str,

@@ -2,9 +2,9 @@
 //!
 //! The official generator makes its particles one after the other, and must store the whole
 //! shuffle. So every process that wants a part of the scene must generate the whole scene, in
-//! memory that grows with the scene. The counter scene needs no memory. It has the same
-//! distribution: the same sites, each taken once, in shuffled order, with speeds from -1 to 1. Only
-//! the random numbers differ.
+//! memory that grows with the scene. The counter scene needs no memory. Its distribution is the
+//! same: the same sites, each taken once, in shuffled order, and speeds from -1 to 1. Only the
+//! random numbers differ.
 
 use std::ops::Range;
 
@@ -20,9 +20,9 @@ const SPEEDS: u32 = 1;
 
 /// The particles of a counter scene, each of which can be computed without the others.
 ///
-/// It stores only n and a seed. Particles can be computed by id, and by position: row by row of the
-/// lattice at the start. So a process that has a part of the box makes the particles of its part,
-/// in time and memory that grow with the part.
+/// The struct stores only n and a seed. Particles can be computed from their ids, or row by row of
+/// the lattice at the start. So a process that has a part of the box makes only the particles of
+/// its part. Time and memory grow with the part.
 #[derive(Clone, Copy, Debug)]
 pub struct CounterParticles {
     lattice: Lattice,
@@ -78,7 +78,7 @@ impl CounterParticles {
         self.lattice.rows
     }
 
-    /// Returns y of all particles of `row`. It grows with the row.
+    /// Returns y of all particles of `row`. Higher rows have a greater y.
     pub fn y(&self, row: usize) -> f64 {
         self.lattice.y(row)
     }

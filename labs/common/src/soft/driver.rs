@@ -68,7 +68,7 @@ enum Generator {
 struct Loaded {
     n: usize,
     size: f64,
-    /// Time of loading, without the time for reading a scene file.
+    /// Time for loading, without the time for reading a scene file.
     time: Duration,
 }
 
@@ -86,8 +86,9 @@ pub fn drive(variants: &[Variant<dyn Simulation>]) -> ExitCode {
 
 /// Runs the program of a lab as one of several processes with the same command line.
 ///
-/// Every process calls it; only the `root` prints and writes. The root reports an error that all
-/// processes have; another process prints its error only if the job has not ended a second later.
+/// Every process calls it; only the `root` prints and writes. If all processes have the same error,
+/// the root reports it; another process prints its error only if the job has not ended a second
+/// later.
 pub fn drive_on_rank(variants: &[Variant<dyn Simulation>], root: bool) -> ExitCode {
     program::run(root, |options| run_lab(variants, options, root))
 }
@@ -189,11 +190,11 @@ fn simulate(
     Ok(run)
 }
 
-/// Returns how many steps to take in a row after `done` of them.
+/// Returns the number of steps to take in a row after `done` steps.
 ///
 /// The run stops for output after steps 0, `every`, 2 `every`, …, counted from 0. With statistics
-/// it stops after each step. Without both it still stops from time to time, to move the progress
-/// bar.
+/// it stops after each step. Without output and statistics it still stops from time to time, to
+/// move the progress bar.
 fn batch(done: u64, options: &Options) -> u64 {
     const BAR: u64 = 50;
     let look = match () {

@@ -25,8 +25,8 @@ impl Scene {
     }
 }
 
-/// The particles of an official scene one after the other, for a program that keeps only some of
-/// them.
+/// The particles of an official scene, one after the other, for a program that keeps only some
+/// particles.
 ///
 /// The shuffle takes 4 bytes for each particle of the scene.
 #[derive(Clone, Debug)]
@@ -78,7 +78,7 @@ impl Iterator for OfficialParticles {
     }
 }
 
-/// Returns an integer in 0 ..= `greatest`, by Lemire's method with 32-bit numbers.
+/// Returns an integer in 0 ..= `greatest`, with Lemire's method for 32-bit numbers.
 fn uniform_int(twister: &mut Mt, greatest: u32) -> u32 {
     let range = greatest + 1;
     let mut product = u64::from(twister.next_u32()) * u64::from(range);

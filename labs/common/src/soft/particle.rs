@@ -17,7 +17,7 @@ pub struct Particle {
     pub vx: f64,
     /// Velocity along y.
     pub vy: f64,
-    /// Number of the particle in the scene, 0 .. n. It stays the same wherever a lab moves the
+    /// Number of the particle in the scene, 0 .. n. The number stays the same when a lab moves the
     /// particle in memory.
     pub id: u32,
 }

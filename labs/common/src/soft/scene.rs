@@ -7,7 +7,7 @@ use crate::scene_error::{self, check_body, check_length};
 /// A square box of side [`size`](Scene::size) with particles in it.
 ///
 /// Every scene is valid: it has a particle, every number in it is finite, every particle is in the
-/// box, walls included, and ids count from 0. Labs rely on this and need no tests.
+/// box, walls included, and ids count from 0. Labs rely on this and need no checks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     size: f64,

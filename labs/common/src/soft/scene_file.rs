@@ -70,7 +70,7 @@ fn line_of(input: &mut impl BufRead, number: usize) -> Result<Option<String>, Sc
 }
 
 fn header(text: &str) -> Option<(u64, f64)> {
-    // Editors of Windows begin a file with a mark that nobody sees.
+    // Some editors on Windows begin a file with an invisible mark.
     let text = text.trim_start_matches('\u{feff}').trim();
     let (n, size) = text.split_once(char::is_whitespace)?;
     Some((n.parse().ok()?, size.trim().parse().ok()?))

@@ -11,11 +11,11 @@ const ROUNDS: u32 = 4;
 /// A random one-to-one map of the numbers 0 .. `n` to themselves that needs no memory.
 ///
 /// A number is divided into two halves, `column` and `row` of a table of `columns` by `rows`
-/// entries. Each round adds to one half a random function of the other half, modulo its range.
-/// Subtracting the same function undoes the round, whatever the function is: this is a *Feistel
-/// network*. The table may have a few entries more than `n`. A number that is mapped to one of
-/// these is mapped again, until the result is below `n` (*cycle walking*; Black and Rogaway,
-/// *Ciphers with arbitrary finite domains*, 2002).
+/// entries. Each round computes a random function of one half and adds it to the other half, modulo
+/// the range of the other half. Subtracting the same function undoes the round, whatever the
+/// function is: this is a *Feistel network*. The table may have a few entries more than `n`. A
+/// number that is mapped to an entry beyond `n` is mapped again, until the result is below `n`
+/// (*cycle walking*; Black and Rogaway, *Ciphers with arbitrary finite domains*, 2002).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shuffle {
     n: usize,
@@ -121,7 +121,7 @@ mod tests {
     fn numbers_in_a_row_are_strangers() {
         let shuffle = shuffle(10_000, 1);
         let indices: Vec<usize> = (0..10_000).map(|number| shuffle.forward(number)).collect();
-        // Nine of ten thousand indices are hits, so nine hits are expected.
+        // An index is a hit with probability 9 / 10,000, so nine hits are expected.
         let in_a_row = indices.windows(2);
         let hits = in_a_row
             .filter(|pair| {

@@ -5,7 +5,7 @@ use crate::Event;
 
 /// An engine that moves soft discs.
 ///
-/// An engine can be reused: each [`load`](Simulation::load) replaces the scene. Calls of
+/// An engine can be reused: each [`load`](Simulation::load) replaces the scene. Calls to
 /// [`read`](Simulation::read) and [`statistics`](Simulation::statistics) never change later
 /// results. Under MPI every rank calls every method together; only the root's `out` is filled.
 pub trait Simulation {
@@ -14,8 +14,8 @@ pub trait Simulation {
 
     /// Starts from the official scene.
     ///
-    /// An engine whose particles are on several machines overrides it, so that no machine stores
-    /// the whole scene.
+    /// An engine whose particles are on several machines overrides this method, so that no machine
+    /// stores the whole scene.
     ///
     /// # Errors
     /// The same as those of [`Scene::official`].
@@ -26,8 +26,8 @@ pub trait Simulation {
 
     /// Starts from the counter scene.
     ///
-    /// An engine whose particles are on several machines overrides it, so that each machine makes
-    /// only its own particles.
+    /// An engine whose particles are on several machines overrides this method, so that each
+    /// machine makes only its own particles.
     ///
     /// # Errors
     /// The same as those of [`Scene::counter`].
@@ -41,8 +41,8 @@ pub trait Simulation {
 
     /// Advances all particles by `steps` time steps.
     ///
-    /// An engine overrides it if several steps in a row are cheaper than single steps, for example
-    /// because its threads then start only once.
+    /// An engine overrides this method if several steps in a row are cheaper than single steps, for
+    /// example because its threads then start only once.
     fn run(&mut self, steps: u64) {
         for _ in 0..steps {
             self.step();
@@ -62,16 +62,17 @@ pub trait Simulation {
     ///
     /// They do not include the statistics.
     ///
-    /// An example is `("lock wait [s]", 0.25)`. The program prints them at the end of a run.
+    /// An example is `("lock wait [s]", 0.25)`. The program prints the counters at the end of a
+    /// run.
     fn counters(&self) -> Vec<(&'static str, f64)> {
         Vec::new()
     }
 
     /// Returns the activities of all ranks since the scene was loaded.
     ///
-    /// Returns `None` if the engine does not record them.
+    /// Returns `None` if the engine does not record activities.
     ///
-    /// The option `--events FILE` writes them to a file.
+    /// The option `--events FILE` writes the activities to a file.
     fn events(&self) -> Option<Vec<Event>> {
         None
     }

@@ -23,7 +23,7 @@ impl Default for Statistics {
 
 /// An observer of the forces of a step.
 ///
-/// Every engine has its observer as a type parameter. With [`NoStatistics`] all calls are empty and
+/// The observer is a type parameter of every engine. With [`NoStatistics`] all calls are empty and
 /// the compiler removes them, so a run without statistics does not pay for them.
 pub trait Observer: Default + Clone + Send + Sync + 'static {
     /// Records that `pairs` ordered pairs were tested.
@@ -31,13 +31,13 @@ pub trait Observer: Default + Clone + Send + Sync + 'static {
 
     /// Records an ordered pair at squared distance `r2` ≤ cutoff².
     ///
-    /// The pair of a particle with itself, at distance 0, may be among them and is ignored.
+    /// The pair of a particle with itself, at distance 0, may be recorded too, and is ignored.
     fn seen(&mut self, r2: f64);
 
     /// Adds the records of `other` for the same step.
     fn merge(&mut self, other: &Self);
 
-    /// Returns the statistics since this observer was made, or `None` if it collects none.
+    /// Returns the statistics since this observer was made, or `None` if it collects no statistics.
     fn statistics(&self) -> Option<Statistics>;
 }
 
@@ -59,7 +59,7 @@ impl Observer for NoStatistics {
 
 /// Makes a boxed engine with the observer `$tally` or, without statistics, [`NoStatistics`].
 ///
-/// `$engine` is compiled for both observers, and calls either of them `$observer`.
+/// `$engine` is compiled for both observers, and refers to either as `$observer`.
 #[macro_export]
 macro_rules! observed {
     ($config:expr, $tally:ty, |$observer:ident| $engine:expr) => {

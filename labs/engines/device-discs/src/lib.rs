@@ -4,12 +4,12 @@
 //! type that implements [`soft::SoftKernels`] or [`hard::HardKernels`] supplies the kernels in
 //! WGSL. Lab 9 of the kit has such types; read its source for an example.
 //!
-//! - [`soft::SoftDiscs`]: particles that repel each other within a cutoff. They are sorted into
-//!   bins on the device, and stay there. Positions are in double precision, or in single precision
+//! - [`soft::SoftDiscs`]: particles that repel each other within a cutoff. They stay on the device,
+//!   where they are sorted into bins. Positions are in double precision, or in single precision
 //!   relative to their bin.
 //! - [`hard::HardDiscs`]: discs that collide. The device tests all pairs, in double or single
-//!   precision, and returns the pairs that may collide. The host decides in f64, so the bytes are
-//!   those of lab 7's sequential program on every device.
+//!   precision, and returns the pairs that may collide. The host decides in f64, so every device
+//!   gives the same bytes as lab 7's sequential program.
 //!
 //! # Example
 //!
@@ -37,9 +37,9 @@
 //!
 //! Lengths, velocities and times are those of [`common::soft`] and [`common::hard`]; the kernels of
 //! hard discs use sides of the square as the unit of length. A scene of n particles takes about 60
-//! n bytes of the device in single precision and 100 n in double precision. If a device cannot do
-//! its work, functions return a [`device::GpuError`]. A step has no result, so it panics with the
-//! same message.
+//! n bytes of device memory in single precision and 100 n in double precision. If a device cannot
+//! do its work, functions return a [`device::GpuError`]. A step cannot return an error, so it
+//! panics with the same message.
 
 pub mod hard;
 mod parameters;

@@ -28,11 +28,11 @@ pub struct Gpu {
 impl Gpu {
     /// Returns this program's device, which is opened at the first call.
     ///
-    /// It is the device that the environment variable `WGPU_ADAPTER_NAME` names, or else the
-    /// fastest kind that the machine has.
+    /// It is the device that the environment variable `WGPU_ADAPTER_NAME` names, or else a device
+    /// of the fastest kind in the machine.
     ///
     /// # Errors
-    /// There is no such device, or it cannot be opened.
+    /// There is no such device, or the device cannot be opened.
     pub fn shared() -> Result<&'static Self, GpuError> {
         static SHARED: OnceLock<Result<Gpu, GpuError>> = OnceLock::new();
         SHARED.get_or_init(Self::open).as_ref().map_err(Clone::clone)
@@ -54,7 +54,7 @@ impl Gpu {
 
     /// Returns the device's name.
     ///
-    /// The name of a device that is a program on the host's processor says so, because such a
+    /// The name shows whether the device is a program on the host's processor, because such a
     /// device must not be compared with a graphics processor.
     pub fn name(&self) -> String {
         let note =
@@ -92,7 +92,7 @@ impl Gpu {
     /// Returns device memory of `bytes` bytes, all zero, for kernels to read and write.
     ///
     /// # Errors
-    /// The device has no buffer of this size.
+    /// The device cannot provide a buffer of this size.
     pub fn storage(&self, what: &'static str, bytes: u64) -> Result<Buffer, GpuError> {
         let most = self.most_bytes();
         if bytes > most {
@@ -106,7 +106,7 @@ impl Gpu {
         }))
     }
 
-    /// Returns a small block of parameters that every invocation reads and none writes.
+    /// Returns a small block of parameters that invocations can read but not write.
     pub fn uniform(&self, bytes: &[u8]) -> Buffer {
         let mut contents = bytes.to_vec();
         contents.resize(bytes.len().next_multiple_of(16), 0);
@@ -127,7 +127,7 @@ impl Gpu {
         self.device.poll(PollType::wait_indefinitely()).expect("the device is not lost");
     }
 
-    /// Returns names and values for a reader of measurements, in words, without the
+    /// Returns properties of the device in words, for readers of measurements, without the
     /// [`name`](Self::name).
     pub fn about(&self) -> Vec<(&'static str, String)> {
         let limits = self.limits();

@@ -1,11 +1,11 @@
-//! Errors of the device: it is missing, it lacks a feature, or it refuses a launch.
+//! Errors of the device: the device is missing, lacks a feature, or refuses a launch.
 
 use thiserror::Error;
 
 /// The reason why a program cannot run on this machine's device, or why a kernel did not run.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum GpuError {
-    /// There is no driver, or no device that it drives.
+    /// There is no driver, or the driver has no device.
     #[error(
         "no adapter: this machine offers no Vulkan, Metal or DirectX 12 device (on Debian and \
          Ubuntu the packages mesa-vulkan-drivers and libvulkan1 bring one made of software)"
@@ -19,7 +19,7 @@ pub enum GpuError {
         /// The names of the devices that the machine has.
         found: String,
     },
-    /// The driver does not open the device.
+    /// The driver cannot open the device.
     #[error("the device {name} cannot be opened: {why}")]
     Closed {
         /// The name of the device.

@@ -68,7 +68,8 @@ impl Kernel {
     /// Binds buffers to the kernel: `(binding, buffer)` for each `@binding` that it uses.
     ///
     /// # Panics
-    /// The kernel's code does not use one of the bindings, or uses a different one.
+    /// The kernel's code does not use one of the bindings, or uses a binding that is not in
+    /// `buffers`.
     pub fn bind(&self, gpu: &Gpu, buffers: &[(u32, &Buffer)]) -> Bound {
         let entries: Vec<_> = buffers
             .iter()
@@ -118,7 +119,8 @@ pub trait Real: Pod + Into<f64> + Send + Sync + 'static {
     /// The greatest relative error of one rounding.
     const ROUNDING: f64;
 
-    /// Returns the nearest number of this type, or the greatest one if `value` is beyond it.
+    /// Returns the nearest number of this type, or the greatest number if `value` is beyond the
+    /// range.
     fn of(value: f64) -> Self;
 }
 

@@ -8,8 +8,8 @@ use crate::kernel::Kernel;
 
 /// The shape of a launch: a number of workgroups, and a number of invocations in each.
 ///
-/// In CUDA it is a grid of blocks of threads, `<<<blocks, threads>>>`. The device runs all of a
-/// launch or nothing: a launch that exceeds its limits leaves the buffers as they were.
+/// In CUDA a launch is a grid of blocks of threads, `<<<blocks, threads>>>`. The device runs all of
+/// a launch or nothing: a launch that exceeds the device's limits does not change the buffers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Launch {
     /// Number of workgroups along x and along y.
@@ -25,12 +25,12 @@ impl Launch {
     }
 }
 
-/// The decisions about launches: how large they may be, and how errors of the device are found.
+/// The decisions about launches: their size, and the detection of the device's errors.
 pub trait Launcher {
     /// Returns a launch of at least `blocks` workgroups of `threads` invocations, within `limits`.
     ///
-    /// A row of workgroups has a greatest length, so a launch may have several rows, and a few
-    /// workgroups more than `blocks`.
+    /// The length of a row of workgroups is limited. So a launch may have several rows, and a few
+    /// more workgroups than `blocks`.
     ///
     /// # Errors
     /// The device cannot run the launch.

@@ -1,7 +1,7 @@
 //! A graphics processor, driven through [wgpu]: kernels in WGSL, launches, memory, a device clock.
 //!
-//! wgpu is safe and general, and needs many lines. This package reduces it to the host side of
-//! CUDA:
+//! wgpu is safe and general, and needs many lines of code. This package reduces it to the host side
+//! of CUDA:
 //!
 //! | CUDA | here |
 //! |---|---|
@@ -18,8 +18,8 @@
 //! # Example
 //!
 //! Every invocation squares one number. Sixteen invocations are launched for ten numbers, so each
-//! tests whether its number exists. Every kernel has the function `invocation`, and `THREADS`, the
-//! size of a workgroup.
+//! invocation tests whether its number exists. Every kernel can use the function `invocation` and
+//! the constant `THREADS`, the size of a workgroup.
 //!
 //! ```
 //! use device::{Gpu, GpuError, Kernel, Launch, Readback, Work};
@@ -55,11 +55,11 @@
 //!
 //! # Units, shapes, errors
 //!
-//! Memory is counted in bytes, a launch in workgroups and in invocations of each, a stopwatch in
-//! seconds. If the machine lacks an adapter, double precision or a buffer of the requested size, a
-//! function returns a [`GpuError`]. Functions that build kernels and submit work return no error.
+//! Memory is measured in bytes, a launch in workgroups and in invocations per workgroup, and time
+//! in seconds. If the machine lacks an adapter, double precision or a buffer of the requested size,
+//! a function returns a [`GpuError`]. Functions that build kernels and submit work return no error.
 //! If wgpu refuses such a call, the error goes to the innermost *error scope*; without an error
-//! scope, wgpu panics. [`Launcher::checked`] is such a scope.
+//! scope, wgpu panics. [`Launcher::checked`] opens such a scope.
 
 mod device;
 mod error;

@@ -11,9 +11,9 @@ use crate::work::Work;
 /// Host memory that the device can write to, kept from one read to the next.
 ///
 /// A graphics card computes in memory that the host cannot access. To read a buffer, the host has
-/// it copied to memory that both can access, and *maps* this memory once the copy is done. CUDA's
-/// `cudaMemcpy(…, cudaMemcpyDeviceToHost)` does both at once. The report used unified memory: the
-/// driver makes the same copy page by page, whenever either side touches a page that is on the
+/// the buffer copied to memory that both can access, and *maps* this memory when the copy is done.
+/// CUDA's `cudaMemcpy(…, cudaMemcpyDeviceToHost)` does both steps. The report used unified memory:
+/// the driver makes the same copy page by page, whenever either side touches a page that is on the
 /// other side.
 #[derive(Default)]
 pub struct Readback {

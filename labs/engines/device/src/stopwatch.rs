@@ -13,7 +13,7 @@ const MOST: u32 = 256;
 /// Bytes of the timestamps of these launches, two for each.
 const BYTES: u64 = MOST as u64 * 2 * 8;
 
-/// The time that each kernel ran, by *timestamp queries*.
+/// The time that each kernel ran, measured with *timestamp queries*.
 ///
 /// The device reads its clock before and after a launch. The host's clock would also measure the
 /// communication with the device.
@@ -44,8 +44,8 @@ impl Stopwatch {
         self.seconds.borrow_mut().clear();
     }
 
-    /// Returns the seconds that each kernel has run since the last reset, in the order of first
-    /// launches.
+    /// Returns the seconds that each kernel has run since the last reset. Kernels are in the order
+    /// of their first launches.
     pub fn seconds(&self) -> Vec<(&'static str, f64)> {
         self.seconds.borrow().clone()
     }

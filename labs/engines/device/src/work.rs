@@ -20,7 +20,7 @@ pub struct Work<'a> {
 
 impl<'a> Work<'a> {
     /// Makes an empty piece of work. With a stopwatch, each launch is timed separately, and
-    /// submitting waits.
+    /// `submit` waits for the device.
     pub fn new(gpu: &'a Gpu, stopwatch: Option<&'a Stopwatch>) -> Self {
         let encoder = gpu.device.create_command_encoder(&Default::default());
         Self { gpu, stopwatch, encoder, pass: None, launches: Vec::new() }
@@ -62,7 +62,8 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Submits the work and does not wait for it. If the device refuses any part, it runs nothing.
+    /// Submits the work and does not wait for it. If the device refuses any part of the work, it
+    /// runs nothing.
     ///
     /// # Panics
     /// The device refuses the work outside an error scope. It never refuses a compiled kernel with

@@ -1,8 +1,8 @@
 //! Runs the CSC581 report's MPI program as its section 5.1 prints it, on the report's scene.
 //!
-//! The program's partition bounds the speed-up, however cheap messages are. Its faults lose
-//! particles and leave old ghosts. All ranks run here one after the other, so counting needs no
-//! MPI. Rows lie along x, as in the report.
+//! The program's partition bounds the speed-up, however cheap messages are. Because of its faults,
+//! particles are lost and old ghosts remain. All ranks run here one after the other, so counting
+//! needs no MPI. Rows lie along x, as in the report.
 
 use std::ops::Range;
 use std::process::ExitCode;
@@ -26,7 +26,7 @@ struct Options {
     json: Json,
 }
 
-/// Number of particles; in the weak scaling, number for each rank.
+/// Number of particles in total, or for each rank in the weak scaling.
 const N: usize = 500;
 
 /// Side of a bin. Bins are not stretched to fill the box.
@@ -42,7 +42,8 @@ struct Row {
     share: f64,
     speedup_at_most: f64,
     weak_efficiency_at_most: f64,
-    /// Speed-up from the share, if messages cost as much as for the report's single rank.
+    /// Speed-up that follows from the share, if messages cost as much as for the report's single
+    /// rank.
     speedup_foreseen: f64,
     repaired: Count,
     slip_alone: Count,

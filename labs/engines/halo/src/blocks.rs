@@ -31,8 +31,8 @@ impl Cuts {
     /// Returns the rank that has `row`.
     #[inline]
     pub fn owner(&self, row: usize) -> usize {
-        // It is the last block that starts at or before the row. Earlier blocks are empty or end
-        // before it.
+        // The row is in the last block that starts at or before it. Earlier blocks are empty or end
+        // before the row.
         self.starts.partition_point(|&start| start <= row) - 1
     }
 
@@ -42,12 +42,12 @@ impl Cuts {
     }
 }
 
-/// Particles that left their block, sorted by their new ranks.
+/// Particles that left their block, sorted by new rank.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Leavers {
-    /// Particles that go to the neighbour before, and to the neighbour after.
+    /// Particles for the neighbour before the block, and for the neighbour after it.
     pub near: [Vec<Wire>; 2],
-    /// Particles that go to other ranks, each with the number of the rank.
+    /// Particles for other ranks, each with the number of its new rank.
     pub far: Vec<(usize, Wire)>,
 }
 
@@ -56,9 +56,9 @@ pub struct Leavers {
 /// It can be called several times: `replay(&mut |particle| n += 1)` counts the particles.
 pub type Replay<'a> = &'a dyn Fn(&mut dyn FnMut(Particle));
 
-/// The decisions about blocks: how rows are divided, and what ranks need from each other.
+/// The decisions about blocks: the division of the rows, and the exchanges between ranks.
 pub trait Blocks {
-    /// Divides rows with `counts[row]` particles each into `ranks` blocks.
+    /// Divides rows into `ranks` blocks. Each row has `counts[row]` particles.
     fn balanced(counts: &[u64], ranks: usize) -> Cuts;
 
     /// Returns the ranks that have the row before and the row after the block of `rank`, in this
@@ -70,7 +70,7 @@ pub trait Blocks {
     /// `rows` is the number of rows of the box.
     fn interior_rows(block: &Range<usize>, rows: usize) -> Range<usize>;
 
-    /// Sorts particles that left a block with these `neighbours` by their new owners.
+    /// Sorts particles by new owner. The particles have left a block that has these `neighbours`.
     fn sort_leavers(
         grid: &Grid,
         cuts: &Cuts,
@@ -80,7 +80,7 @@ pub trait Blocks {
 
     /// Returns the balanced blocks of a scene, and the particles of `rank`'s block.
     ///
-    /// The scene comes one particle after the other, so that no rank has to store all particles.
+    /// `replay` passes the scene particle by particle, so that no rank has to store all particles.
     fn keep_share(
         grid: &Grid,
         ranks: usize,

@@ -49,8 +49,8 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         }
     }
 
-    /// Returns the ghosts for each neighbour: the first row for the one before, the last row for
-    /// the one after.
+    /// Returns the ghosts for each neighbour. The rank before gets the first row, and the rank
+    /// after gets the last row.
     fn border_lists(&self) -> Vec<(Rank, Vec<Ghost>)> {
         let Range { start, end } = self.block;
         let columns = 0..self.own.grid().columns();
@@ -65,7 +65,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
             .collect()
     }
 
-    /// Replaces the ghosts of the last step by those that arrived.
+    /// Replaces the ghosts of the last step by the ghosts that arrived.
     fn take_ghosts(&mut self, arrived: &[Vec<Ghost>]) {
         let grid = *self.own.grid();
         let start = self.block.start;

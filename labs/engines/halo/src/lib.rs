@@ -23,7 +23,7 @@
 //!
 //! let cuts = Cuts { starts: vec![0, 3, 3, 7] };
 //! assert_eq!((cuts.block(0), cuts.block(1), cuts.block(2)), (0..3, 3..3, 3..7));
-//! // Two blocks start at row 3. It belongs to the last of them, because the other is empty.
+//! // Two blocks start at row 3. The row belongs to the last of them, because the other is empty.
 //! assert_eq!((cuts.owner(2), cuts.owner(3)), (0, 2));
 //! assert_eq!(border_rows(&cuts.block(2), &(4..7)), [3..4, 7..7]);
 //! ```
@@ -42,13 +42,13 @@
 //!
 //! # Errors
 //!
-//! A scene that is not valid gives a [`SceneError`](common::soft::SceneError). A rank that ends
+//! A scene that is not valid causes a [`SceneError`](common::soft::SceneError). A rank that ends
 //! early ends the job.
 //!
 //! # Bits
 //!
-//! Ghosts carry their ids, and forces are summed in the order of ids. So any number of ranks and
-//! threads gives the bits of one rank.
+//! Ghosts carry their ids, and forces are summed in the order of ids. So the bits are the same on
+//! any number of ranks and threads.
 
 mod blocks;
 mod engine;

@@ -1,4 +1,4 @@
-//! The interface for messages between ranks that do not pass through the root.
+//! The interface for messages that do not pass through the root.
 
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
@@ -29,8 +29,8 @@ pub trait Messages {
     where
         T: Equivalence + Default + Clone;
 
-    /// Sends `lists[k]` to rank k, for every k. Returns all that was sent to this rank, in the
-    /// order of ranks.
+    /// Sends `lists[k]` to rank k, for every k. Returns the items that were sent to this rank, in
+    /// the order of ranks.
     ///
     /// All ranks call it together.
     fn exchange_all<T>(world: &SimpleCommunicator, lists: &[Vec<T>]) -> Vec<T>

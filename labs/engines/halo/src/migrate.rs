@@ -9,25 +9,23 @@ use mpi::traits::*;
 use crate::threads::move_all;
 use crate::{Blocks, Cuts, Halo, Messages, Route};
 
-/// Particles of the fullest rank, as a multiple of the mean, above which rows are divided again.
+/// Ratio of the fullest rank's particles to the mean, above which rows are divided again.
 const TOLERANCE: f64 = 1.05;
 
 impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
-    /// Moves the rank's particles, and removes and returns those that left the block.
+    /// Moves the rank's particles, and removes and returns the particles that left the block.
     pub(crate) fn move_particles(&mut self) -> Vec<Wire> {
         let grid = *self.own.grid();
         let particles = self.own.particles_mut();
         let indices = move_all(particles, &self.accelerations, &grid, &self.block, &self.workers);
-        // The order is from the last to the first, so that the particle that fills a gap has been
-        // handled.
+        // The loop runs backwards, so that the particle that fills a gap has already been handled.
         indices.iter().rev().map(|&index| Wire::from(&self.own.take(index))).collect()
     }
 
     /// Sends `leavers` to their new owners and takes in the particles that arrive.
     ///
-    /// Along [`Route::Neighbours`] it sends messages to the neighbours. A particle may go further,
-    /// so all ranks add up the number of such particles; only if there are any do all ranks
-    /// exchange particles.
+    /// With [`Route::Neighbours`], it sends messages to the neighbours. Some particles may go
+    /// further. All ranks add up their number, and exchange particles only if it is not zero.
     pub(crate) fn migrate(&mut self, leavers: Vec<Wire>) {
         let grid = *self.own.grid();
         let neighbours = T::neighbours(&self.cuts, self.rank());
@@ -75,7 +73,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         self.own.sort();
     }
 
-    /// Sends particles to the ranks that they are listed with, near or far.
+    /// Sends each particle to the rank with which it is listed, near or far.
     fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) -> Vec<Wire> {
         let lists = by_rank(particles, self.ranks());
         self.traffic.exchanged(self.rank(), &lists);
@@ -105,7 +103,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         self.recuts += 1;
     }
 
-    /// Sends each particle to the rank that has its row by `cuts`, which are valid from now on.
+    /// Sends each particle to the rank that has its row according to `cuts`, the new division.
     pub(crate) fn cut_again(&mut self, cuts: Cuts) {
         let grid = *self.own.grid();
         let own = self.own.particles().iter();

@@ -29,7 +29,7 @@ const REMAINDER_LAST: Parameter = Parameter::switch(
 /// Builds the engine of this rank, with `threads` threads and messages along this `route`.
 ///
 /// # Errors
-/// There is no MPI library, or the system refuses the threads.
+/// There is no MPI library, or the system refuses to start the threads.
 pub fn build<L: Blocks + Messages + 'static>(
     config: &Config,
     threads: usize,

@@ -7,8 +7,8 @@ use crate::{Blocks, Cuts};
 
 /// Returns the balanced blocks of a scene, and the particles of `rank`'s block.
 ///
-/// The scene can compute the position of each particle separately, so only particles that are kept
-/// are made. Time and memory grow with the share and with the number of rows.
+/// The scene can compute the position of each particle separately, so this function makes only the
+/// particles of the share. Time and memory grow with the share and with the number of rows.
 pub fn make_share<T: Blocks>(
     grid: &Grid,
     ranks: usize,

@@ -1,7 +1,7 @@
 //! Loops that the threads of a rank share: forces of the interior, and moves.
 //!
 //! The first thread alone handles ghosts and messages. It also sorts alone: the sort writes to all
-//! parts of the array, and lab 3 shows what sharing it costs.
+//! parts of the array, and lab 3 shows the cost of a shared sort.
 
 use std::ops::Range;
 
@@ -37,7 +37,8 @@ pub(crate) fn sum_rows<O: Observer>(
     all
 }
 
-/// Moves `particles`. Returns the indices of those that left the rows `block`, in ascending order.
+/// Moves `particles`. Returns the indices of the particles that left the rows `block`, in ascending
+/// order.
 pub(crate) fn move_all(
     particles: &mut [Particle],
     accelerations: &[Vec2],

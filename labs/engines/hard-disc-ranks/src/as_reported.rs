@@ -1,4 +1,4 @@
-//! The engine that steps as the report does: the workers move the discs.
+//! The engine that takes steps as the report's program does: the workers move the discs.
 
 use common::Event;
 use common::hard::{Disc, Scene, Simulation};
@@ -17,10 +17,10 @@ use crate::wire::{CandidateWire, DiscWire};
 /// Master and workers as in the report.
 ///
 /// In each step the workers receive their blocks again and send back the candidates that they find.
-/// The master takes the candidates that happen, and sends them to the workers. Then the workers
-/// move discs: each worker its own block (the report's `major_chunk`) and the other discs of the
-/// collisions that it carries out (`extra_send`). They send back the moved discs. The master sends
-/// with blocking calls, to one worker after the other.
+/// The master takes the candidates that really happen, and sends them to the workers. Then the
+/// workers move discs: each worker its own block (the report's `major_chunk`) and the other discs
+/// of the collisions that it carries out (`extra_send`). They send back the moved discs. The master
+/// sends with blocking calls, to one worker after the other.
 pub struct AsReported<T> {
     base: MasterWorkers<T>,
     deal: Deal,
@@ -37,7 +37,8 @@ impl<T: Dealing> AsReported<T> {
         Self { base: MasterWorkers::new(world, team, false, clock), deal, extra: 0, steps: 0 }
     }
 
-    /// Sends each worker its list. The master waits for each message before it sends the next.
+    /// Sends each worker its list. The master waits until each message is sent before it sends the
+    /// next one.
     fn send<W: Equivalence + Clone>(&mut self, lists: &[Vec<W>]) -> Vec<W> {
         let MasterWorkers { world, team, traffic, clock, .. } = &mut self.base;
         clock.call(Partners::Through(MASTER), || {
@@ -66,8 +67,8 @@ impl<T: Dealing> AsReported<T> {
 
     /// Returns the worker that carries out a collision.
     ///
-    /// This worker has the blocks of all discs of the collision, and one of them is its own block
-    /// if possible.
+    /// This worker has the blocks of all discs of the collision. One of these blocks is its own if
+    /// possible.
     fn carrier(&self, candidate: &Candidate) -> usize {
         let blocks = self.blocks_of(candidate);
         let mut workers = blocks.clone().chain(0..self.deal.workers);

@@ -11,7 +11,7 @@ pub struct Job {
     pub row: usize,
     /// The block of the second discs.
     pub column: usize,
-    /// The part of block `row` that the job has.
+    /// The part of block `row` that belongs to the job.
     pub part: Part,
 }
 
@@ -41,15 +41,15 @@ impl Part {
 /// The distribution of all pairs to workers.
 ///
 /// With W workers there are W blocks of discs. The blocks are on a ring, like hours on a clock: the
-/// distance of two blocks is 0 … W / 2, the shorter way round. Worker k has the blocks k +
-/// `offsets`, modulo W. So all workers have the same pattern of blocks, and each worker's pattern
-/// is turned one block further than the previous worker's.
+/// distance between two blocks, on the shorter way round, is from 0 to W / 2. Worker k has the
+/// blocks k + `offsets`, modulo W. So all workers have the same pattern of blocks, and each
+/// worker's pattern is turned one block further than the previous worker's.
 // ANCHOR: deal
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Deal {
     /// Number of workers W, and of blocks.
     pub workers: usize,
-    /// The blocks of worker 0. For every distance, two of them are this distance apart.
+    /// The blocks of worker 0. For every distance, two of these blocks are this distance apart.
     pub offsets: Vec<usize>,
 }
 // ANCHOR_END: deal
@@ -57,7 +57,7 @@ pub struct Deal {
 impl Deal {
     /// Returns the blocks that `worker` needs: a row of the report's `send_mat`.
     ///
-    /// The first is the worker's own block, number `worker`.
+    /// The first block is the worker's own block, number `worker`.
     pub fn blocks(&self, worker: usize) -> Vec<usize> {
         self.offsets.iter().map(|offset| (worker + offset) % self.workers).collect()
     }

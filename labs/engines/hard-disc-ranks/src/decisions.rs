@@ -27,16 +27,15 @@ pub struct Decisions {
     pub rivals: Vec<Option<Candidate>>,
     /// The candidates that this rank has found, in a queue for each disc.
     pub queues: Queues,
-    /// The open candidates that this rank has found and that are the earliest for one or both of
-    /// their discs.
+    /// The open candidates of this rank that are the earliest for one or both of their discs.
     ///
     /// A candidate is open if it is neither taken nor dropped.
     pub front: Vec<Candidate>,
-    /// The candidates that this rank has found and that happen.
+    /// The candidates that this rank has found and that really happen.
     pub taken: Vec<Candidate>,
     /// Number of `taken` candidates that have been sent to the partners.
     pub reported: usize,
-    /// Whether each disc waits for the decision of an open candidate.
+    /// Whether each disc waits for the decision about an open candidate.
     ///
     /// Only [`Deciding::take_certain`](crate::Deciding::take_certain) uses it.
     pub waits: Vec<bool>,
@@ -77,7 +76,7 @@ impl Decisions {
 
     /// Returns the slots of a candidate's discs that this rank has, in the order first, second.
     ///
-    /// If this rank has found the candidate, it has all its discs.
+    /// A rank that has found a candidate has all its discs.
     pub fn slots(&self, candidate: &Candidate) -> impl Iterator<Item = usize> + Clone + use<> {
         let discs = [Some(candidate.hit.first()), candidate.hit.second()];
         discs.map(|number| self.slot(number?)).into_iter().flatten()

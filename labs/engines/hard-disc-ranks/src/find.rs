@@ -20,10 +20,10 @@ impl<T: Deciding> SpatialCuts<T> {
 
     /// Starts the decisions with the discs in `self.seen`, and enters their candidates.
     ///
-    /// These are the `walls` of this rank's discs, and the pairs that this rank must test. The step
-    /// is divided into windows of time. After each window, the candidates that are certain are
-    /// taken ([`Deciding::take_certain`]), and the next window does not test their discs. No later
-    /// window can change these decisions, because its candidates are all later. For the same
+    /// The candidates are the `walls` of this rank's discs, and the pairs that this rank must test.
+    /// The step is divided into windows of time. After each window, the candidates that are certain
+    /// are taken ([`Deciding::take_certain`]), and the next window does not test their discs. No
+    /// later window can change these decisions, because its candidates are all later. For the same
     /// reason, wall collisions are entered in the windows of their times.
     pub fn find(&mut self, mut walls: Vec<Candidate>) {
         let Seen { numbers, discs, reach, .. } = &self.seen;

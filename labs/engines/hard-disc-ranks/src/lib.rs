@@ -1,7 +1,7 @@
-//! Hard discs on ranks: engines for discs of [`hard_discs`] that are distributed to ranks.
+//! Hard discs on ranks: engines that distribute the discs of [`hard_discs`] to ranks.
 //!
-//! A step of hard discs is a search, and a decision in order of time. The engines distribute them
-//! in different ways:
+//! A step of hard discs consists of a search and of a decision in order of time. The engines
+//! distribute both in different ways:
 //!
 //! | engine | discs of a rank | decision | trait |
 //! |--------|-----------------|----------|-------|
@@ -11,7 +11,8 @@
 //!
 //! The user's type supplies the steps of the algorithm; it implements one of these traits, and
 //! [`Messages`]. The compiler resolves the calls. All ranks run the same program, and call the
-//! functions of [`Simulation`](common::hard::Simulation) together. The bits are those of one rank.
+//! functions of [`Simulation`](common::hard::Simulation) together. The bits are the same as on one
+//! rank.
 //!
 //! # Example
 //!

@@ -15,7 +15,7 @@ use crate::tally::Tally;
 use crate::team::{MASTER, Messages, Team};
 use crate::wire::{CandidateWire, DiscWire};
 
-/// The work of a master and its workers: the master distributes pairs and decides, and the others
+/// The work of a master and its workers: the master distributes pairs and decides, and the workers
 /// search.
 pub trait Dealing: Messages {
     /// The rules of a collision.
@@ -24,7 +24,7 @@ pub trait Dealing: Messages {
     /// Returns the distribution of all pairs to a number of workers.
     fn deal(workers: usize) -> Deal;
 
-    /// Returns the jobs of a worker. All workers together have every pair of blocks once.
+    /// Returns the jobs of a worker. Together, all workers have every pair of blocks exactly once.
     fn jobs(deal: &Deal, worker: usize) -> Vec<Job>;
 
     /// Tests the pairs of a job, and appends the pairs that collide in this step to `list`.
@@ -63,8 +63,8 @@ pub struct MasterWorkers<T> {
     pub blocks: Cut,
     /// The distribution of pairs; `None` before the first step.
     pub deal: Option<Deal>,
-    /// An element for every disc of the scene. The master's elements are all valid, a worker's are
-    /// valid in its blocks.
+    /// An element for every disc of the scene. All elements of the master are valid, but only the
+    /// elements in a worker's blocks are valid on the worker.
     pub discs: Vec<Disc>,
     /// The collisions of the last step; empty on workers.
     pub taken: Vec<Candidate>,
@@ -72,7 +72,7 @@ pub struct MasterWorkers<T> {
     pub traffic: Traffic,
     /// The counters of this rank.
     pub tally: Tally,
-    /// The time that calls of the MPI library took.
+    /// The time that calls to the MPI library took.
     pub clock: Clock,
 }
 
@@ -103,7 +103,7 @@ impl<T: Dealing> MasterWorkers<T> {
 
     /// Returns the lists that the master sends to the workers.
     ///
-    /// A worker receives all its blocks if it has none yet or does not keep them. Otherwise it
+    /// A worker receives all its blocks if it has no blocks yet or does not keep them. Otherwise it
     /// receives the discs of its blocks that have collided.
     pub fn lists(&self, deal: &Deal, first: bool) -> Vec<Vec<DiscWire>> {
         let mut lists = Vec::with_capacity(self.team.workers);
@@ -119,8 +119,8 @@ impl<T: Dealing> MasterWorkers<T> {
         lists
     }
 
-    /// Returns the candidates of this step of `worker`: its own block with walls, and the pairs of
-    /// its jobs.
+    /// Returns the candidates that `worker` finds: its own block with walls, and the pairs of its
+    /// jobs.
     pub fn find(&mut self, deal: &Deal, worker: usize) -> Vec<CandidateWire> {
         let mut list: Vec<Candidate> = self
             .blocks
@@ -137,7 +137,7 @@ impl<T: Dealing> MasterWorkers<T> {
         list.iter().map(CandidateWire::from).collect()
     }
 
-    /// Calls [`Messages::hand_out`], and measures and counts it.
+    /// Calls [`Messages::hand_out`], times the call, and counts its messages.
     pub fn send(&mut self, lists: &[Vec<DiscWire>]) -> Vec<DiscWire> {
         for (worker, list) in lists.iter().enumerate() {
             if self.team.rank(worker) != MASTER {
@@ -147,7 +147,7 @@ impl<T: Dealing> MasterWorkers<T> {
         self.clock.call(Partners::Through(MASTER), || T::hand_out(&self.world, self.team, lists))
     }
 
-    /// Calls [`Messages::collect`], and measures and counts it.
+    /// Calls [`Messages::collect`], times the call, and counts its message.
     pub fn receive(&mut self, found: &[CandidateWire]) -> Vec<Candidate> {
         if !self.is_master() {
             self.traffic.sent(found);
@@ -163,7 +163,7 @@ impl<T: Dealing> Simulation for MasterWorkers<T> {
     fn load(&mut self, scene: &Scene) {
         self.square = Square::of(scene);
         self.blocks = Cut { rows: scene.len(), ranks: self.team.workers };
-        // A worker receives its discs in messages only.
+        // A worker receives its discs only in messages.
         self.discs = match self.is_master() {
             true => scene.discs().to_vec(),
             false => vec![Disc::default(); scene.len()],

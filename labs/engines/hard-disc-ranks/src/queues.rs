@@ -13,8 +13,7 @@ const END: u32 = u32::MAX;
 #[derive(Clone, Debug, Default)]
 pub struct Queues {
     candidates: Vec<Candidate>,
-    /// For each candidate, the next one in the queue of its first disc and in the queue of its
-    /// second disc.
+    /// For each candidate, the next candidates in the queues of its first and its second disc.
     behind: Vec<[u32; 2]>,
     /// For each disc, the first and the last candidate in its queue.
     ends: Vec<[u32; 2]>,
@@ -61,7 +60,7 @@ impl Queues {
         Some(self.ends[slot][0]).filter(|first| *first != END)
     }
 
-    /// Removes the first candidate from the queue of a disc, and returns the new first one.
+    /// Removes the first candidate from the queue of a disc, and returns the new first candidate.
     ///
     /// # Panics
     /// The queue is empty.

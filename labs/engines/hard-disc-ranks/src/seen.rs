@@ -19,8 +19,7 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// Replaces all discs by the merged lists `own` and `ghosts`, which are both in the order of
-    /// numbers.
+    /// Replaces all discs by `own` and `ghosts`, merged. Both lists are in the order of numbers.
     pub fn fill(
         &mut self,
         own: &[DiscWire],

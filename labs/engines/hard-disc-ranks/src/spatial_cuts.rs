@@ -1,4 +1,4 @@
-//! The engine with strips that decide together: the data of a rank, and its messages.
+//! The engine whose ranks have strips and decide together: the data of a rank, and its messages.
 
 use common::Event;
 use common::hard::{Disc, Scene, Simulation};
@@ -18,7 +18,8 @@ use crate::tally::Tally;
 use crate::team::{Messages, Team};
 use crate::wire::DiscWire;
 
-/// The work of ranks with strips: each tests the pairs of its strip, and all decide together.
+/// The work of ranks with strips: each rank tests the pairs of its strip, and all ranks decide
+/// together.
 pub trait Deciding: Messages {
     /// The rules of a collision, and the search for pairs.
     type Rules: Collisions + BroadPhase;
@@ -27,11 +28,12 @@ pub trait Deciding: Messages {
     /// beyond the path of the centre.
     fn reached(strips: &Strips, disc: &DiscWire, reach: f64) -> Reach;
 
-    /// Whether `rank` tests the pair of discs that reach a and b. It is true for exactly one rank
-    /// that has both discs.
+    /// Whether `rank` tests the pair of discs with the reaches `a` and `b`. This is true for
+    /// exactly one rank that has both discs.
     fn looks_at(rank: usize, a: Reach, b: Reach) -> bool;
 
-    /// Takes every open candidate that is certain to happen, and drops those that cannot happen.
+    /// Takes every open candidate that is certain to happen, and drops every candidate that cannot
+    /// happen.
     fn take_certain(decisions: &mut Decisions);
 
     /// Takes one step. All ranks call it together.
@@ -62,20 +64,20 @@ pub struct SpatialCuts<T: Deciding> {
     pub traffic: Traffic,
     /// The counters of this rank.
     pub tally: Tally,
-    /// The time that calls of the MPI library took.
+    /// The time that calls to the MPI library took.
     pub clock: Clock,
     /// Number of steps since the scene was loaded.
     pub steps: u64,
     /// Number of rounds of decisions in these steps.
     pub rounds: u64,
-    /// Sum of the numbers of ghosts in these steps.
+    /// Total number of ghosts in these steps.
     pub ghosts: u64,
 }
 
 /// Lengths that are the same for all ranks in a step.
 #[derive(Clone, Copy)]
 pub struct Range {
-    /// Distance of a swept box beyond the path of its centre.
+    /// Distance that a swept box extends beyond the path of the disc's centre.
     pub reach: f64,
     /// Greatest distance of a disc, at any time of the step, from the strip of a rank that has it.
     pub furthest: f64,
@@ -135,9 +137,10 @@ impl<T: Deciding> SpatialCuts<T> {
     /// Returns the lengths of this step, from the greatest velocity component of the scene.
     ///
     /// A disc is at most this component and the reach away from a strip that its box touches. A
-    /// collision may make it faster: it gains its partner's component along the line between them.
-    /// So its squared speed is at most the sum of both, and no component is more than twice the
-    /// greatest one before. In total a disc gets at most three times the greatest component away.
+    /// collision may make the disc faster: it gains its partner's component along the line between
+    /// the two centres. So its squared speed is at most the sum of both squared speeds, and no
+    /// component is more than twice the greatest component before. So in total the disc gets at
+    /// most three times as far away.
     pub fn range(&mut self) -> Range {
         let components = self.own.iter().map(|disc| disc.vx.abs().max(disc.vy.abs()));
         let own = components.fold(0.0, f64::max);
@@ -150,8 +153,8 @@ impl<T: Deciding> SpatialCuts<T> {
         Range { reach, furthest: 3.0 * (fastest + reach) }
     }
 
-    /// Exchanges lists with `partners` and calls `work` meanwhile. Returns their lists and the
-    /// result.
+    /// Exchanges lists with `partners` and calls `work` meanwhile. Returns the partners' lists and
+    /// the result of `work`.
     pub fn exchange<W, R>(
         &mut self,
         partners: &[usize],
@@ -172,7 +175,7 @@ impl<T: Deciding> SpatialCuts<T> {
         })
     }
 
-    /// Returns the sum of a number over all ranks, on all ranks.
+    /// Returns the sum of the numbers `own` of all ranks. Every rank gets the result.
     pub fn add_up(&mut self, own: usize) -> u64 {
         self.rounds += 1;
         let own = own as u64;
@@ -184,7 +187,7 @@ impl<T: Deciding> SpatialCuts<T> {
         sum
     }
 
-    /// Sends discs to the ranks of their strips. No disc flies further than to a partner.
+    /// Sends discs to the ranks of their strips. No disc flies beyond the strips of the partners.
     pub fn bring(&mut self, partners: &[usize], moved: Vec<DiscWire>) {
         let rank = self.rank();
         let mut lists = vec![Vec::new(); partners.len()];
@@ -209,7 +212,8 @@ impl<T: Deciding> SpatialCuts<T> {
 impl<T: Deciding> Simulation for SpatialCuts<T> {
     fn load(&mut self, scene: &Scene) {
         self.square = Square::of(scene);
-        // The first share is arbitrary, because the cut sends each disc to its rank.
+        // Any share is right at first, because `cut` below sends each disc to the rank of its
+        // strip.
         let share = Cut { rows: scene.len(), ranks: self.ranks() }.block(self.rank());
         self.own = share.map(|number| DiscWire::new(number, &scene.discs()[number])).collect();
         self.finder = Planned::new(Workers::One, None).undecided();

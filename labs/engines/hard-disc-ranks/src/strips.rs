@@ -36,7 +36,7 @@ pub struct Reach {
 }
 
 impl Reach {
-    /// Whether `rank` is one of them.
+    /// Whether `rank` is one of these ranks.
     pub fn contains(&self, rank: usize) -> bool {
         (self.first..=self.last).contains(&rank)
     }
@@ -83,7 +83,7 @@ impl Strips {
         (((y - self.bottom) / self.height) as usize).min(self.rows() - 1)
     }
 
-    /// Returns the rank whose strip contains height `y`. It never decreases as y grows.
+    /// Returns the rank whose strip contains height `y`. The rank never decreases as y grows.
     #[inline]
     pub fn rank_of(&self, y: f64) -> usize {
         self.cuts.owner(self.row(y))

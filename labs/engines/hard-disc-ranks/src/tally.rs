@@ -25,7 +25,7 @@ impl Tally {
         self.walls += (taken.len() - pairs) as u64;
     }
 
-    /// Returns the counters of all ranks together, with the names of lab 7, and the messages that
+    /// Returns the counters of all ranks together, under the names of lab 7, and the messages that
     /// were sent.
     ///
     /// All ranks call it together; only the root's result is valid.

@@ -28,7 +28,7 @@ impl Team {
         (worker + usize::from(!self.master_works)) as Rank
     }
 
-    /// Returns the worker that a rank is; `None` for a master that does not work.
+    /// Returns the number of a rank as a worker; `None` for a master that does not work.
     pub fn worker(&self, rank: Rank) -> Option<usize> {
         (rank as usize).checked_sub(usize::from(!self.master_works))
     }
@@ -45,7 +45,7 @@ pub trait Messages: Sized + 'static {
         lists: &[Vec<W>],
     ) -> Vec<W>;
 
-    /// Returns the lists of all workers on the master, one after another in the order of workers.
+    /// On the master, returns the lists of all workers, concatenated in the order of workers.
     ///
     /// The result is empty on other ranks.
     fn collect<W: Equivalence + Clone>(world: &SimpleCommunicator, team: Team, own: &[W])

@@ -1,5 +1,5 @@
-//! Compares the greedy rule of hard discs with the exact motion: a disc collides at most once in a
-//! step.
+//! Compares the greedy rule of hard discs, at most one collision per disc and step, with the exact
+//! motion.
 //!
 //! The rule takes the earliest collision of each disc. For the rest of the step the disc flies
 //! through every disc that it would have met next. The shorter the step, the rarer are such discs.
@@ -36,7 +36,7 @@ const COMMAND: &str = "cargo run --release -p hard-discs --example greedy --";
 struct Loss {
     /// Mean distance that a disc flies in a step, in radii.
     way: f64,
-    /// Number of collisions by the rule.
+    /// Number of collisions under the rule.
     collisions: f64,
     /// Number of collisions of the exact motion.
     exact: f64,
@@ -97,7 +97,7 @@ impl Loss {
     }
 }
 
-/// Makes discs on a lattice, so that none overlap, with random velocities.
+/// Makes discs with random velocities on a lattice, so that no discs overlap.
 fn start(radius: f64, seed: u64) -> Vec<Disc> {
     let mut random = Random::new(seed);
     let wide = SIDE - 2.0 * radius;
@@ -111,7 +111,8 @@ fn start(radius: f64, seed: u64) -> Vec<Disc> {
     discs
 }
 
-/// Moves the discs by the rule, adds its collisions to `taken`, and returns the discs at the end.
+/// Moves the discs according to the rule, adds its collisions to `taken`, and returns the discs at
+/// the end.
 ///
 /// A step of the rule has length 1, so velocities are scaled.
 fn greedy(start: &[Disc], radius: f64, steps: u32, taken: &mut u64) -> Vec<Disc> {

@@ -1,4 +1,4 @@
-//! The broad phase: it excludes pairs that cannot collide before they are tested.
+//! The broad phase: before pairs are tested, it excludes pairs that cannot collide.
 
 use std::ops::Range;
 
@@ -19,16 +19,17 @@ pub trait BroadPhase {
 
     /// Calls `look` with the discs that the disc at `index` in block `block` may meet.
     ///
-    /// Over all discs of all `blocks`, `look` sees every such pair once.
+    /// If this function is called for all discs of all `blocks`, `look` sees every such pair once.
     fn look_around(blocks: &[Vec<u32>], block: usize, index: usize, look: impl FnMut(&[u32]));
 
-    /// Returns the indices of the entries behind entry `k` whose boxes share a column with its box.
+    /// Returns the indices of the entries after entry `k` whose boxes share a column with the box
+    /// of entry `k`.
     ///
     /// `entries` are sorted by cell.
     fn partners(entries: &[Entry], k: usize) -> Range<usize>;
 
     /// Returns the number of windows that makes a step cheapest.
     ///
-    /// The pair tests are `crowding` times as many as [expected](crate::expected_work).
+    /// The number of pair tests is `crowding` times the [expected number](crate::expected_work).
     fn choose_windows(survey: &Survey, square: Square, crowding: f64) -> usize;
 }

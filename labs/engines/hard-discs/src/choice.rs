@@ -13,13 +13,13 @@ pub enum Choice {
     /// All workers sort the list together. The sort in [`Collisions::take_in_order`] then finds it
     /// sorted.
     SortTogether,
-    /// Every worker sorts its own list. The library's merge sort then finds sorted runs, and merges
-    /// them (the report's future work).
+    /// Every worker sorts its own list. The library's merge sort then finds and merges sorted runs.
+    /// The report names this as future work.
     Merge,
 }
 
 impl Choice {
-    /// Takes the candidates in `found` that happen. See [`Collisions::take_in_order`].
+    /// Takes the candidates in `found` that really happen. See [`Collisions::take_in_order`].
     pub fn take<C: Collisions>(
         self,
         workers: &Workers,

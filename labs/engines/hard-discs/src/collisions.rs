@@ -8,7 +8,7 @@ use crate::geometry::Square;
 
 /// The walls or the discs of a collision.
 ///
-/// Candidates of the same time are taken in the derived order: by kind, then by number.
+/// Candidates at the same time are taken in the derived order: by kind, then by number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Hit {
     /// Disc a hits two walls at once.
@@ -62,19 +62,20 @@ pub trait Collisions: Sized + Send + Sync + 'static {
     /// collision stops them.
     fn pair_hit(discs: &[Disc], a: u32, b: u32, radius: f64) -> Option<Candidate>;
 
-    /// Returns which of two candidates is taken first. It is a total order.
+    /// Compares two candidates in the order in which they are taken. The order is total.
     fn order(a: &Candidate, b: &Candidate) -> Ordering;
 
-    /// Appends the candidates that happen to `taken`, in this order, and marks their discs as not
-    /// free.
+    /// Appends the candidates that really happen to `taken`, in this order. Marks their discs as
+    /// not free.
     ///
-    /// A candidate happens if its discs are all still `free`. The candidates are left in any order.
+    /// A candidate really happens if all its discs are still `free`. The candidates are left in any
+    /// order.
     fn take_in_order(candidates: &mut [Candidate], free: &mut [bool], taken: &mut Vec<Candidate>);
 
-    /// Moves a disc that hits walls at `time` from the start of the step to its end.
+    /// Moves a disc that hits walls at `time` from the start of the step to the end of the step.
     fn bounce(disc: &mut Disc, time: f64, hit: Hit, square: Square);
 
-    /// Moves two discs that touch at `time` from the start of the step to its end.
+    /// Moves two discs that touch at `time` from the start of the step to the end of the step.
     fn collide(a: &mut Disc, b: &mut Disc, time: f64, square: Square);
 }
 
@@ -96,7 +97,7 @@ pub(crate) fn outcome<C: Collisions>(
     (first, second)
 }
 
-/// Writes the discs of a collision back.
+/// Writes the discs of a collision back to `discs`.
 pub(crate) fn write_back(hit: Hit, (first, second): Outcome, discs: &mut [Disc]) {
     discs[hit.first() as usize] = first;
     if let Some((b, second)) = hit.second().zip(second) {

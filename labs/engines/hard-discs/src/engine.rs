@@ -18,8 +18,8 @@ pub trait Step: Collisions {
     fn step<F: Find>(engine: &mut Engine<Self, F>);
 }
 
-/// Number of collisions that are computed before their discs are written back. It bounds the memory
-/// for them.
+/// Number of collisions that are computed before their discs are written back. The number limits
+/// the memory for these collisions.
 const BATCH: usize = 1 << 16;
 
 // ANCHOR: engine
@@ -28,13 +28,13 @@ pub struct Engine<C, F> {
     rules: PhantomData<C>,
     /// The square, and the radius of all discs.
     pub square: Square,
-    /// The discs, by number. They move at the end of a step.
+    /// The discs, in the order of their numbers. They move at the end of a step.
     pub discs: Vec<Disc>,
     /// Whether each disc has not collided yet in this step.
     pub free: Vec<bool>,
     /// The candidates with walls in this step, the earliest first if there are several windows.
     pub walls: Vec<Candidate>,
-    /// The collisions of this step that happen, in the order in which they were taken.
+    /// The collisions of this step that really happen, in the order in which they were taken.
     pub taken: Vec<Candidate>,
     /// The result of the search in a window.
     pub found: Found,
@@ -74,7 +74,7 @@ impl<C: Collisions, F: Find> Engine<C, F> {
         }
     }
 
-    /// Finds the candidates with walls; sorts them by time if there are several windows.
+    /// Finds the candidates with walls, and sorts them by time if there are several windows.
     pub fn find_walls(&mut self, windows: usize) {
         let square = self.square;
         self.tally.windows += windows as u64;
@@ -87,8 +87,8 @@ impl<C: Collisions, F: Find> Engine<C, F> {
         }
     }
 
-    /// Moves all discs to the end of the step: free discs straight, the others by the collisions in
-    /// `taken`.
+    /// Moves all discs to the end of the step. Free discs go straight, and the others follow the
+    /// collisions in `taken`.
     pub fn move_discs(&mut self) {
         let free = &self.free;
         for_each(&self.workers, &mut self.discs, |number, disc| {

@@ -2,9 +2,9 @@
 
 /// A disc in a row of cells that its box reaches into.
 ///
-/// A disc has an entry in every row that its box touches, but only one in each row: in the column
-/// where the box begins. Only cells in which a box begins are stored, so memory grows with the
-/// number of discs and not with the square.
+/// A disc has an entry in every row that its box touches, but only one entry in each row: in the
+/// column where the box begins. Only cells in which a box begins are stored, so memory grows with
+/// the number of discs and not with the square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
     /// The cell in which the box begins in this row: row × columns + column.

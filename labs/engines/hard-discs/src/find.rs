@@ -11,7 +11,7 @@ use crate::geometry::{Square, Window};
 /// The result of a search, and its costs.
 #[derive(Debug, Default)]
 pub struct Found {
-    /// The candidates, in lists of any lengths and orders: one for each worker that found some.
+    /// The candidates in any order, in a list for each worker that found candidates.
     pub lists: Vec<Vec<Candidate>>,
     /// Number of pairs that were tested.
     pub pair_tests: u64,
@@ -42,9 +42,9 @@ pub trait Find: Send {
 
     /// Adds to `found` every pair of `free` discs that collides at a time in `window`.
     ///
-    /// The collisions are those of [`Collisions::pair_hit`](crate::Collisions::pair_hit). A search
-    /// must not miss a pair, nor find it twice. The positions of the discs are those at the start
-    /// of the *step*, whatever the window.
+    /// [`Collisions::pair_hit`](crate::Collisions::pair_hit) defines the collisions. A search must
+    /// not miss a pair, nor find it twice. Whatever the window, the discs have their positions at
+    /// the start of the *step*.
     fn find(
         &mut self,
         discs: &[Disc],
@@ -60,12 +60,11 @@ pub(crate) type Tested = (Vec<Candidate>, u64);
 
 /// The candidates that each of several workers finds.
 ///
-/// Each list has its own cache lines, because the queue of single pairs locks a list for each of
-/// them.
+/// Each list has its own cache lines, because a queue of single pairs locks a list for each pair.
 pub(crate) struct Lists(Vec<CachePadded<Mutex<Tested>>>);
 
 impl Lists {
-    /// Takes the memory of the lists in `found`, as `count` empty lists.
+    /// Makes `count` empty lists from the memory of the lists in `found`.
     pub(crate) fn take(found: &mut Found, count: usize) -> Self {
         found.clear(count);
         Self(found.lists.drain(..).map(|list| CachePadded::new(Mutex::new((list, 0)))).collect())

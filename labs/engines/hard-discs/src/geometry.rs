@@ -65,15 +65,15 @@ pub struct Span {
     pub high: f64,
 }
 
-/// Returns how far a disc's box must reach beyond its centre's path: the radius and a margin.
+/// Returns the distance that a disc's box must extend beyond the path of the centre.
 ///
-/// `fastest` is the greatest velocity component of the scene. The boxes of a pair must overlap in
-/// the window of its candidate time, or the pair is missed. With exact numbers the radius would be
-/// enough. However, [`pair_hit`] rounds: if two discs graze each other, Δ is the small difference
-/// of two large numbers. Its error of about ε |d|² |D|² causes an error of √ε |d| in the least
-/// distance and of √ε in the time, with √ε = 1.5e-8. `fastest` bounds |d|, because the discs must
-/// meet within a step. A margin of 1e-6 times `fastest` is forty times as large as the error, and
-/// costs nothing.
+/// The distance is the radius and a margin. `fastest` is the greatest velocity component of the
+/// scene. The boxes of a pair must overlap in the window of its candidate time, or the pair is
+/// missed. In exact arithmetic the radius would be enough. However, [`pair_hit`] rounds: if two
+/// discs graze each other, Δ is the small difference of two large numbers. Its error of about ε
+/// |d|² |D|² causes an error of √ε |d| in the least distance and of √ε in the time, with √ε =
+/// 1.5e-8. `fastest` bounds |d|, because the discs must meet within a step. A margin of 1e-6 times
+/// `fastest` is forty times as large as the error, and costs nothing.
 ///
 /// [`pair_hit`]: crate::Collisions::pair_hit
 pub fn reach(square: Square, fastest: f64) -> f64 {

@@ -16,8 +16,8 @@ use crate::threads::{Schedule, Team};
 
 /// Number of blocks of all levels.
 ///
-/// There are 4 × 4 small blocks with numbers 0 to 15, 2 × 2 medium blocks with numbers 16 to 19,
-/// and the whole square, 20.
+/// There are 4 × 4 small blocks with numbers 0 to 15 and 2 × 2 medium blocks with numbers 16 to 19.
+/// Block 20 is the whole square.
 pub const BLOCKS: usize = 21;
 
 /// The unit of work that a worker takes from the queue.
@@ -31,7 +31,7 @@ pub enum Deal {
 
 /// A search in which every disc is in the smallest block that contains its box of this step.
 ///
-/// A disc can meet only the discs of its block and of blocks that overlap with it.
+/// A disc can meet only the discs of its block and of blocks that overlap this block.
 pub struct Grid<C> {
     rules: PhantomData<C>,
     workers: Workers,

@@ -1,9 +1,10 @@
 //! Hard discs: an engine for discs that fly straight until they hit a wall or each other.
 //!
-//! A step is a search and a decision. The search finds the *candidates*: all collisions that could
-//! happen in the step. The decision takes candidates in order of time, each if its discs have not
-//! collided yet in this step. This library contains searches ([`Find`]) and the engine around them
-//! ([`Engine`]). The user's type makes the decisions; it implements these traits:
+//! A step consists of a search and a decision. The search finds the *candidates*: all collisions
+//! that could happen in the step. The decision goes through the candidates in order of time, and
+//! takes a candidate if its discs have not collided yet in this step. This library contains
+//! searches ([`Find`]) and the engine around them ([`Engine`]). The user's type makes the
+//! decisions; it implements these traits:
 //!
 //! | trait | decisions | used by |
 //! |-------|-----------|---------|
@@ -22,8 +23,8 @@
 //! | [`Grid`] | pairs in overlapping blocks, of 4 × 4, 2 × 2 and 1 | they share the discs |
 //! | [`Planned`] | pairs whose swept boxes share cells | they share discs, then strips |
 //!
-//! All searches find the same candidates, so an engine gives the same bits with each of them, on
-//! any number of threads.
+//! All searches find the same candidates. So the bits are the same with each search and on any
+//! number of threads.
 //!
 //! # Example
 //!
@@ -75,8 +76,8 @@
 //! Discs are a slice, and a disc's number is its index. All discs have the same radius and mass.
 //! Lengths are in the scene's unit, times in steps (λ, from 0 to 1), velocities in lengths per
 //! step. A [`Scene`](common::hard::Scene) is checked when it is made, so nothing here fails on bad
-//! input. The only error is that the system refuses threads ([`Workers::new`]). The memory of a
-//! step is proportional to the number of discs and candidates.
+//! input. The only possible error is that the system refuses to start threads ([`Workers::new`]).
+//! The memory of a step is proportional to the number of discs and candidates.
 
 mod broad_phase;
 mod cells;

@@ -55,8 +55,8 @@ pub struct Loops<C> {
 }
 
 impl<C> Loops<C> {
-    /// Divides `which` loop among `workers`; if both loops are divided, `schedule` is for the outer
-    /// one.
+    /// Divides `which` loop among `workers`; if both loops are divided, `schedule` applies to the
+    /// outer loop.
     pub fn new(which: Which, schedule: Schedule, collect: Collect, workers: Workers) -> Self {
         Self { rules: PhantomData, which, schedule, collect, workers, shared: Slots::default() }
     }
@@ -66,7 +66,7 @@ impl<C: Collisions + ParallelLoops> Find for Loops<C> {
     fn find(&mut self, discs: &[Disc], _: &[bool], square: Square, _: Window, found: &mut Found) {
         let radius = square.radius;
         let team = Team::Standing(&self.workers);
-        // There is a list for each worker; in nested loops there is one for each member of each
+        // There is a list for each worker; in nested loops there is a list for each member of each
         // worker's team.
         let lists = Lists::take(found, team.count() * team.count());
         let shared = &self.shared;

@@ -1,4 +1,4 @@
-//! Tests pairs of one disc with discs of higher numbers.
+//! Tests pairs of one disc and discs with higher numbers.
 
 use std::ops::Range;
 
@@ -9,9 +9,10 @@ use crate::collisions::{Candidate, Collisions};
 /// Whether two discs come near enough to touch at any time, past or future.
 ///
 /// It is `false` only if [`Collisions::pair_hit`] returns `None`. The collision test first asks
-/// whether the discs approach each other. Half of all pairs do, so the processor mispredicts every
-/// second test, which costs more than the rest of the function. The result here is nearly always
-/// `false`. The slack is for rounding: discs that overlap pass the test in exact numbers.
+/// whether the discs approach each other. Half of all pairs do, so the processor mispredicts many
+/// of these tests. That costs more than the rest of the function. The result here is nearly always
+/// `false`. The factor is 4.000001 and not 4 because of rounding; in exact arithmetic, 4 would be
+/// enough.
 #[inline]
 pub fn may_touch(a: &Disc, b: &Disc, radius: f64) -> bool {
     let velocity = b.velocity() - a.velocity();

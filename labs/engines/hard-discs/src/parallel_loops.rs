@@ -5,12 +5,12 @@ use std::ops::Range;
 use crate::collisions::Candidate;
 use crate::threads::{LockedCount, Schedule, SharedCount, Slots, Team};
 
-/// The loop over pairs that threads share.
+/// The loop over pairs a < b that threads share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which {
-    /// The loop over a, with a list for each thread.
+    /// The outer loop, over a, with a list for each thread.
     Outer,
-    /// The loop over b, with a list for each thread.
+    /// The inner loop, over b, with a list for each thread.
     Inner,
     /// Both loops. New teams of as many threads run the inner loops, with a list for each thread of
     /// each team.
@@ -30,9 +30,9 @@ pub trait ParallelLoops {
 
     /// Visits all pairs a < b of `n` discs, and divides `which` loop among threads.
     ///
-    /// If both loops are divided, `schedule` is for the outer one. `look(list, a, partners)` tests
-    /// disc a with every disc in `partners`, and stores the candidates in list number `list`. No
-    /// two threads use the same list at the same time.
+    /// If both loops are divided, `schedule` applies to the outer loop. `look(list, a, partners)`
+    /// tests disc a with every disc in `partners`, and stores the candidates in list number `list`.
+    /// No two threads use the same list at the same time.
     fn all_pairs(
         which: Which,
         n: usize,

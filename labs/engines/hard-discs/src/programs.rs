@@ -55,10 +55,10 @@ pub fn dynamic(config: &Config) -> Schedule {
 
 /// Builds an engine that tests all pairs and divides `which` loop among threads.
 ///
-/// If both loops are divided, `schedule` is for the outer one.
+/// If both loops are divided, `schedule` applies to the outer loop.
 ///
 /// # Errors
-/// The system refuses the threads.
+/// The system refuses to start the threads.
 pub fn loops<C: Step + ParallelLoops>(config: &Config, which: Which, schedule: Schedule) -> Built {
     built::<C>(config, which, schedule, Collect::Own, Choice::Sort)
 }
@@ -68,7 +68,7 @@ pub fn loops<C: Step + ParallelLoops>(config: &Config, which: Which, schedule: S
 /// `collect` and `choice` are the ways to collect candidates and to put them in order.
 ///
 /// # Errors
-/// The system refuses the threads.
+/// The system refuses to start the threads.
 pub fn collected<C: Step + ParallelLoops>(
     config: &Config,
     collect: Collect,
@@ -100,7 +100,7 @@ pub fn grid<C: Step + BroadPhase + ParallelLoops>(_: &Config) -> Built {
 /// The queue contains discs in chunks ([`DISC_CHUNK`]) or whole blocks ([`WHOLE_BLOCKS`]).
 ///
 /// # Errors
-/// The system refuses the threads.
+/// The system refuses to start the threads.
 pub fn grid_parallel<C: Step + BroadPhase + ParallelLoops>(config: &Config) -> Built {
     let workers = Workers::new(config.threads)?;
     let deal = match config.parameter(WHOLE_BLOCKS.name) > 0.0 {
@@ -111,10 +111,10 @@ pub fn grid_parallel<C: Step + BroadPhase + ParallelLoops>(config: &Config) -> B
     engine::<C>(grid, Choice::Sort, workers)
 }
 
-/// Builds an engine with sorted occupied cells, and the step in one window.
+/// Builds an engine with sorted occupied cells that searches each step in one window.
 ///
 /// # Errors
-/// The system refuses the threads.
+/// The system refuses to start the threads.
 pub fn cells<C: Step + BroadPhase>(config: &Config) -> Built {
     in_windows::<C>(config, Some(1))
 }
@@ -122,7 +122,7 @@ pub fn cells<C: Step + BroadPhase>(config: &Config) -> Built {
 /// Builds an engine with sorted occupied cells. The parameter [`WINDOWS`] is the number of windows.
 ///
 /// # Errors
-/// The system refuses the threads.
+/// The system refuses to start the threads.
 pub fn planned<C: Step + BroadPhase>(config: &Config) -> Built {
     let windows = config.parameter(WINDOWS.name) as usize;
     in_windows::<C>(config, (windows > 0).then_some(windows))

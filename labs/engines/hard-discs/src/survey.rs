@@ -22,12 +22,12 @@ pub struct Survey {
     /// The least and the greatest x of a centre inside the square, at the start or the end of the
     /// step.
     pub x: (f64, f64),
-    /// The least and the greatest y, likewise.
+    /// The least and the greatest y of such a centre.
     pub y: (f64, f64),
     /// Number of discs that a disc would meet in the step if all discs were free to the end.
     ///
-    /// A disc that has met another one is no longer free, so the later windows of a step have fewer
-    /// discs.
+    /// A disc that has met another disc is no longer free, so the later windows of a step have
+    /// fewer discs.
     pub meetings: f64,
 }
 
@@ -39,7 +39,7 @@ impl Survey {
 
     /// Surveys the discs with `workers`.
     ///
-    /// The means are sums over pieces, which are the same for any number of workers.
+    /// The means are summed over pieces that are the same for any number of workers.
     pub fn by(workers: &Workers, discs: &[Disc], square: Square) -> Self {
         let pieces = map_pieces(workers, discs, |_, piece| Self::sums(piece, square));
         let mut all = pieces.into_iter().reduce(Self::and).unwrap_or_default();
@@ -47,7 +47,7 @@ impl Survey {
         all.speed.1 /= discs.len() as f64;
         let reach = 2.0 * square.radius;
         let area = (all.x.1 - all.x.0).max(reach) * (all.y.1 - all.y.0).max(reach);
-        // On average, two velocities of random directions differ by √2 of their magnitude.
+        // On average, two velocities with random directions differ by √2 times their magnitude.
         let relative = SQRT_2 * all.speed.0.hypot(all.speed.1);
         all.meetings = discs.len() as f64 / area * 2.0 * reach * relative;
         all
@@ -67,7 +67,7 @@ impl Survey {
         survey
     }
 
-    /// Returns the sums and bounds of two pieces together.
+    /// Combines the sums and bounds of two pieces.
     fn and(self, other: Self) -> Self {
         Self {
             n: self.n + other.n,

@@ -1,6 +1,6 @@
 //! Soft discs moved by any integrator, which the user supplies.
 //!
-//! - [`Integrated`]: all particles take the same step at the same time, by any [`Method`]: drifts
+//! - [`Integrated`]: all particles take the same step at the same time, with any [`Method`]: drifts
 //!   and kicks of a [`System`], or [`RungeKutta`].
 //! - [`Located`]: a Runge-Kutta method that ends its steps at contacts and walls. Particles that
 //!   could touch within a step form a group, and an event ends only the step of its group.
@@ -37,8 +37,8 @@
 //!
 //! # Rules
 //!
-//! A type that implements [`Rules`] gives [`RungeKutta`] and [`Located`] the slope of a step, and
-//! [`Located`] the time of an event. `solution12::Tasks` is such a type.
+//! A type that implements [`Rules`] supplies the slope of a step to [`RungeKutta`] and [`Located`],
+//! and the time of an event to [`Located`]. `solution12::Tasks` is such a type.
 //!
 //! # Units and errors
 //!

@@ -14,8 +14,8 @@ pub trait Rules: Send + Sync + 'static {
 
     /// Returns the first time from 0 to `h` at which a number falls through zero, or `None`.
     ///
-    /// `start` is the value and slope of the number at time 0, `end` at time `h`. `at` computes
-    /// them at any time between.
+    /// `start` contains the value and slope of the number at time 0, and `end` at time `h`. `at`
+    /// computes both at any time between.
     fn first_fall(
         start: Watched,
         end: Watched,

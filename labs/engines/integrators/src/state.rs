@@ -3,9 +3,9 @@
 use common::Vec2;
 use common::soft::{Particle, Scene};
 
-/// Positions and velocities of particles, by ascending id.
+/// Positions and velocities of particles, in ascending order of ids.
 ///
-/// A slope, the change of a state per unit of time, has the same shape: `at` is then the
+/// A slope, the change of a state per unit of time, has the same shape: `at` then contains the
 /// velocities, and `v` the accelerations.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {

@@ -1,4 +1,4 @@
-//! Single precision relative to a cell is as good anywhere in a box of any size.
+//! Single precision relative to a cell is equally accurate everywhere in a box of any size.
 
 use common::soft::{CUTOFF, Particle, Scene, Simulation};
 use integrators::Mixed;

@@ -12,13 +12,13 @@
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let scene = Scene::official(1000, 1)?;
-//! // Two threads, the cheapest skin, and one small step for each step.
+//! // Two threads, 0 for the cheapest skin, and steps that are not divided.
 //! let mut engine = NeighbourList::<NoStatistics>::new(Workers::new(2)?, 0.0, 1);
 //! engine.load(&scene);
 //! engine.run(100);
 //! let mut particles = vec![Particle::default(); scene.len()];
 //! engine.read(0, &mut particles);
-//! # // As all pairs say.
+//! # // Compare with the all-pairs program.
 //! # let all_pairs = solution1::VARIANTS.iter().find(|v| v.name == "all-pairs").ok_or("none")?;
 //! # let mut model = (all_pairs.build)(&all_pairs.config())?;
 //! # model.load(&scene);
@@ -29,7 +29,7 @@
 //! #     assert!((found.x - expected.x).hypot(found.y - expected.y) < 1e-9, "{found:?}, {expected:?}");
 //! # }
 //!
-//! // Or a list alone: whose pairs are near?
+//! // Or build a list alone, which contains all pairs of near particles.
 //! use neighbour_list::{Bodies, list::Neighbours};
 //!
 //! let mut bodies = Bodies::of(&scene);
@@ -46,19 +46,21 @@
 //! ```
 //!
 //! **Shapes.** Particles are a structure of arrays, [`Bodies`], in the engine's order: cell by
-//! cell. Its `id` contains the number of each particle in the scene. A pair is two indices of that
-//! order, the smaller one first. A rebuild sorts the particles again, so earlier indices become
-//! invalid.
+//! cell. The array `id` contains each particle's index in the scene. A pair is two indices in the
+//! engine's order, the smaller one first. A rebuild sorts the particles again, so earlier indices
+//! become invalid.
 //!
 //! **Units.** Lengths are in units of the box, and times in steps of [`DT`](common::soft::DT). The
-//! skin that you give to [`NeighbourList::new`] is in cutoffs. Costs ([`LISTED`]) are nanoseconds.
+//! skin that you give to [`NeighbourList::new`] is in cutoffs. Costs ([`LISTED`]) are in
+//! nanoseconds.
 //!
-//! **Errors.** A [`Scene`](common::soft::Scene) is checked when it is made. The only error here is
-//! that the system refuses threads ([`Workers::new`]).
+//! **Errors.** A [`Scene`](common::soft::Scene) is checked when it is made. The only possible error
+//! is that the system refuses to start threads ([`Workers::new`]).
 //!
-//! **Bits.** The same scene gives the same bits on any number of threads and on any processor.
+//! **Bits.** The results for a scene have the same bits on any number of threads and on any
+//! processor.
 //!
-//! The primitives are those of lab 10. If you have your own primitives, use the package
+//! The primitives come from lab 10. If you have your own primitives, use the package
 //! `neighbour-list-core`, which contains the engine itself.
 
 pub use neighbour_list_core::*;

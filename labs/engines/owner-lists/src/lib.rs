@@ -1,12 +1,12 @@
 //! Linked lists with owners: the CSC367 report's program (sections 2.1 and 2.2).
 //!
-//! Each thread has consecutive rows of bins. It reads all particles and puts those of its rows into
-//! linked lists, whose nodes are allocated once. It tests every pair of its rows once, and the
-//! pairs of its last row with the row above. Then threads share the particles by their numbers, and
-//! move them.
+//! Each thread has consecutive rows of bins. It reads all particles and puts the particles of its
+//! rows into linked lists, whose nodes are allocated once. It tests every pair of its rows once,
+//! and the pairs of its last row with the row above. Then the threads divide the particles by
+//! number, and move them.
 //!
-//! The report does not say how two threads add to one particle at a border. Here each thread has
-//! its own sums.
+//! The report does not explain how two threads add to one particle at a border. Here each thread
+//! has its own sums.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -22,7 +22,7 @@ use solution3::{pool, rows_of_each};
 /// A thread's rows and lists.
 struct Owner {
     rows: Range<usize>,
-    /// Lists of the bins in its rows, with a node for each particle of the scene.
+    /// Lists of the bins in the thread's rows, with a node for each particle of the scene.
     lists: BinLists,
     /// The memory of nodes that are allocated again in each step; a node is a particle and a link.
     #[expect(clippy::vec_box, reason = "memory of its own for each node is what this measures")]
@@ -31,7 +31,8 @@ struct Owner {
 
 /// The results of a thread in this step.
 struct Sums<O> {
-    /// Accelerations by the particles' numbers, valid in the thread's rows and in the row above.
+    /// Acceleration of each particle, at its number; valid in the thread's rows and in the row
+    /// above.
     accelerations: Vec<Vec2>,
     observer: O,
 }
@@ -53,7 +54,7 @@ pub struct OwnerLists<O> {
 impl<O: Observer> OwnerLists<O> {
     /// Makes an engine for `threads` threads and bins of `bin_size` cutoffs or more.
     ///
-    /// With `fresh` it allocates a node for each particle in each step, and frees it.
+    /// With `fresh`, each step allocates a node for each particle, and frees the node again.
     pub fn new(threads: usize, bin_size: f64, fresh: bool) -> Self {
         Self {
             pool: Arc::new(pool(threads)),
@@ -125,8 +126,8 @@ impl<O: Observer> OwnerLists<O> {
 /// Adds the forces of all pairs of a bin, and of its pairs with the bins after it, to both
 /// particles.
 ///
-/// The bin belongs to the first of the two owners. The second has the row above the first owner's
-/// rows.
+/// The bin belongs to the first of the two owners. The second owner has the row above the first
+/// owner's rows.
 fn sum_bin<O: Observer>(
     sums: &mut Sums<O>,
     grid: &Grid,
@@ -137,7 +138,7 @@ fn sum_bin<O: Observer>(
     let columns = grid.columns();
     let [first, end] = [owner.rows.start, owner.rows.end].map(|row| row * columns);
     let bin = row * columns + column - first;
-    // Four of five bins of one cutoff are empty.
+    // If bins are one cutoff wide, four out of five are empty.
     if owner.lists.is_empty(bin) {
         return;
     }

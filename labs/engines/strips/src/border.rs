@@ -1,4 +1,4 @@
-//! The border of a rank: its particles that are ghosts elsewhere, its own ghosts, and their pairs.
+//! The border of a rank: its particles that are ghosts on other ranks, its ghosts, and their pairs.
 
 use common::soft::Observer;
 use mpi::Rank;
@@ -24,7 +24,7 @@ pub(crate) struct Border {
     pairs: Vec<Pair>,
     /// The particles of this rank that ghosts may exert forces on, ascending.
     pub(crate) affected: Vec<u32>,
-    /// The positions of the affected particles and, behind them, of the ghosts.
+    /// The positions of the affected particles, followed by the positions of the ghosts.
     x: Vec<f64>,
     y: Vec<f64>,
     ax: Vec<f64>,
@@ -55,7 +55,8 @@ impl Border {
         self.received.iter().map(|positions| positions.len() / 2).sum()
     }
 
-    /// Lists the pairs within `reach` of this rank's particles and the ghosts in `received`.
+    /// Lists the pairs of a particle of this rank and a ghost in `received` that are within
+    /// `reach`.
     pub(crate) fn list<T: Halo>(&mut self, received: Vec<Vec<f64>>, reach: f64) {
         self.received = received;
         self.pairs.clear();
@@ -90,7 +91,8 @@ impl Border {
         fetch(&mut self.y, &bodies.y, &self.affected);
     }
 
-    /// Returns the accelerations of this rank's particles by ghosts, whose positions just arrived.
+    /// Returns the accelerations of this rank's particles due to ghosts, whose positions have just
+    /// arrived.
     pub(crate) fn accelerations(&mut self, observer: &mut impl Observer) -> External<'_> {
         let Self { pairs, received, affected, x, y, ax, ay, contacts, .. } = self;
         for sums in [&mut *ax, &mut *ay] {

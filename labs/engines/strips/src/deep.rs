@@ -16,8 +16,8 @@ use crate::domain::Domain;
 /// One rank of the job: the engine of a neighbour list on the particles of a strip and on its
 /// ghosts.
 ///
-/// Until the epoch is over, ghosts are particles like all others. There are no statistics, because
-/// a pair would be counted on every rank that has both particles.
+/// Until the epoch is over, the engine treats ghosts like all other particles. There are no
+/// statistics, because a pair would be counted on every rank that has both particles.
 // ANCHOR: deep
 pub struct Deep<T> {
     pub(crate) domain: Domain<NoStatistics>,
@@ -26,8 +26,8 @@ pub struct Deep<T> {
     pub(crate) ghosts: Vec<u32>,
     /// The checkpoint: own particles and ghosts at the beginning of the epoch.
     pub(crate) kept: Bodies,
-    /// The greatest distance that a particle may have gone since then, in steps that all ranks have
-    /// confirmed.
+    /// The greatest distance that a particle may have gone since the checkpoint, in confirmed
+    /// steps.
     pub(crate) gone: f64,
     /// The facts that all ranks use to plan the next epoch.
     pub(crate) outlook: Outlook,
@@ -46,7 +46,7 @@ pub(crate) struct Epoch {
     pub(crate) width: f64,
     /// The greatest distance that a particle of this rank went, for each step that was taken.
     pub(crate) moves: Vec<f64>,
-    /// This rank's [`wear`](Domain::wear) of its list by a step, and the number of its own
+    /// The [`wear`](Domain::wear) of this rank's list in a step, and the number of its own
     /// particles.
     pub(crate) own: [f64; 2],
 }
@@ -82,7 +82,8 @@ impl<T: DeepHalo> Deep<T> {
         self.epoch = Epoch::default();
         self.ghosts.clear();
         self.gone = 0.0;
-        // No rank has a list yet that shows how long it lasts. One step is right at any speed.
+        // No rank has a list yet from which the life of a list is known. An epoch of one step is
+        // right at any speed.
         let height = self.domain.height();
         self.outlook = Outlook { fastest: 0.0, height, particles: 1.0, most: 1 };
         self.taken_again = 0;

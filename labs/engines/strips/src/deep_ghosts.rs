@@ -1,4 +1,5 @@
-//! The exchange before an epoch: particles go to all ranks that need them, once for all steps.
+//! The exchange before an epoch: particles are sent to all ranks that need them, once for all
+//! steps.
 
 use std::ops::{Range, RangeInclusive};
 
@@ -29,19 +30,18 @@ impl<T: DeepHalo> Deep<T> {
     pub(crate) fn drop_ghosts(&mut self) {
         let n = self.domain.engine.bodies().len();
         let ghosts: Vec<usize> = (0..n).filter(self.is_ghost()).collect();
-        // The order is from the last to the first, so that the particle that fills a gap is not a
-        // ghost.
+        // The loop runs backwards, so that the particle that fills a gap is not a ghost.
         for index in ghosts.into_iter().rev() {
             self.domain.engine.bodies_mut().swap_remove(index);
         }
     }
 
-    /// Sends each partner the particles that it needs, and removes those that this rank no longer
-    /// needs.
+    /// Sends each partner the particles that it needs. Removes the particles that this rank no
+    /// longer needs.
     ///
     /// A partner needs the particles that are now in its strip, which become its own, and the
-    /// particles within `width` of it, which become its ghosts. One message to each partner is
-    /// enough, because the rank that had a particle sends it to every rank that needs it. The
+    /// particles within `width` of the strip, which become its ghosts. One message to each partner
+    /// is enough, because the rank that had a particle sends it to every rank that needs it. The
     /// particle may have left its strip by as much as `gone`, so ranks within `width` + `gone` are
     /// partners.
     pub(crate) fn exchange(&mut self, width: f64) {
@@ -57,8 +57,7 @@ impl<T: DeepHalo> Deep<T> {
         let mut outgoing = vec![Vec::new(); partners.len()];
         self.ghosts.clear();
         let bodies = self.domain.engine.bodies_mut();
-        // The order is from the last to the first, so that the particle that fills a gap has been
-        // handled.
+        // The loop runs backwards, so that the particle that fills a gap has already been handled.
         for index in (0..bodies.len()).rev() {
             let y = bodies.y[index];
             if alone.contains(&y) {
@@ -93,8 +92,8 @@ fn widened(strip: Range<f64>, width: f64) -> RangeInclusive<f64> {
     strip.start - width..=strip.end + width
 }
 
-/// Sends `outgoing[k]` to rank `partners[k]`, and returns all that the partners sent, in their
-/// order.
+/// Sends `outgoing[k]` to rank `partners[k]`, and returns the partners' items in the order of
+/// partners.
 ///
 /// No rank knows the length of a message that arrives. The receiver probes the message before it
 /// makes room, so no length has to be sent first.

@@ -14,16 +14,16 @@ pub trait DeepHalo: Partition {
     /// Returns the number of steps that an epoch should have: from 1 to `outlook.most`.
     fn best_depth(outlook: Outlook) -> u32;
 
-    /// Returns how many of the `steps` steps that all ranks have taken are right, with ghosts
+    /// Returns the number of right steps among the last `steps` steps of all ranks, with ghosts
     /// `width` deep.
     ///
     /// The number is at least 1, and the same on all ranks. `numbers` begins with the greatest
     /// distance that a particle of this rank went in each step. Afterwards each of its numbers is
-    /// the greatest of all ranks.
+    /// the greatest among all ranks.
     fn confirm(world: &SimpleCommunicator, numbers: &mut [f64], steps: usize, width: f64) -> usize;
 }
 
-/// The facts that decide the cheapest length of an epoch.
+/// The facts that determine the cheapest length of an epoch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlook {
     /// Distance that the fastest particle of all ranks goes in a step.

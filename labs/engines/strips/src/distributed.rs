@@ -13,16 +13,16 @@ use crate::sent_halo::Halo;
 
 /// One rank of the job: the engine of a neighbour list on the particles of a strip.
 ///
-/// Of the other particles of the scene, it has only the positions of ghosts.
+/// It knows only the ghosts among the other particles of the scene, and only their positions.
 // ANCHOR: engine
 pub struct Distributed<O, T> {
     pub(crate) domain: Domain<O>,
     pub(crate) border: Border,
     /// The greatest distance of a ghost from the strip.
     pub(crate) width: f64,
-    /// The greatest distance that a particle here may have gone since ghosts were chosen.
+    /// The greatest distance that a particle of this rank may have gone since ghosts were chosen.
     pub(crate) moved: f64,
-    /// The distance that the fastest particle here goes in a step.
+    /// The distance that the fastest particle of this rank goes in a step.
     pub(crate) fastest: f64,
     asks: PhantomData<T>,
 }
@@ -40,7 +40,7 @@ impl<O: Observer, T: Halo> Distributed<O, T> {
     fn begin(&mut self) {
         self.fastest = self.domain.fastest();
         self.border = Border::default();
-        // There are no ghosts yet, so the first step must choose some.
+        // There are no ghosts yet, so the first step must choose ghosts.
         self.width = 0.0;
         self.moved = f64::INFINITY;
     }

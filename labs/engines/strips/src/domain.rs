@@ -45,13 +45,13 @@ pub(crate) struct Counts {
     pub(crate) cuts: u64,
     /// Sum of the widths of ghosts over all choices.
     pub(crate) widths: f64,
-    /// Sum of the numbers of ghosts over all choices.
+    /// Total number of ghosts over all choices.
     pub(crate) ghosts: u64,
 }
 
 /// Returns the number of steps that all lists should last.
 ///
-/// `wear` is the greatest [`wear`](Domain::wear) of all ranks.
+/// `wear` is the greatest [`wear`](Domain::wear) among all ranks.
 pub(crate) fn lists_last(wear: f64) -> u32 {
     (1.0 / wear).clamp(1.0, LONGEST).round() as u32
 }
@@ -129,10 +129,10 @@ impl<O: Observer> Domain<O> {
         self.engine.bodies().fastest() * DT
     }
 
-    /// Returns the share of its list's life that a step uses up, by the speeds that the list was
+    /// Returns the share of the list's life that a step uses up, at the speeds that the list was
     /// made for.
     ///
-    /// It is 0 on a rank without particles.
+    /// The share is 0 on a rank without particles.
     pub(crate) fn wear(&self) -> f64 {
         if self.engine.bodies().is_empty() {
             return 0.0;
@@ -141,7 +141,7 @@ impl<O: Observer> Domain<O> {
         1.0 / ((0.5 * skin / self.engine.limits().displacement()).floor() + 1.0)
     }
 
-    /// Returns the greatest rounding of a position in a step.
+    /// Returns the greatest rounding error of a position in a step.
     pub(crate) fn rounding(&self) -> f64 {
         f64::EPSILON * self.grid.size()
     }
@@ -169,7 +169,7 @@ impl<O: Observer> Domain<O> {
         }
     }
 
-    /// Returns the greatest of each number over all ranks.
+    /// Returns the greatest value of each number over all ranks.
     pub(crate) fn greatest<const N: usize>(&mut self, own: [f64; N]) -> [f64; N] {
         let mut all = own;
         self.count_reduction(&own);

@@ -1,4 +1,4 @@
-//! Epochs: steps without a message, and the rollback if some of them were wrong.
+//! Epochs: steps without a message, and the rollback if some of these steps were wrong.
 //!
 //! The ghosts of an epoch of four steps reach four cutoffs beyond the strip, plus the distance that
 //! particles move. In each step the outermost correct ghosts become wrong (`x`), because they lack
@@ -41,7 +41,7 @@ impl<T: DeepHalo> Deep<T> {
         let engine = &mut self.domain.engine;
         let bodies = std::mem::take(engine.bodies_mut());
         let n = bodies.len();
-        // The engine forgets what it learnt from the last list. So steps that are taken again have
+        // The engine forgets all knowledge from the last list. So steps that are taken again have
         // the same lists and the same bits.
         engine.start(bodies, self.domain.grid.size());
         engine.rebuild_keeping(&mut self.kept);
@@ -59,7 +59,7 @@ impl<T: DeepHalo> Deep<T> {
     }
     // ANCHOR_END: advance
 
-    /// Agrees with all ranks how many of the steps are right, and goes back if some are not.
+    /// Agrees with all ranks on the number of right steps, and goes back if some steps are wrong.
     ///
     /// Returns the number of steps that must be taken again. All ranks call it together.
     // ANCHOR: confirm

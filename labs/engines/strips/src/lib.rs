@@ -1,9 +1,9 @@
-//! Soft discs on ranks: the engine of [`neighbour_list`] on each strip of a box that no rank has as
-//! a whole.
+//! Soft discs on ranks: the engine of [`neighbour_list`] on each strip of a box that no rank stores
+//! as a whole.
 //!
 //! A neighbour list is used until it could be wrong. *Ghosts*, the particles of other ranks near a
-//! strip, are used in the same way. The two engines differ in the messages about ghosts until they
-//! are chosen again:
+//! strip, are used in the same way. The two engines differ in the messages that they send before
+//! ghosts are chosen again:
 //!
 //! | engine | messages in a step | trait |
 //! |--------|--------------------|-------|
@@ -41,11 +41,11 @@
 //! # Units
 //!
 //! Lengths are in units of the box, including the distance that a particle goes in a step of
-//! [`DT`](common::soft::DT). The parameter `skin` is in cutoffs. Costs are nanoseconds.
+//! [`DT`](common::soft::DT). The parameter `skin` is in cutoffs. Costs are in nanoseconds.
 //!
 //! # Errors
 //!
-//! A scene that is not valid gives a [`SceneError`](common::soft::SceneError). A rank that ends
+//! A scene that is not valid causes a [`SceneError`](common::soft::SceneError). A rank that ends
 //! early ends the job.
 //!
 //! # Bits

@@ -6,19 +6,20 @@ use mpi::Rank;
 use solution2::Grid;
 use solution6::Cuts;
 
-/// The partition of the box: which ranks need ghosts of each other, and how much work a rank has.
+/// The partition of the box: which ranks exchange ghosts, and how much work a rank has.
 pub trait Partition {
     /// Returns the ranks that exchange ghosts with `rank`, in ascending order.
     ///
-    /// They are all other ranks whose strip is not empty and within `width` of the strip of `rank`.
-    /// If a finds b, then b finds a. A rank with an empty strip has no partners.
+    /// They are all other ranks whose strips are not empty and are within `width` of the strip of
+    /// `rank`. If a is a partner of b, then b is a partner of a. A rank with an empty strip has no
+    /// partners.
     fn partners(strips: &Strips, rank: usize, width: f64) -> Vec<Rank>;
 
     /// Returns the cost of a step for a rank with `particles` particles and `pairs` listed pairs.
     fn load(particles: usize, pairs: usize) -> u64;
 
     /// Divides the load of a rank among the rows of the box; the rank has `counts[row]` particles
-    /// in a row.
+    /// in each row.
     fn weigh_rows(counts: &[u64], load: u64) -> Vec<u64>;
 }
 
@@ -35,7 +36,7 @@ pub struct Strips {
 // ANCHOR_END: strips
 
 impl Strips {
-    /// Returns the strips of blocks of rows.
+    /// Returns the strips that these blocks of rows form.
     pub fn of(grid: &Grid, cuts: &Cuts) -> Self {
         let edges = cuts.starts.iter().map(|&row| match row {
             0 => f64::NEG_INFINITY,

@@ -40,7 +40,8 @@ pub fn distributed<L: Halo + 'static>(config: &Config, threads: usize) -> Built 
 /// Builds the engine [`Deep`] of this rank, with one thread.
 ///
 /// Two ranks know a pair of ghosts, and each would count it. So with statistics this function
-/// builds the engine [`Distributed`] instead; statistics are read after each step anyway.
+/// builds the engine [`Distributed`] instead. Epochs would bring no advantage, because statistics
+/// are read after each step.
 ///
 /// # Errors
 /// There is no MPI library.

@@ -7,7 +7,7 @@ use solution6::{balanced, exchange_all};
 use crate::domain::Domain;
 use crate::partition::{Partition, Strips};
 
-/// Load of a rank, as a multiple of the mean, above which strips are cut again.
+/// Ratio of a rank's load to the mean, above which strips are cut again.
 const TOLERANCE: f64 = 1.05;
 
 impl<O: Observer> Domain<O> {
@@ -41,7 +41,7 @@ impl<O: Observer> Domain<O> {
         self.counts.cuts += 1;
     }
 
-    /// Sends particles to the ranks that they are listed with, near or far.
+    /// Sends each particle to the rank with which it is listed, near or far.
     pub(crate) fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) {
         let lists = by_rank(particles, self.ranks());
         self.traffic.exchanged(self.rank(), &lists);

@@ -28,16 +28,16 @@ impl<O: Observer, T: Halo> Distributed<O, T> {
     /// Sends particles that have left the strip to their new owners.
     ///
     /// A particle has gone no further than ghosts are wide, unless it became faster in the last
-    /// step than any particle was before. So a particle nearly always goes to a partner. Only if
-    /// some particle goes further, all ranks exchange particles.
+    /// step than any particle was before. So a particle nearly always goes to a partner. All ranks
+    /// exchange particles only if some particle goes further.
     fn migrate(&mut self) {
         let own = self.domain.strips.strip(self.domain.rank());
         let bodies = self.domain.engine.bodies_mut();
         let left: Vec<usize> = (0..bodies.len()).filter(|&i| !own.contains(&bodies.y[i])).collect();
         let mut near = vec![Vec::new(); self.border.partners.len()];
         let mut far = Vec::new();
-        // The order is from the last to the first, because a gap is filled with the last particle,
-        // which must have been handled.
+        // The loop runs backwards, because the last particle fills a gap and must already have been
+        // handled.
         for i in left.into_iter().rev() {
             let wire = Wire::from(&bodies.swap_remove(i));
             let owner = self.domain.strips.owner(wire.y);

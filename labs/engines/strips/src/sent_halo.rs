@@ -18,14 +18,14 @@ pub trait Halo: Partition {
     /// Returns the number of steps that ghosts should last: from 1 to `scenery.most`.
     fn best_steps(scenery: Scenery) -> u32;
 
-    /// Returns the particles that a partner needs: the indices in `y` within `width` of its
-    /// `strip`.
+    /// Returns the particles that a partner needs: their indices in `y`. These particles are within
+    /// `width` of the partner's `strip`.
     ///
-    /// The indices ascend.
+    /// The indices are in ascending order.
     fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32>;
 
-    /// Returns the pairs of a particle of this rank and a ghost within `reach`, by the first
-    /// particle.
+    /// Returns the pairs of a particle of this rank and a ghost within `reach`, in the order of the
+    /// particles.
     fn pairs_across(own: Positions<'_>, ghosts: Positions<'_>, reach: f64) -> Vec<Pair>;
 
     /// Sends `sent[k]` to rank `partners[k]` and receives its positions in `received[k]`. Calls
@@ -52,7 +52,7 @@ pub trait Halo: Partition {
     ) -> bool;
 }
 
-/// The facts that decide the cheapest number of steps.
+/// The facts that determine the cheapest number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scenery {
     /// Distance that the fastest particle of all ranks goes in a step.

@@ -5,19 +5,19 @@
 //! the start of the window to its end, in the processor's registers. All other particles fly freely
 //! and are moved once per window. At the end the engine tests how far each particle in a group
 //! deviated from its free flight. If a pair may have been missed, the groups of its particles are
-//! united and computed again. If most particles have neighbours, windows do not pay, and
-//! [`Planned`] uses the neighbour list of lab 10 instead.
+//! united and computed again. If most particles have neighbours, windows are not worth their cost,
+//! and [`Planned`] uses the neighbour list of lab 10 instead.
 //!
-//! The results do not depend on the windows. Groups sum over pairs by ascending id, and free flight
-//! makes the same additions as single steps. So windows give the bits of the naive program, on any
-//! number of threads; a list gives the same positions up to rounding.
+//! The results do not depend on the windows. Groups sum over pairs in ascending order of ids, and
+//! free flight makes the same additions as single steps. So windows give the same bits as the naive
+//! program, on any number of threads; a list gives the same positions up to rounding.
 //!
 //! # Rules
 //!
 //! A type that implements [`Rules`] decides which particles could meet, how far a path may bend,
 //! and how long a window should be. Use `solution11::Tasks` for speed. The type below is cautious:
-//! particles near each other count as particles that may meet, so hardly any work is skipped, and
-//! the bits are the same.
+//! it assumes that all particles near each other may meet. So hardly any work is skipped, and the
+//! bits are the same.
 //!
 //! ```
 //! use common::soft::{NoStatistics, Particle, Scene, Simulation};
@@ -61,7 +61,7 @@
 //! }
 //!
 //! let scene = Scene::official(200, 1)?;
-//! // Two threads, windows of 4 steps, each official step as one.
+//! // Two threads, windows of 4 steps, and official steps that are not divided.
 //! let mut planned = Planned::<Careful, NoStatistics>::new(Workers::if_possible(2), 4, 1);
 //! let mut naive = AllPairs::<NoStatistics>::default();
 //! assert_eq!(end(&mut planned, &scene), end(&mut naive, &scene));
@@ -80,7 +80,7 @@
 //! | `rules`, `span` | the decisions of the user, and their arguments |
 //! | `path` | the path of a particle that no force bends |
 //! | `search` | the particles that could meet in a window |
-//! | `groups` | groups of particles, and running them through a window |
+//! | `groups` | groups of particles, and their run through a window |
 //! | `window` | a window from its opening to its end, and the pairs that it missed |
 //! | `planned` | the planner and the engine |
 

@@ -14,7 +14,7 @@ pub(crate) struct Path {
     /// Position at the start of the window.
     pub(crate) x: f64,
     pub(crate) y: f64,
-    /// Velocity along the reference.
+    /// Velocity along x on the reference path.
     pub(crate) wx: f64,
     pub(crate) wy: f64,
     /// Greatest distance between free flight and the reference.
@@ -26,7 +26,7 @@ impl Span {
     pub(crate) fn path<R: Rules>(&self, p: &Particle) -> Path {
         if R::meets_wall(self, p.x, p.y, p.vx, p.vy) {
             // A reflection never increases the distance between two points. So no particle ends
-            // further from its start than it flies.
+            // further from its start than its path is long.
             let spread = p.vx.hypot(p.vy) * self.duration() * (1.0 + 1e-9) + self.rounding();
             Path { x: p.x, y: p.y, wx: 0.0, wy: 0.0, spread }
         } else {
@@ -38,8 +38,8 @@ impl Span {
 impl Path {
     /// Whether two particles could touch within time `span`.
     ///
-    /// Each of them leaves its reference by at most its spread, and both together by at most
-    /// `slack` more.
+    /// Each particle deviates from its reference by at most its spread, plus a part of `slack`,
+    /// which both particles share.
     pub(crate) fn may_touch<R: Rules>(&self, other: &Self, span: f64, slack: f64) -> bool {
         let dx = other.x - self.x;
         let dy = other.y - self.y;

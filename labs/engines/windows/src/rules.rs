@@ -4,11 +4,11 @@ use crate::span::Span;
 
 /// The decisions that windows depend on.
 ///
-/// Each decision may be wrong in one direction only. If a rule claims that two particles may meet,
-/// that a wall may be near, that a margin may have broken, or that a window should be short, the
-/// cost is time, and no bit of the result changes.
+/// Each decision may be wrong in one direction only. A rule may wrongly claim that two particles
+/// may meet, that a wall may be near, that a margin may have broken, or that a window should be
+/// short. This costs time, but no bit of the result changes.
 ///
-/// The engine calls the rules in its innermost loops: mark short ones with `#[inline(always)]`.
+/// The engine calls the rules in its innermost loops: mark short rules with `#[inline(always)]`.
 pub trait Rules: Send + 'static {
     /// Advances one coordinate `x` of particles in free flight by `steps` steps of length `dt`.
     ///
@@ -19,13 +19,13 @@ pub trait Rules: Send + 'static {
     /// Returns the square of the least distance between two points within time `span`, or a smaller
     /// number.
     ///
-    /// At its beginning the points are (`dx`, `dy`) apart. The second moves with velocity (`wx`,
-    /// `wy`) relative to the first.
+    /// At first the points are (`dx`, `dy`) apart. The second moves with velocity (`wx`, `wy`)
+    /// relative to the first.
     fn closest_squared(dx: f64, dy: f64, wx: f64, wy: f64, span: f64) -> f64;
 
     /// Returns the least number in the group of number `k`.
     ///
-    /// For each number, `parent` contains a number of its group that is not greater. The least
+    /// For each number, `parent` contains a number of the same group that is not greater. The least
     /// number of a group is its own parent.
     fn root(parent: &mut [u32], k: u32) -> u32;
 
@@ -34,8 +34,8 @@ pub trait Rules: Send + 'static {
 
     /// Whether two particles may have come within the cutoff, although their free flights did not.
     ///
-    /// Each of the particles is off its free flight by at most `deviation`. The free flights stay
-    /// further apart than cutoff + `margin`. Both arguments are lengths.
+    /// Each of the particles deviates from its free flight by at most `deviation`. The free flights
+    /// stay further apart than cutoff + `margin`. Both arguments are lengths.
     fn too_far_off(deviation: f64, margin: f64) -> bool;
 
     /// Whether the free flight from (`x`, `y`) with velocity (`vx`, `vy`) may touch a wall within

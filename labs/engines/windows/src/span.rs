@@ -19,12 +19,12 @@ impl Span {
         f64::from(self.steps) * self.dt
     }
 
-    /// Returns an upper bound for the sum of all roundings of a position in the window.
+    /// Returns an upper bound for the sum of all rounding errors of a position in the window.
     pub fn rounding(&self) -> f64 {
         1e-9 * CUTOFF + 2.0 * f64::from(self.steps + 4) * f64::EPSILON * self.size
     }
 
-    /// Returns the time from the first forces of the window to the last.
+    /// Returns the time from the first force computation of the window to the last.
     pub(crate) fn forces(&self) -> f64 {
         f64::from(self.steps - 1) * self.dt
     }

@@ -3,7 +3,7 @@
 //! The threads live as long as their [`Workers`], and wait awake for a short time (`team.rs`).
 //!
 //! Results are in the order of the pieces of work. If the pieces do not depend on the number of
-//! threads, the results do not depend on it either.
+//! threads, neither do the results.
 //!
 //! ```
 //! use workers::Workers;
@@ -29,7 +29,7 @@ use common::BuildError;
 
 use team::Team;
 
-/// One thread, or a team of several that wait for work.
+/// One thread, or a team of several threads that wait for work.
 #[derive(Clone, Default)]
 pub enum Workers {
     /// The calling thread.
@@ -70,8 +70,8 @@ impl Workers {
     /// Calls `work` with every piece, and returns the results in the order of the pieces.
     ///
     /// Each thread begins with its own part of the pieces, which is the same in every call with as
-    /// many pieces: their data may still be in its core's cache. A thread that has finished its part
-    /// takes pieces from other parts.
+    /// many pieces. So the data of this part may still be in the core's cache. A thread that has
+    /// finished its part takes pieces from other parts.
     pub fn map<T: Send, R: Send>(
         &self,
         pieces: Vec<T>,
@@ -109,7 +109,7 @@ impl Workers {
         }
     }
 
-    /// Sorts items by a total order.
+    /// Sorts items in the total order `order`.
     ///
     /// The threads sort parts of equal length, and then merge pairs of parts.
     pub fn sort<T: Send>(&self, items: &mut [T], order: impl Fn(&T, &T) -> Ordering + Send + Sync) {
@@ -118,7 +118,7 @@ impl Workers {
         self.map(parts, |part: &mut [T]| part.sort_unstable_by(&order));
         while length < items.len() {
             length *= 2;
-            // This sort finds the two sorted runs of a part, and merges them.
+            // The standard sort finds the two sorted runs of a part, and merges them.
             let parts = items.chunks_mut(length).collect();
             self.map(parts, |part: &mut [T]| part.sort_by(&order));
         }
@@ -127,7 +127,7 @@ impl Workers {
 
 /// The state of a piece of work.
 enum Slot<T, R> {
-    /// Nobody has begun the piece.
+    /// No thread has begun the piece.
     Piece(T),
     /// A thread works on the piece.
     Taken,

@@ -1,12 +1,13 @@
 //! Threads that live as long as their owner and work in rounds.
 //!
-//! The caller starts a round and is thread 0 of it. Between rounds a thread first spins, which means
-//! that it looks again and again whether the next round has begun. A thread that spins notices a
-//! round within a microsecond; a thread that sleeps needs tens of microseconds to wake. A thread
-//! that has waited for [`SPIN`] sleeps, so that other programs get its core.
+//! The caller starts a round and takes part in it as thread 0. Between rounds a thread first spins,
+//! which means that it tests again and again whether the next round has begun. A thread that spins
+//! notices a round within a microsecond; a thread that sleeps needs tens of microseconds to wake. A
+//! thread that has waited for [`SPIN`] sleeps, so that other programs can use its core.
 //!
-//! A round does not wait for sleepers. A thread enters the round when it notices it, and the caller
-//! closes the round when no work is left. So a thread that gets no core costs only its help.
+//! A round does not wait for sleepers. A thread enters the round when it notices the round, and the
+//! caller closes the round when no work remains. So a thread that gets no core only reduces the
+//! speed.
 
 use std::any::Any;
 use std::io;
@@ -18,7 +19,7 @@ use std::time::{Duration, Instant};
 
 /// Time for which a waiting thread spins before it sleeps.
 const SPIN: Duration = Duration::from_micros(50);
-/// Number of looks between two looks at the clock.
+/// Number of tests for a round between two looks at the clock.
 const LOOKS: usize = 64;
 /// The number of the round that ends the threads.
 const END: usize = usize::MAX;
@@ -47,7 +48,7 @@ struct Shared {
     entered: Line<AtomicUsize>,
     /// Number of threads that have left the round.
     left: Line<AtomicUsize>,
-    /// What a thread panicked with in this round.
+    /// The payload of a thread's panic in this round.
     panic: Mutex<Option<Box<dyn Any + Send>>>,
 }
 
@@ -60,7 +61,7 @@ struct Round {
     caller: Thread,
 }
 
-/// A value on cache lines of its own, so that writing to its neighbours does not slow its readers.
+/// A value on its own cache lines, so that writes to neighbouring values do not slow its readers.
 #[derive(Default)]
 #[repr(align(128))]
 struct Line<T>(T);
@@ -80,12 +81,13 @@ impl Team {
         Ok(team)
     }
 
-    /// Returns the number of threads, with the caller.
+    /// Returns the number of threads, including the caller.
     pub(crate) fn count(&self) -> usize {
         self.threads.len() + 1
     }
 
-    /// Calls `act` with 0 here, and with their numbers on threads that are awake in time.
+    /// Calls `act` with 0 on this thread, and with their own numbers on threads that are awake in
+    /// time.
     ///
     /// The call with 0 must do all work that no other thread has begun.
     pub(crate) fn share(&self, act: Act<'_>) {
@@ -99,8 +101,8 @@ impl Team {
 
     /// Wakes `helpers` threads for a round, and waits until at least `least` of them have left it.
     ///
-    /// If the team is in a round already, the caller makes all calls alone, because it may be a
-    /// part of that round.
+    /// If the team is in a round already, the caller makes all calls alone, because this call may
+    /// be a part of that round.
     fn round(&self, helpers: usize, least: usize, act: Act<'_>) {
         let mut last = match self.last.try_lock() {
             Ok(last) => last,
@@ -114,8 +116,8 @@ impl Team {
         // SAFETY: only the lifetime changes. A thread gets `act` from `open`, where it counts as
         // entered under the lock, and counts as left after its last use of `act`. Below, `open` is
         // emptied under the same lock, so no thread enters later, and this function waits until all
-        // that have entered have left. It gets there also if `act` panics, here or on a thread. So
-        // nobody has `act` when this function returns.
+        // that have entered have left. This holds even if `act` panics, here or on a thread. So no
+        // thread has `act` when this function returns.
         #[allow(unsafe_code)]
         let lasting = unsafe { std::mem::transmute::<Act<'_>, Act<'static>>(act) };
         self.shared.open(Some(Round { number: *last, act: lasting, caller: thread::current() }));
@@ -139,7 +141,7 @@ impl Drop for Team {
         self.shared.begun.0.store(END, Ordering::Release);
         for thread in self.threads.drain(..) {
             thread.thread().unpark();
-            // A thread catches the panics of its work, and has none of its own.
+            // A thread catches the panics of its work, and does not panic elsewhere.
             let _ = thread.join();
         }
     }
@@ -150,7 +152,7 @@ impl Shared {
         *self.open.write().unwrap_or_else(PoisonError::into_inner) = round;
     }
 
-    /// Enters the open round, if there is one with a number above `last`.
+    /// Enters the open round, if there is a round with a number above `last`.
     fn enter(&self, last: usize) -> Option<Round> {
         let open = self.open.read().unwrap_or_else(PoisonError::into_inner);
         let round = open.clone().filter(|round| round.number > last)?;
@@ -176,8 +178,8 @@ impl Shared {
     }
 }
 
-/// Waits until `is_over`: spins first, then sleeps. Whoever changes the answer must then unpark
-/// this thread.
+/// Waits until `is_over`: spins first, then sleeps. A thread that changes the answer must then
+/// unpark this thread.
 fn wait(is_over: impl Fn() -> bool) {
     let start = Instant::now();
     loop {
@@ -188,7 +190,8 @@ fn wait(is_over: impl Fn() -> bool) {
             std::hint::spin_loop();
         }
         if start.elapsed() >= SPIN {
-            // If another thread has called `unpark` since the last look, this returns at once.
+            // If another thread has called `unpark` since the last test, `park` returns
+            // immediately.
             thread::park();
         }
     }

@@ -1,4 +1,4 @@
-//! Threads that work in rounds, also when a round panics or another round begins inside it.
+//! Threads that work in rounds, even if a round panics or another round begins inside a round.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Mutex;

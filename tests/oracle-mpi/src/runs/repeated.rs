@@ -52,8 +52,8 @@ impl RunsOnRanks {
     }
 }
 
-/// Checks that the runs in `numbers` have the bits of the first run. The last `others` of them
-/// belong to other programs.
+/// Checks that the runs in `numbers` have the bits of the first run. The last `others` runs belong
+/// to other programs.
 fn equal_runs(
     mut numbers: &[f64],
     particles: usize,

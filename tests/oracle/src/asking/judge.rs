@@ -38,7 +38,7 @@ pub struct Verdict {
 }
 
 impl Judge {
-    /// Returns a judge of the answers in the file at `path`. If the question is a worked example,
+    /// Returns a judge for the answers in the file at `path`. If the question is a worked example,
     /// `snapshot` is the text of its snapshot.
     ///
     /// # Errors

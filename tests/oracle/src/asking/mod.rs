@@ -1,7 +1,7 @@
 //! Asking a lab: one source of questions for a student's tests and for grading.
 //!
 //! A question function draws inputs and passes two closures to its asker: the first computes the
-//! lab's answer, and the second judges it. The asker decides which of them are called:
+//! lab's answer, and the second judges it. The asker decides which closures are called:
 //!
 //! | who asks       | the lab answers         | the answer is compared           |
 //! |----------------|-------------------------|----------------------------------|
@@ -52,9 +52,9 @@ pub trait Ask {
     /// Grading omits it.
     fn in_tests_only(&mut self, part: impl FnOnce());
 
-    /// Asks the ranks of a job, for each number of ranks in turn; at most once in a question. A
-    /// rank of a job calls `on_this_rank`. A judge without a job calls `of_rank` for each rank and
-    /// number of ranks. Both functions ask the same questions.
+    /// Puts questions to the ranks of a job, for each number of ranks in turn. Call it at most once
+    /// in a question. A rank of a job calls `on_this_rank`. A judge, which has no job, calls
+    /// `of_rank` for every rank of every number of ranks. Both functions ask the same questions.
     #[cfg(unix)]
     fn on_ranks(
         &mut self,
@@ -137,7 +137,7 @@ pub fn begins_send(call: &str) -> bool {
     ["MPI_Isend", "MPI_Issend"].contains(&call)
 }
 
-/// Asks how many of the calls that a rank has `made` are not in `calls`. There must be none.
+/// Asks how many of the calls that a rank has `made` are not in `calls`. The number must be 0.
 pub fn no_other_calls(made: &[&str], calls: &[&str], name: &str, ask: &mut impl Ask) {
     let others = made.iter().filter(|call| !calls.contains(call)).count();
     let question = format!("{name}: number of MPI calls other than {}", calls.join(" and "));
@@ -167,9 +167,9 @@ pub fn digest(items: impl IntoIterator<Item = (f64, u64)>) -> Vec<f64> {
     sums
 }
 
-/// Asks whether the memory of this process grows with its steps. `run` is called with `steps` steps
-/// and then with four times as many; each step handles `bytes` bytes. Ask this question
-/// [apart](Ask::apart).
+/// Asks whether the memory of this process grows with its steps. The function calls `run` with
+/// `steps` steps and then with four times as many steps; each step handles `bytes` bytes. Ask this
+/// question [apart](Ask::apart).
 pub fn memory(
     name: &str,
     (steps, bytes): (u64, usize),

@@ -52,7 +52,7 @@ pub(super) fn run(ranks: usize) -> Vec<u8> {
 }
 
 /// Returns the command that starts this program, with its arguments, as the ranks of a job. It also
-/// works in a sandbox, which has no environment.
+/// works in a sandbox, which has no environment variables.
 ///
 /// # Panics
 /// If MPI is not installed.

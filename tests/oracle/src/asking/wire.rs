@@ -4,15 +4,15 @@
 //! An entry consists of the length of the question, the question, the length of the answer in
 //! bytes, and the answer: 64-bit floating-point numbers, or text. All numbers are little-endian.
 //! The file ends with an answer to the question [`END`], so that a program that broke off is
-//! noticed.
+//! detected.
 
 use std::io::{self, Read, Write};
 
 /// Name of the pseudo-question after the last question.
 pub(super) const END: &str = "end";
 
-/// Greatest length in bytes of a question or an answer. Longer ones are refused, because no lab has
-/// them.
+/// Greatest length in bytes of a question or an answer. Longer questions and answers are refused,
+/// because no lab has any.
 const MOST: u64 = 1 << 30;
 
 pub(super) fn write(file: &mut impl Write, question: &str, answer: &[u8]) -> io::Result<()> {

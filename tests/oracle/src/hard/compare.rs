@@ -4,7 +4,7 @@ use common::hard::{Disc, Scene};
 
 use super::model::{Event, What, step};
 
-/// Returns the greatest difference of two correct programs after one step from the same state.
+/// Returns the greatest difference between two correct programs after one step from the same state.
 fn limit(before: &[Disc], scene: &Scene) -> f64 {
     let fastest = before.iter().map(|d| d.vx.abs().max(d.vy.abs())).fold(0.0, f64::max);
     1e-14 * scene.side() * (1.0 + fastest / scene.radius())

@@ -209,7 +209,7 @@ mod tests {
     fn a_disc_alone_follows_the_folded_path() {
         let discs = [Disc::new(3.0, 4.0, 7.0, -11.0)];
         let after = Exact::new(&discs, 10.0, 1.0).run_until(10.0);
-        // In the square 0 to 8 of the centres: 2 + 70 = 72 and 3 − 110 = −107, folded at 16.
+        // The centres are in a square from 0 to 8: 2 + 70 = 72 and 3 − 110 = −107, folded at 16.
         near(&after[0], (1.0 + 8.0, 1.0 + 5.0, after[0].vx, -11.0));
     }
 

@@ -58,8 +58,8 @@ pub fn first_touch(apart: [f64; 2], closing: [f64; 2], radius: f64) -> Option<f6
     None
 }
 
-/// Returns the time at which a coordinate that moves by `v` in the step reaches `low` or `high` and
-/// would go beyond.
+/// Returns the time at which a coordinate that moves by `v` in the step would go beyond `low` or
+/// `high`.
 fn reaches_wall(x: f64, v: f64, low: f64, high: f64) -> Option<f64> {
     let bound = match x + v {
         end if end < low => low,

@@ -11,7 +11,7 @@ use crate::{Ask, memory, within};
 /// Time limit of every run in seconds. The failure names the task.
 const SECONDS: u64 = 120;
 
-/// Description of the numbers of a state.
+/// Description of the numbers in a state.
 const STATE: &str =
     "x y vx vy and the numbers of collisions with discs and with walls for each disc";
 
@@ -88,7 +88,7 @@ impl Runs {
     }
 
     /// Asks whether the bits after `steps` steps equal the bits of `right`, a program that is known
-    /// to be correct. None of the lab's tasks may be a part of `right`.
+    /// to be correct. `right` must not contain any of the lab's tasks.
     pub fn bits_of(
         &self,
         ask: &mut impl Ask,

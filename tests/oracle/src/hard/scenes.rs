@@ -33,7 +33,7 @@ fn anywhere(n: usize, side: f64, radius: f64, speed: f64, seed: u64) -> Scene {
     of(side, radius, &discs)
 }
 
-/// Returns 60 to 199 discs anywhere, from sparse to crowded, in a small square or a wide one.
+/// Returns 60 to 199 discs anywhere, from sparse to crowded, in a small or a wide square.
 pub fn unseen(seed: u64) -> Scene {
     let mut random = Random::new(1000 + seed);
     let n = 60 + random.below(140);
@@ -42,8 +42,8 @@ pub fn unseen(seed: u64) -> Scene {
 }
 
 /// Returns discs of radius 1 on some points of an integer lattice, with integer velocities. Such
-/// scenes have collisions at exactly the same time, at exactly λ = 0 and λ = 1, and discs at one
-/// position.
+/// scenes have collisions at exactly the same time, at exactly λ = 0 and λ = 1, and discs at the
+/// same position.
 pub fn lattice(seed: u64) -> Scene {
     let side = 24.0;
     let mut random = Random::new(seed);
@@ -66,7 +66,7 @@ pub fn fast(n: usize, seed: u64) -> Scene {
     anywhere(n, 1000.0, 2.0, 1000.0, seed)
 }
 
-/// Returns slow discs in one corner, a few far away, and one disc that crosses everything.
+/// Returns slow discs in one corner, a few discs far away, and one disc that crosses the square.
 pub fn mixed(seed: u64) -> Scene {
     let (side, radius) = (1e7, 1.0);
     let mut random = Random::new(seed);
@@ -80,8 +80,8 @@ pub fn mixed(seed: u64) -> Scene {
     of(side, radius, &discs)
 }
 
-/// Returns pairs that nearly miss each other. The path of the second disc passes the first at 2 r
-/// (1 − gap), for gaps from 1e-3 down to 1e-15, and outside at 2 r (1 + gap).
+/// Returns pairs that nearly miss each other. The path of the second disc passes the first at a
+/// distance of 2 r (1 − gap), for gaps from 1e-3 down to 1e-15, and outside at 2 r (1 + gap).
 pub fn grazing() -> Scene {
     let (side, radius) = (4000.0, 1.0);
     let mut discs = Vec::new();

@@ -5,7 +5,7 @@ use common::hard::{Disc, Scene, Simulation};
 
 use super::one_step;
 
-/// Count of numbers per disc in a state.
+/// Number of values per disc in a state.
 const OF_A_DISC: usize = 6;
 
 /// Returns the states after each of `steps` steps of a scene.
@@ -29,7 +29,7 @@ pub(super) fn of_end(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -
 /// Returns the discs of each of `count` states of `n` discs.
 ///
 /// # Errors
-/// If the number of numbers is wrong.
+/// If `numbers` has the wrong length.
 pub fn split(numbers: &[f64], n: usize, count: usize) -> Result<Vec<Vec<Disc>>, String> {
     if numbers.len() != OF_A_DISC * n * count {
         return Err("the run is not complete".into());

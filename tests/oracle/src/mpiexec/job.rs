@@ -20,7 +20,7 @@ use crate::watchdog::{OwnLimit, WATCH};
 /// Interval between two checks of a running job.
 const GLANCE: Duration = Duration::from_millis(5);
 
-/// Time in which ranks report their positions.
+/// Time that ranks have to report their positions.
 const TO_SAY: Duration = Duration::from_secs(2);
 
 /// Time in which a launcher may end its ranks before it is killed.
@@ -126,7 +126,7 @@ impl Job {
         let limit = launcher.limit(self.limit, self.ranks);
         let _own = OwnLimit::begin();
         // Ranks spin while they wait, so two simultaneous jobs on a few cores slow each other down
-        // extremely.
+        // very much.
         let _alone = only_job();
         assert!(
             !tasks_that_hang().contains(&self.task),
@@ -203,7 +203,7 @@ pub(super) fn count(ranks: usize) -> String {
     if ranks == 1 { "1 rank".into() } else { format!("{ranks} ranks") }
 }
 
-/// A launcher and its ranks. Dropping it ends them, also after a panic beside them.
+/// A launcher and its ranks. Dropping it ends them, even if the test panics.
 struct Running(Child);
 
 impl Drop for Running {
@@ -237,7 +237,7 @@ fn end_group(child: &mut Child) {
     wait(child, LAST_WORDS);
 }
 
-/// Returns the tasks that had a job that did not end. Their further jobs would not end either.
+/// Returns the tasks of which a job did not end. Their further jobs would not end either.
 fn tasks_that_hang() -> MutexGuard<'static, BTreeSet<String>> {
     static TASKS: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     TASKS.lock().unwrap_or_else(PoisonError::into_inner)

@@ -1,4 +1,4 @@
-//! Messages of failed jobs for students.
+//! Messages for students about failed jobs.
 
 use std::time::Duration;
 
@@ -60,8 +60,8 @@ const NOT_KNOWN: &str = "The usual causes are a loop that does not end, a list t
 /// ranks' messages.
 ///
 /// A call is missing only if all ranks have been waiting in calls for a quarter of the time, and
-/// not all in the same collective operation. On a busy machine correct programs may take too long
-/// as well.
+/// not all in the same collective operation. On a busy machine, correct programs may take too long
+/// too.
 pub(super) fn of_no_answer(stderr: &str, ranks: usize, limit: Duration) -> String {
     let mut lines: Vec<&str> = stderr.lines().collect();
     lines.sort_unstable();
@@ -75,8 +75,8 @@ pub(super) fn of_no_answer(stderr: &str, ranks: usize, limit: Duration) -> Strin
 
 /// Returns the call with its location, and the seconds that a rank has waited in it.
 ///
-/// A line is such as `after 20 s rank 1 is in a run, in MPI_Recv (labs/lab5/src/root.rs, line 29)
-/// for 19 s`.
+/// An example of a line is
+/// `after 20 s rank 1 is in a run, in MPI_Recv (labs/lab5/src/root.rs, line 29) for 19 s`.
 fn wait(line: &str) -> Option<(&str, u64)> {
     let (_, wait) = line.split_once(", in MPI_")?;
     let (call, seconds) = wait.strip_suffix(" s")?.rsplit_once(" for ")?;
@@ -88,7 +88,7 @@ fn is_of_all(call: &str) -> bool {
     !OF_ONE_MESSAGE.iter().any(|part| name.contains(part))
 }
 
-/// The message of a failure if neither ranks nor launcher say anything about it.
+/// The message of a failure if neither the ranks nor the launcher print a reason.
 pub(super) const SILENT: &str = "a rank ended the job without a message";
 
 /// Returns the messages of ranks and launcher without noise.

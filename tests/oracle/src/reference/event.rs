@@ -1,4 +1,4 @@
-//! Times at which a distance crosses the cutoff or a coordinate a wall, within a step.
+//! Times within a step at which a distance crosses the cutoff, or a coordinate crosses a wall.
 
 /// A function that is at least 0 now, and its slope.
 #[derive(Clone, Copy, Debug)]
@@ -7,9 +7,9 @@ pub(super) struct Watched {
     pub(super) slope: f64,
 }
 
-/// Returns the first time in (0, h] at which a function falls through zero. `None` if it does not.
-/// `at` evaluates the function anywhere in the step. The step is so short that the slope changes
-/// sign at most once.
+/// Returns the first time in (0, h] at which a function falls through zero. `None` if there is no
+/// such time. `at` evaluates the function anywhere in the step. The step is so short that the slope
+/// changes sign at most once.
 pub(super) fn first_fall(
     start: Watched,
     end: Watched,

@@ -1,8 +1,8 @@
 //! A step of very high order: Störmer's rule, extrapolated to substeps of length zero.
 //!
 //! Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, section II.14. The rule
-//! works with displacements, not with positions, so that rounding stays relative to how far a
-//! particle moved.
+//! works with displacements, not with positions, so that rounding errors are relative to the
+//! distance that a particle moved.
 
 use common::Vec2;
 
@@ -17,7 +17,7 @@ pub(super) struct State {
 }
 
 /// Advances `start` by `h` under accelerations that `field` computes from positions. Returns the
-/// end and an estimate of its error, the greatest in any coordinate.
+/// end and an estimate of the greatest error of a coordinate.
 pub(super) fn step(start: &State, h: f64, field: &impl Fn(&[Vec2], &mut [Vec2])) -> (State, f64) {
     let n = start.at.len();
     let mut first = vec![Vec2::ZERO; n];
@@ -67,7 +67,8 @@ fn rule(
 ) -> Vec<Vec2> {
     let n = start.at.len();
     let part = h / substeps as f64;
-    // `kick` is the excess of a substep's displacement over the free flight's.
+    // `kick` is the difference between a substep's displacement and the displacement in free
+    // flight.
     let mut kick: Vec<Vec2> = first.iter().map(|&a| (0.5 * part * part) * a).collect();
     let mut bend = kick.clone();
     let mut at = start.at.clone();

@@ -6,8 +6,7 @@ use common::soft::{CUTOFF, MASS, MIN_R, Particle};
 use super::event::{Watched, first_fall};
 use super::extrapolation::{State, step};
 
-/// Greatest number of halvings of a step. A step that needs more has met a motion that is not
-/// smooth.
+/// Greatest number of halvings of a step. If a step needs more halvings, the motion is not smooth.
 const MOST_HALVINGS: u32 = 40;
 
 /// Particles of a group, its pairs, and the pairs in contact.
@@ -18,7 +17,7 @@ pub(super) struct Group {
     touching: Vec<bool>,
 }
 
-/// A quantity whose fall through zero is an event.
+/// A kind of event. Each occurs when a certain quantity falls through zero.
 #[derive(Clone, Copy, Debug)]
 enum Event {
     /// The pair with this number comes within reach or leaves it.
@@ -90,7 +89,7 @@ impl Group {
     }
 
     /// Computes the forces of the pairs in contact. The formula is the same on both sides of the
-    /// cutoff, so that the force is smooth until the event is found.
+    /// cutoff, so that the force is smooth until the next event.
     fn accelerations(&self, at: &[Vec2], a: &mut [Vec2]) {
         a.fill(Vec2::ZERO);
         for (&(i, j), _) in self.pairs.iter().zip(&self.touching).filter(|(_, touch)| **touch) {

@@ -2,11 +2,11 @@
 //!
 //! The motion is not smooth at two kinds of moments: when a pair crosses the cutoff, and when a
 //! wall reflects a particle. A method of high order loses its order in every step that contains
-//! such a moment. So each such moment is located, and a step ends there. Between them the motion is
-//! smooth, and [extrapolation] follows it up to rounding.
+//! such a moment. So each such moment is located, and a step ends there. Between these moments the
+//! motion is smooth, and [extrapolation] follows it up to rounding.
 //!
 //! The motion is computed in short windows of time. A particle that cannot touch another within a
-//! window flies freely; the rest form groups, each of which is followed alone.
+//! window flies freely. All other particles form groups, and each group is followed alone.
 
 mod event;
 mod extrapolation;
@@ -31,15 +31,15 @@ impl Fineness {
     /// Accuracy of the kit's tables.
     pub const FINE: Self = Self { window: 2e-4, tolerance: 1e-16 };
     /// Accuracy with longer windows, different steps and a looser tolerance. The difference from
-    /// [`Self::FINE`] shows the error of both.
+    /// the results with [`Self::FINE`] shows the error of both.
     pub const CHECK: Self = Self { window: 3.1e-4, tolerance: 1e-15 };
 }
 
-/// Returns the exact motion of a scene for `time`, in id order.
+/// Moves the particles of a scene exactly for `time`, and returns them in id order.
 ///
 /// # Errors
-/// If a pair came closer than the model's least distance, where the motion is not smooth. The error
-/// names the pair.
+/// If a pair came closer than the model's least distance, below which the motion is not smooth. The
+/// error names the pair.
 pub fn exact(scene: &Scene, time: f64, fineness: Fineness) -> Result<Vec<Particle>, String> {
     let mut particles = scene.particles().to_vec();
     let windows = (time / fineness.window).ceil().max(1.0);
@@ -56,7 +56,7 @@ fn window(
     length: f64,
     tolerance: f64,
 ) -> Result<(), String> {
-    // Particles that become faster than this are noticed below.
+    // If a particle exceeds the allowed speed below, the window is computed again.
     let speeds: Vec<f64> = particles.iter().map(|p| p.vx.hypot(p.vy)).collect();
     let mut allowed = 1.25 * speeds.iter().copied().fold(0.0, f64::max) + 0.1;
     loop {

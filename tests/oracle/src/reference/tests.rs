@@ -9,8 +9,8 @@ fn pair(gap: f64, speed: f64) -> Scene {
     Scene::new(1.0, vec![at(a, speed / 2.0), at(b, -speed / 2.0)]).unwrap()
 }
 
-/// The time of a head-on contact, by quadrature of dt = dr / |ṙ| with ṙ² = w² - 4 U(r) / m. The
-/// substitution r = least + (c - least) s² takes away the root at the turning point.
+/// The time of a head-on contact, computed as the integral of dt = dr / |ṙ| with ṙ² = w² - 4 U(r) /
+/// m. The substitution r = least + (c - least) s² removes the square root at the turning point.
 fn contact_time(speed: f64) -> f64 {
     let rate = |r: f64| speed * speed - 4.0 * potential_of_pair(r, 0.0) / MASS;
     let (mut low, mut high) = (0.5 * CUTOFF, CUTOFF);
@@ -60,7 +60,7 @@ fn another_fineness_ends_at_the_same_position() {
 
 #[test]
 fn it_agrees_with_the_model_as_its_steps_shrink() {
-    // A contact whose step is not small: the model must be near, and not equal.
+    // A contact whose step is not small: the model must be near the exact motion, but not equal.
     let scene = pair(0.0101, 1.0);
     let mut model = Model::new(&scene);
     for _ in 0..20 {

@@ -10,8 +10,8 @@ use crate::official::{OFFICIAL_SHA256, sha256};
 use crate::{Ask, Model, energy, scenes};
 
 impl Runs {
-    /// Asks for a free run on the official scene, compared with the model: positions agree to 10⁻⁹
-    /// until step 200. Later, chaos has doubled the last digit too often.
+    /// Asks for a free run on the official scene. Its positions must agree with the model's to 10⁻⁹
+    /// until step 200. Later, chaos has doubled the differences too often.
     pub fn free_run(&self, ask: &mut impl Ask) {
         let scene = scenes::official();
         let of_run = scene.clone();
@@ -77,8 +77,8 @@ impl Runs {
         ask.judge(&question, || self.clone().statistics().run(found), right_averages);
     }
 
-    /// Asks for the statistics of each of `steps` steps. They must be those of the model's state
-    /// before the step: counts exactly, distances to 10⁻¹².
+    /// Asks for the statistics of each of `steps` steps. They must equal the statistics of the
+    /// model's state before the step: counts exactly, distances to 10⁻¹².
     pub fn statistics_of_each_step(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
         let (of_run, name) = (scene.clone(), self.name());
         let found = move |engine: &mut dyn Simulation| {
@@ -183,7 +183,7 @@ fn official_digest(engine: &mut dyn Simulation) -> Vec<f64> {
     (0..digest.len()).step_by(2).map(|at| f64::from(byte(at))).collect()
 }
 
-/// Checks that dmin, davg and navg are those of the pairs of a state.
+/// Checks that dmin, davg and navg are right for the pairs of a state.
 fn right_statistics(found: &[f64], before: &[Particle]) -> Result<(), String> {
     let right = statistics_of(before);
     for (k, (what, expected)) in [

@@ -55,7 +55,7 @@ impl States {
         Self::of(&read(engine, scene.len()))
     }
 
-    /// Takes `count` states off the front of `numbers`.
+    /// Removes the first `count` states from `numbers` and returns them.
     ///
     /// # Errors
     /// If there are too few numbers.
@@ -89,7 +89,7 @@ impl States {
         numbers.enumerate().map(particle).collect()
     }
 
-    /// Checks that the states after each step have the bits of all pairs.
+    /// Checks that the states after each step have the same bits as with all pairs.
     ///
     /// # Errors
     /// If they differ: the first wrong particle. A step whose error exceeds rounding is explained,

@@ -25,8 +25,8 @@ impl Runs {
         }
         self.same_bits_on_threads(ask, &scenes::dense_with_seed(7), 50, &THREADS);
         self.clone().threads(3).keeps_everyone(ask, &scenes::dense_with_seed(8), 1000);
-        // There are more threads (17) than rows of bins. A program that adds up the buffers of only
-        // some threads is noticed too.
+        // There are more threads (17) than rows of bins. So a program that adds up the buffers of
+        // only some threads is detected too.
         self.clone().threads(17).bits_of_all_pairs(ask, &scenes::all_leave(), 20);
     }
 }

@@ -10,7 +10,7 @@ use wgpu::Buffer;
 use super::finder::WALL;
 use super::kernels::HardKernels;
 
-/// Number of rounds that are submitted before the host tests whether more are needed.
+/// Number of rounds that are submitted before the host tests whether more rounds are needed.
 const ROUNDS: usize = 4;
 
 /// The kernels of a round, in order.
@@ -19,7 +19,7 @@ const KERNELS: [&str; 5] = ["forget", "least_high", "least_low", "least_rank", "
 /// The reason why the device made no choice.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum ChoiceError {
-    /// A call failed, mostly because the device has too little memory.
+    /// A call failed, usually because the device has too little memory.
     #[error(transparent)]
     Gpu(#[from] GpuError),
     /// The rounds did not end, because the kernels or the device are faulty.
@@ -41,15 +41,15 @@ pub enum ChoiceError {
 pub enum Choice<K> {
     /// The host sorts the candidates and takes them in order.
     Host,
-    /// The device takes, in rounds, all candidates that are the first for each of their discs.
+    /// In each round, the device takes all candidates that come first for all of their discs.
     Device(Box<Chooser<K>>),
 }
 
 impl<K: HardKernels> Choice<K> {
-    /// Appends to `taken` the candidates that happen, and marks their discs as not free.
+    /// Appends the candidates that really happen to `taken`, and marks their discs as not free.
     ///
     /// # Errors
-    /// The device has too little memory for these candidates, or its choice does not settle.
+    /// The device has too little memory for these candidates, or its rounds do not end.
     pub fn take(
         &mut self,
         candidates: &mut [Candidate],
@@ -120,8 +120,8 @@ impl<K: HardKernels> Chooser<K> {
         })
     }
 
-    /// Returns for each candidate 1 if it happens, otherwise 0. All `discs` discs are free at the
-    /// start.
+    /// Returns 1 for each candidate that really happens, and 0 for the others. All `discs` discs
+    /// are free at first.
     ///
     /// Every round takes at least the first of all open candidates, so the number of open
     /// candidates falls from round to round. If it does not, the kernels or the device are faulty,
@@ -210,7 +210,7 @@ impl Memory {
 /// Returns a candidate in the kernels' form: the upper and the lower half of its time, and its
 /// discs.
 ///
-/// The bits of −0.0 would come last, so adding zero makes it 0.0.
+/// The bits of −0.0 would be sorted last. Adding zero turns −0.0 into 0.0.
 fn key(candidate: &Candidate) -> [u32; 4] {
     let bits = (candidate.time + 0.0).to_bits();
     let (a, b) = match candidate.hit {

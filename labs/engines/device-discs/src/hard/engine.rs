@@ -1,4 +1,4 @@
-//! The engine: the device filters all pairs, and the host computes the pairs that are left.
+//! The engine: the device filters all pairs, and the host computes the remaining pairs.
 
 use std::time::{Duration, Instant};
 
@@ -13,8 +13,8 @@ use super::margins::Margins;
 
 /// Hard discs, filtered on the device with the kernels `K` in precision `R`.
 ///
-/// The host computes every result in f64 with the functions of lab 7. So the bytes are those of lab
-/// 7's sequential program.
+/// The host computes every result in f64 with the functions of lab 7. So the output equals that of
+/// lab 7's sequential program byte for byte.
 pub struct HardDiscs<K, R> {
     finder: Finder<K, R>,
     choice: Choice<K>,
@@ -96,8 +96,8 @@ impl<K: HardKernels, R: Real> Simulation for HardDiscs<K, R> {
     }
 
     /// # Panics
-    /// The device has too little memory for these discs or candidates, or its choice does not
-    /// settle.
+    /// The device has too little memory for these discs or candidates, or the rounds of its choice
+    /// do not end.
     fn step(&mut self) {
         let start = Instant::now();
         let margins = Margins::of::<R>(&self.discs, self.square);

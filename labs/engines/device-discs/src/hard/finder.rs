@@ -1,4 +1,4 @@
-//! The search for candidates, by kernels on the device.
+//! The search for candidates with kernels on the device.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -11,7 +11,7 @@ use wgpu::Buffer;
 use super::kernels::{HardKernels, Launches, Search};
 use super::margins::Margins;
 
-/// The second number of a candidate that is a disc and a wall.
+/// The second number of a candidate that consists of a disc and a wall.
 pub const WALL: u32 = u32::MAX;
 
 /// Capacity of the first list, in candidates.
@@ -22,7 +22,7 @@ const FIRST_CAPACITY: u64 = 1024;
 pub enum Deal {
     /// An invocation tests a disc with the walls and with all discs after it.
     Discs,
-    /// An invocation tests pairs by their number. Another kernel tests the walls.
+    /// An invocation tests pairs, which are numbered. Another kernel tests the walls.
     Pairs,
 }
 
@@ -48,7 +48,7 @@ pub struct Finder<K, R> {
 }
 
 impl<K: HardKernels, R: Real> Finder<K, R> {
-    /// Compiles the kernels of a `deal`, which will run on `launch`.
+    /// Compiles the kernels of a `deal`, to be run with `launch`.
     ///
     /// # Errors
     /// The device cannot compute with `R`, or refuses a kernel.
@@ -95,8 +95,8 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
 
     /// Fills `found` with the candidates of this step: pairs a < b, and (a, [`WALL`]) for walls.
     ///
-    /// Each occurs once, in any order. If `margins` are those of these discs, no collision is
-    /// missing.
+    /// Each candidate occurs once, in any order. If `margins` were computed for these discs, no
+    /// collision is missing.
     ///
     /// # Errors
     /// The device has too little memory for the discs.

@@ -18,7 +18,7 @@ pub trait Search {
     /// Makes room for at least `count` candidates. The list loses its contents.
     ///
     /// # Errors
-    /// The device has too little memory for them.
+    /// The device has too little memory for these candidates.
     fn grow(&mut self, count: u64) -> Result<(), GpuError>;
 
     /// Adds the first `count` candidates of the list to `found`.
@@ -52,9 +52,9 @@ impl<'a> Launches<'a> {
 
 /// The kernels of the search and of the choice, in WGSL, and the host's part of the search.
 ///
-/// All kernels have `real`, the number type that they compute with, and `invocation` and
-/// `invocations` of the crate [`device`]. The kernels of the search are compiled with
-/// [`filter`](Self::filter) and bound to these buffers:
+/// All kernels can use `real`, the number type, and the functions `invocation` and `invocations` of
+/// the crate [`device`]. The kernels of the search are compiled with [`filter`](Self::filter) and
+/// bound to these buffers:
 ///
 /// | binding | type | contents |
 /// |---|---|---|
@@ -67,11 +67,11 @@ pub trait HardKernels: Launcher + Sized + 'static {
     /// append to.
     fn filter() -> &'static str;
 
-    /// Returns the kernel `find_collisions`: a row is a disc, with all discs after it.
+    /// Returns the kernel `find_collisions`: a row of work is a disc with all discs after it.
     fn basic() -> &'static str;
 
-    /// Returns the kernels `find_walls` and `find_pairs`: walls are tested separately, and pairs by
-    /// number.
+    /// Returns the kernels `find_walls`, which tests all walls, and `find_pairs`, which tests
+    /// numbered pairs.
     fn balanced() -> &'static str;
 
     /// Returns the kernels of a round of the choice: `forget`, `least_high`, `least_low`,

@@ -16,19 +16,20 @@ use solution7::Square;
 /// large.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Margins {
-    /// Two discs can touch only if the device computes a distance below this.
+    /// Two discs can touch only if the device computes a distance below this bound.
     pub reach: f64,
-    /// Two discs can approach each other only if the device computes d · D at most this.
+    /// Two discs can approach each other only if the d · D that the device computes is at most this
+    /// bound.
     pub receding: f64,
-    /// A disc can hit a lower wall only if the device computes an end coordinate below this.
+    /// A disc can hit a lower wall only if the device computes an end coordinate below this bound.
     pub least: f64,
-    /// A disc can hit an upper wall only if the device computes an end coordinate above this.
+    /// A disc can hit an upper wall only if the device computes an end coordinate above this bound.
     pub most: f64,
     /// Whether velocities are too large for these bounds, so that every pair is a candidate.
     pub everything: bool,
 }
 
-/// Sides of the square per step above which the squares of speeds exceed the range of f32.
+/// Greatest speed whose square is safely in the range of f32, in sides of the square per step.
 const TOO_FAST: f64 = (1_u64 << 40) as f64;
 
 impl Margins {
@@ -49,11 +50,11 @@ impl Margins {
 
     /// Returns the bounds as the kernels read them, for the rows `rows` of work with `n` discs.
     ///
-    /// As u32: n, the first row, the end of the rows, and 1 if everything may collide. Then as `R`:
-    /// the square of `reach`, `receding`, `least` and `most`.
+    /// As u32: n, the first row, the end of the rows, and 1 if all pairs are candidates. Then as
+    /// `R`: the square of `reach`, `receding`, `least` and `most`.
     pub fn bytes<R: Real>(&self, n: u32, rows: Range<u32>) -> Vec<u8> {
         let counts = [n, rows.start, rows.end, u32::from(self.everything)];
-        // The square is enlarged slightly, because it is rounded once more.
+        // The square is enlarged slightly, because it will be rounded again.
         let reach_squared = self.reach * self.reach * (1.0 + 4.0 * R::ROUNDING);
         let bounds = [reach_squared, self.receding, self.least, self.most].map(R::of);
         [bytes_of(&counts), bytemuck::cast_slice(&bounds)].concat()

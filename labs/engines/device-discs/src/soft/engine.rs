@@ -19,7 +19,7 @@ pub struct SoftDiscs<K, P: Precision> {
     stopwatch: Option<Stopwatch>,
     scene: Option<Loaded<P>>,
     readback: RefCell<Readback>,
-    /// Seconds that copies between host and device took, with the time that the host waited for
+    /// Seconds for copies between host and device, including the time that the host waited for
     /// them.
     transfer: Cell<f64>,
     in_flight: u32,
@@ -31,14 +31,15 @@ pub struct SoftDiscs<K, P: Precision> {
 pub struct Sorted {
     /// The bins.
     pub grid: Grid,
-    /// The first particle of each bin, and finally the number of particles.
+    /// The index of each bin's first particle, and finally the number of particles.
     pub starts: Vec<u32>,
     /// The ids, bin by bin.
     pub ids: Vec<u32>,
 }
 
 impl<K: SoftKernels, P: Precision> SoftDiscs<K, P> {
-    /// Compiles the kernels. With a stopwatch, each kernel is timed, and every step waits.
+    /// Compiles the kernels. With a stopwatch, each kernel is timed, and every step waits for the
+    /// device.
     ///
     /// # Errors
     /// The device cannot compute in this precision or run workgroups of this size.

@@ -6,9 +6,9 @@ use super::scan::{Scan, Sort};
 
 /// The kernels of a step, in WGSL, and the order of their launches.
 ///
-/// All kernels have `real`, the number type that they compute with, and `invocation` and
-/// `invocations` of the crate [`device`]. The kernels of the sort and of the forces are compiled
-/// with [`discs`](Self::discs) and bound to these buffers:
+/// All kernels can use `real`, the number type, and the functions `invocation` and `invocations` of
+/// the crate [`device`]. The kernels of the sort and of the forces are compiled with
+/// [`discs`](Self::discs) and bound to these buffers:
 ///
 /// | binding | type | contents |
 /// |---|---|---|
@@ -25,8 +25,8 @@ pub trait SoftKernels: Launcher + Sized + 'static {
 
     /// Returns the kernels `scan_blocks` and `add_sums` of a prefix sum.
     ///
-    /// Binding 0 contains the numbers, and binding 1 the sums of their blocks. The kernels have the
-    /// functions `put`, `fetch` and `meet` of a workgroup's shared numbers, and set `own`.
+    /// Binding 0 contains the numbers, and binding 1 the sums of their blocks. The kernels can call
+    /// `put`, `fetch` and `meet` for a workgroup's shared numbers, and must set `own`.
     fn scan() -> &'static str;
 
     /// Returns the kernels `count`, `scatter` and `order` of a counting sort.
@@ -34,7 +34,7 @@ pub trait SoftKernels: Launcher + Sized + 'static {
 
     /// Returns the kernel `step`.
     ///
-    /// It has the constants `CUTOFF`, `MIN_R`, `MASS`, `DT` and `STATISTICS`, and the functions
+    /// It can use the constants `CUTOFF`, `MIN_R`, `MASS`, `DT` and `STATISTICS`, and the functions
     /// `separation` and `advance` of the positions.
     fn forces() -> &'static str;
 

@@ -7,8 +7,8 @@ use super::kernels::SoftKernels;
 use super::scan::{Level, Scan};
 
 impl Scan {
-    /// Prepares to sum the `len` numbers (u32) in `values`, by workgroups of `threads`, with the
-    /// kernels `K`.
+    /// Prepares the prefix sum of the `len` numbers (u32) in `values`. Workgroups of `threads` run
+    /// the kernels `K`.
     ///
     /// # Errors
     /// The device refuses a kernel, its launch or its memory.

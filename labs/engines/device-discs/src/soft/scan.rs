@@ -16,7 +16,7 @@ pub struct Scan {
 pub struct Level {
     /// Sums each block, and writes its total to the next level.
     pub scan_blocks: Bound,
-    /// Adds to each number the sum that the next level has for its block.
+    /// Adds the sum that the next level contains for a block to each number of the block.
     pub add_sums: Bound,
     /// A launch with an invocation for each number.
     pub launch: Launch,
@@ -24,10 +24,10 @@ pub struct Level {
 
 /// The kernels of a counting sort, bound to their buffers.
 pub struct Sort {
-    /// A u32 for each bin, and one more.
+    /// A u32 for each bin, and a final u32.
     ///
-    /// First they are the numbers of particles in the bins. After the prefix sum they are the
-    /// starts of the bins, and finally the number of particles.
+    /// Before the prefix sum, they count the particles of each bin. Afterwards they are the starts
+    /// of the bins, followed by the number of particles.
     pub starts: Buffer,
     /// Counts the particles of each bin in `starts`.
     pub count: Bound,

@@ -1,4 +1,4 @@
-//! Divides the rows of cells into strips with about as many discs each.
+//! Divides the rows of cells into strips with about the same number of discs each.
 
 use std::ops::Range;
 
@@ -8,8 +8,7 @@ use super::lattice::Lattice;
 
 /// Approximate number of discs in a strip.
 ///
-/// The entries of this many discs stay in a core's nearest caches while they are sorted and
-/// searched.
+/// The entries of so many discs stay in a core's nearest caches while they are sorted and searched.
 const DISCS: usize = 512;
 
 /// Greatest number of strips. A worker fills a list for each strip, and more lists would not fit
@@ -19,10 +18,10 @@ const MOST_STRIPS: usize = 512;
 /// Greatest number of slices; a slice is 2^k rows that stay together.
 const MOST_SLICES: u32 = 4096;
 
-/// Number of discs that are sampled to find out where the discs are.
+/// Number of discs that are sampled to estimate the positions of all discs.
 const SAMPLE: usize = 1 << 14;
 
-/// A lattice whose rows are divided into strips, with about as many discs in each.
+/// A lattice whose rows are divided into strips with about the same number of discs each.
 ///
 /// The strips depend on the discs, and not on the number of workers: a worker takes strip after
 /// strip.

@@ -17,7 +17,7 @@ pub(super) struct Deal {
 }
 
 impl Deal {
-    /// Makes the entries of those `discs` that are `free`. The first disc has number `first`.
+    /// Makes the entries of all `discs` that are `free`. The first disc has number `first`.
     ///
     /// Nearly all boxes reach into one row or into two, and both cases are equally frequent. So the
     /// processor could not predict a branch, and a misprediction costs more than an entry.

@@ -19,9 +19,9 @@ pub(super) struct Lattice {
     rows: u32,
     /// The greatest velocity component of the scene.
     pub(super) fastest: f64,
-    /// Whether testing many pairs together pays.
+    /// Whether testing many pairs together is faster.
     ///
-    /// It pays if an entry has several partners, and few of these pairs ever touch.
+    /// It is faster if an entry has several partners, and few of these pairs ever touch.
     pub(super) in_lanes: bool,
 }
 

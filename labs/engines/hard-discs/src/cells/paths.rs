@@ -38,7 +38,8 @@ impl Paths {
     ///
     /// It tests [`LANES`] pairs at a time.
     ///
-    /// Returns the first index of these [`LANES`], or `None` if no pair of `others` may touch.
+    /// Returns the first index of the [`LANES`] pairs that were tested last, or `None` if no pair
+    /// may touch.
     #[inline(always)]
     pub(super) fn next_that_may_touch(
         &self,

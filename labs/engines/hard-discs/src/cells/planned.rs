@@ -1,4 +1,4 @@
-//! The finder that plans a step, and then searches it window by window, strip by strip.
+//! The finder that plans a step, and then searches window by window and strip by strip.
 
 use std::marker::PhantomData;
 
@@ -26,7 +26,7 @@ use crate::threads::SharedCount;
 pub struct Planned<C> {
     rules: PhantomData<C>,
     workers: Workers,
-    /// The number of windows that the user chose, or `None` to choose by the scene.
+    /// The number of windows that the user chose, or `None` if it depends on the scene.
     fixed: Option<usize>,
     /// Whether a window is decided before the next window is searched.
     decided: bool,
@@ -35,8 +35,8 @@ pub struct Planned<C> {
     windows: usize,
     deals: Vec<Deal>,
     searchers: Vec<Searcher>,
-    /// Pair tests in this step, and pair tests of the last step as a multiple of the expected
-    /// number.
+    /// Pair tests in this step. `crowding` is the number in the last step as a multiple of the
+    /// expected number.
     step_tests: u64,
     crowding: f64,
 }

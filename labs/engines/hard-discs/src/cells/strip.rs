@@ -18,7 +18,7 @@ use crate::pairs::{LANES, may_touch};
 /// Greatest number of bits in a digit, so that its counts stay in the nearest cache.
 const MOST_BITS: u32 = 12;
 
-/// Number of entries below which the counts of digits cost more than they save.
+/// Number of entries below which counting digits costs more time than it saves.
 const LEAST_ENTRIES: usize = 128;
 
 /// The working memory of a worker that searches strips, and its results.
@@ -64,8 +64,8 @@ impl Searcher {
     ///
     /// This is a radix sort from the lowest digit, with as few digits as the number of cells
     /// allows. It reads and writes each entry once per digit, so its time is linear in the number
-    /// of entries. A comparison sort would also need log₂ n comparisons for each entry, half of
-    /// them mispredicted.
+    /// of entries. A comparison sort would also need log₂ n comparisons for each entry, and the
+    /// processor would mispredict half of these.
     fn sort(&mut self, deals: &[Deal], strip: usize, cells: Range<u64>) {
         let Self { entries, scratch, counts, .. } = self;
         let dealt = deals.iter().flat_map(|deal| deal.entries(strip));
@@ -126,7 +126,8 @@ impl<C: Collisions> Meeting<'_, C> {
         }
     }
 
-    /// Tests some partners of entry `k`. This is rare, so it is kept out of the loop around it.
+    /// Tests some partners of entry `k`. This is rare, so this function is not inlined into the
+    /// loop that calls it.
     #[inline(never)]
     fn ask_some(&mut self, k: usize, partners: Range<usize>) {
         partners.for_each(|l| self.ask(k, l));

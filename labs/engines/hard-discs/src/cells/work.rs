@@ -34,9 +34,9 @@ pub struct Work {
 ///
 /// Boxes shrink as the number of windows grows: a mean box is `speed / windows + 2 r` wide. A disc
 /// is in 1 + height / row height rows. Two entries of a row meet if their boxes overlap along x.
-/// About 4 r / width of such pairs pass each other within 2 r at some time; then the collision time
-/// of every pair that was tested together with them is computed. All this happens in each window,
-/// but only for discs that are free when the window begins ([`still_free`]).
+/// About 4 r / width of such pairs pass each other within 2 r at some time; then the collision
+/// times of all pairs that are tested together with such a pair are computed. All this happens in
+/// each window, but only for discs that are free when the window begins ([`still_free`]).
 pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
     let (width, height) = mean_box(survey, square, windows);
     let wide = (survey.x.1 - survey.x.0).max(width);
@@ -52,7 +52,7 @@ pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
     Work { entries: free * entries, pairs, asked: asked * pairs }
 }
 
-/// Returns the sums over windows of the shares of discs, and of pairs, that are free at their start.
+/// Returns the shares of discs and of pairs that are free when a window begins, summed over windows.
 ///
 /// A disc collides at most once in a step. If it would meet m discs, the share f of free discs
 /// falls with the slope −m f², so f(t) = 1 / (1 + m t). In the first window all discs are free;

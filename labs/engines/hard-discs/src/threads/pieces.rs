@@ -1,7 +1,8 @@
 //! Simple loops over discs, divided into pieces of equal length that workers share.
 //!
-//! They compute whether a disc hits a wall, and where it goes. The CS3210 report says that these
-//! loops «do not allow much difference». The pieces are the same for any number of threads.
+//! The loops compute whether a disc hits a wall, and its new position. The CS3210 report writes
+//! that these loops «do not allow much difference». The pieces are the same for any number of
+//! threads.
 
 use workers::Workers;
 

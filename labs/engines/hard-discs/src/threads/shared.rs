@@ -1,4 +1,4 @@
-//! Counters that threads share: an atomic one, and one behind a lock.
+//! Counters that threads share: an atomic counter, and a counter behind a lock.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -7,9 +7,9 @@ type Interruption<T> = Box<dyn Fn(&T) + Send + Sync>;
 
 /// An atomic counter that several threads share.
 ///
-/// A test can make it do another thread's work at the worst moments: before each operation, and
-/// after each `load` ([`SharedCount::interrupted`]). Without a test this costs the comparison of an
-/// `Option` with `None`.
+/// A test can make the counter do another thread's work at the worst moments: before each
+/// operation, and after each `load` ([`SharedCount::interrupted`]). Without a test this costs the
+/// comparison of an `Option` with `None`.
 #[derive(Default)]
 pub struct SharedCount {
     value: AtomicUsize,
@@ -26,7 +26,7 @@ impl SharedCount {
     // Relaxed ordering is enough below, because no thread learns from the counter what another
     // thread has written.
 
-    /// Returns the current value, which another thread may change at once.
+    /// Returns the current value, which another thread may change immediately.
     #[inline]
     pub fn load(&self) -> usize {
         self.interrupt();
@@ -42,7 +42,8 @@ impl SharedCount {
         self.value.store(value, Ordering::Relaxed);
     }
 
-    /// Adds to the value and returns the value before. No other thread can change it in between.
+    /// Adds to the value and returns the previous value. No other thread can change the value in
+    /// between.
     #[inline]
     pub fn fetch_add(&self, more: usize) -> usize {
         if more == 0 {
@@ -63,9 +64,9 @@ impl SharedCount {
 
 /// A counter behind a lock that several threads share. One thread at a time reads or writes it.
 ///
-/// A test can make it do another thread's work at the worst moment: just after the lock is released
-/// ([`LockedCount::interrupted`]). Without a test this costs the comparison of an `Option` with
-/// `None`.
+/// A test can make the counter do another thread's work at the worst moment: just after the lock is
+/// released ([`LockedCount::interrupted`]). Without a test this costs the comparison of an `Option`
+/// with `None`.
 #[derive(Default)]
 pub struct LockedCount {
     value: Mutex<usize>,

@@ -5,7 +5,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::collisions::{Candidate, Hit};
 
-/// Number of slots in the first segment. Each further segment has twice as many as the one before.
+/// Number of slots in the first segment. Each further segment has twice as many slots as the
+/// segment before it.
 const FIRST: usize = 1 << 12;
 
 /// An array of slots for candidates of pairs. Any thread may write to any slot.

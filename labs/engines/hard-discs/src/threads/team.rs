@@ -19,7 +19,7 @@ pub enum Schedule {
 /// The threads that share a loop.
 #[derive(Clone, Copy)]
 pub enum Team<'t> {
-    /// Threads that exist and wait for work.
+    /// Threads that have been started already and wait for work.
     Standing(&'t Workers),
     /// A number of threads that are started for this loop and ended after it. OpenMP does the same
     /// for a parallel loop inside a parallel loop.
@@ -35,7 +35,7 @@ impl Team<'_> {
         }
     }
 
-    /// Calls `act` on every thread of the team, with its number, and waits for all: a fork and a
+    /// Calls `act` with the thread's number on every thread of the team, and waits: a fork and a
     /// join.
     pub fn on_each(&self, act: impl Fn(usize) + Sync) {
         match self {

@@ -1,4 +1,4 @@
-//! Events: the moments at which the motion of a group has a corner.
+//! Events: the moments at which the motion of a group is not smooth.
 //!
 //! An event is a pair at the cutoff, or a particle at a wall.
 
@@ -21,13 +21,14 @@ pub(super) enum Event {
 pub(super) struct Corners<'a> {
     size: f64,
     pairs: &'a [(u32, u32)],
-    /// Whether each pair exerts a force. Until the event, a pair keeps the same formula of the
-    /// force on both sides of the cutoff, so that the motion between events has no corner.
+    /// Whether each pair exerts a force. Until its next event, a pair's force follows one formula
+    /// on both sides of the cutoff, so that the motion between events is smooth.
     touching: Vec<bool>,
 }
 
 impl<'a> Corners<'a> {
-    /// Makes the walls of a box of side `size` and these pairs of a group in `state`.
+    /// Collects the causes of events: the walls of a box of side `size`, and these pairs of the
+    /// group. The pairs that are within the cutoff in `state` exert forces.
     pub(super) fn new(pairs: &'a [(u32, u32)], size: f64, state: &State) -> Self {
         let mut corners = Self { size, pairs, touching: vec![false; pairs.len()] };
         corners.see_contacts(state);
@@ -47,7 +48,7 @@ impl<'a> Corners<'a> {
         }
     }
 
-    /// Writes the accelerations by these pairs to `a`.
+    /// Writes the accelerations due to the touching pairs to `a`.
     pub(super) fn accelerations(&self, at: &[Vec2], a: &mut [Vec2]) {
         a.fill(Vec2::ZERO);
         for (&(i, j), _) in self.pairs.iter().zip(&self.touching).filter(|(_, touch)| **touch) {
@@ -60,8 +61,7 @@ impl<'a> Corners<'a> {
         }
     }
 
-    /// Returns the time and the event of the first event on the path from `start` to `end`, or
-    /// `None`.
+    /// Returns the first event on the path from `start` to `end`, and its time, or `None`.
     ///
     /// The path takes a time `h`, and `at` computes any state on it.
     pub(super) fn first_event<R: Rules>(

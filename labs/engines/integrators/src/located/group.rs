@@ -9,7 +9,7 @@ use crate::state::State;
 /// Greatest number of members of a group whose events are followed. A larger group has too many
 /// events.
 const MOST_MEMBERS: usize = 64;
-/// Number of events in a step after which a group takes the rest of the step at once.
+/// Number of events in a step after which a group takes the rest of the step as a single step.
 const MOST_EVENTS: u32 = 64;
 
 /// Particles that may touch each other.
@@ -24,7 +24,7 @@ pub(super) struct Group<'a> {
 }
 
 impl<'a> Group<'a> {
-    /// Makes a group of the particles `members` of `all`, with the pairs of them that could touch.
+    /// Makes a group of the particles `members` of `all`, and of their pairs that could touch.
     pub(super) fn new(all: &State, members: &[u32], pairs: &'a [(u32, u32)], size: f64) -> Self {
         let state = State {
             at: members.iter().map(|&i| all.at[i as usize]).collect(),
@@ -73,8 +73,8 @@ impl<'a> Group<'a> {
         corners.first_event::<R>(state, end, h, &mut |t| runge_kutta::<R>(corners, state, t, asked))
     }
 
-    /// Returns the state after a step of the classical Runge-Kutta method, and leaves the group
-    /// where it is.
+    /// Returns the state after a step of the classical Runge-Kutta method, without moving the
+    /// group.
     fn step<R: Rules>(&mut self, h: f64) -> State {
         runge_kutta::<R>(&self.corners, &self.state, h, &mut self.asked)
     }

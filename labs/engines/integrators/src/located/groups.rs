@@ -9,7 +9,7 @@ pub(super) struct Groups {
     /// All particles, group by group, in ascending order within each group.
     members: Vec<u32>,
     /// For each group, the end of its members and the end of its pairs. The first entry, (0, 0), is
-    /// where the first group begins.
+    /// the beginning of the first group.
     ends: Vec<(u32, u32)>,
     /// All pairs, group by group, as indices among the group's members.
     pairs: Vec<(u32, u32)>,
@@ -18,8 +18,8 @@ pub(super) struct Groups {
 impl Groups {
     /// Returns the groups of particles at positions `at` for the next `dt`.
     ///
-    /// Each particle is no faster than its entry of `fastest`. So its distance from `at` is at most
-    /// this speed times `dt`, even if a wall reflects it.
+    /// Each particle is no faster than its entry in `fastest`. So it moves away from `at` by at
+    /// most this speed times `dt`, even if a wall reflects it.
     pub(super) fn new(at: &[Vec2], fastest: &[f64], dt: f64) -> Self {
         let n = at.len();
         let discs = at.iter().zip(fastest).zip(0..).map(|((at, fastest), index)| Disc {
@@ -70,7 +70,7 @@ fn reach(fastest: f64, dt: f64) -> f64 {
     (0.5 * CUTOFF + fastest * dt) * (1.0 + 1e-9)
 }
 
-/// Returns the least member of each particle's group, by union-find.
+/// Returns the least member of each particle's group, computed with union-find.
 ///
 /// No parent is greater than its child.
 fn least_members(n: usize, pairs: &[[u32; 2]]) -> Vec<u32> {

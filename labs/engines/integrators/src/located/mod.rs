@@ -1,4 +1,4 @@
-//! A Runge-Kutta method that ends its steps where the force has a corner.
+//! A Runge-Kutta method that ends its steps where the motion is not smooth.
 //!
 //! If a pair crosses the cutoff within a step, or a particle meets a wall, the motion is not
 //! smooth, and a method of fourth order has first or second order only. This engine finds each such
@@ -81,7 +81,7 @@ impl<R: Rules> Located<R> {
         }
     }
 
-    /// Returns each group after a time `dt`, with its number.
+    /// Advances each group by a time `dt`, and returns it with its number.
     ///
     /// Returns `None` if a particle is then faster than `allowed`, unless `at_any_speed`.
     fn advance<'a>(

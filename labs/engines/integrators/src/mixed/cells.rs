@@ -49,7 +49,7 @@ impl CellBox {
         Particle { x: self.join(column, x), y: self.join(row, y), vx, vy, id }
     }
 
-    /// Returns the particle after a kick by the acceleration (`ax`, `ay`) and a drift, both for a
+    /// Returns the particle after a kick with the acceleration (`ax`, `ay`) and a drift, both for a
     /// time `dt`.
     pub(super) fn advance(&self, body: &Body, ax: f64, ay: f64, dt: f64) -> Body {
         let Body { position: Position { column, row, x, y }, vx, vy, id } = *body;
@@ -58,7 +58,8 @@ impl CellBox {
         Body { position: Position { column, row, x, y }, vx, vy, id }
     }
 
-    /// Moves one coordinate. Returns the cell, the position in it, and the velocity after `dt`.
+    /// Moves one coordinate for a time `dt`. Returns the cell, the position in the cell, and the
+    /// velocity.
     fn drift(&self, cell: u32, x: f32, v: f64, dt: f64) -> (u32, f32, f64) {
         let side = self.grid.side();
         let x = f64::from(x) + v * dt;
@@ -72,7 +73,7 @@ impl CellBox {
         (cell, x, v)
     }
 
-    /// Returns the cell of a coordinate, and the position in it.
+    /// Returns the cell of a coordinate, and the position in the cell.
     fn split(&self, x: f64) -> (u32, f32) {
         let side = self.grid.side();
         let cell = ((x / side) as u32).min(self.grid.columns - 1);

@@ -1,8 +1,9 @@
 //! Single precision where it is enough: positions are relative to their cell.
 //!
-//! In a box of 10⁸ cutoffs, a position in single precision has no digit left for the distance of
-//! two neighbours. Relative to a cell of one cutoff it has seven digits, in every cell. Distances
-//! and forces are computed from such positions. Sums, velocities and moves are in double precision.
+//! In a box of 10⁸ cutoffs, single precision has too few digits for the distance between two
+//! neighbours. A position relative to a cell of one cutoff has seven digits, in every cell.
+//! Distances and forces are computed from such positions. Sums, velocities and moves are in double
+//! precision.
 
 mod cells;
 mod position;

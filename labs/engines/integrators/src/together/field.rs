@@ -10,7 +10,7 @@ use neighbour_list::{Bodies, Cells, Contacts, Extent, Grid, Sorter, Workers, col
 /// Approximate number of particles in a piece of work.
 const PIECE: usize = 1024;
 
-/// Computes accelerations by cells, and keeps its memory from one call to the next.
+/// A computation of accelerations, cell by cell, that keeps its memory from one call to the next.
 pub(super) struct Field {
     workers: Workers,
     sorter: Sorter,

@@ -1,4 +1,4 @@
-//! The engine that moves all particles by the same step at the same time.
+//! The engine in which all particles take the same step at the same time.
 
 mod field;
 mod system;
@@ -8,7 +8,7 @@ use common::soft::{DT, Particle, Scene, Simulation};
 use crate::state::State;
 pub use system::{Method, RungeKutta, System};
 
-/// The engine that moves particles by a method.
+/// The engine that moves particles with the method `M`.
 pub struct Integrated<M> {
     method: M,
     divide: u32,

@@ -1,4 +1,4 @@
-//! The particles of a box, which a method moves all at once.
+//! The particles of a box, which a method moves all together.
 
 use std::marker::PhantomData;
 
@@ -37,7 +37,7 @@ impl System {
         }
     }
 
-    /// Replaces the particles by those in `state`, in a box of side `size`.
+    /// Replaces the particles by the particles in `state`, in a box of side `size`.
     pub(super) fn start(&mut self, state: State, size: f64) {
         self.a = vec![Vec2::ZERO; state.at.len()];
         self.state = state;
@@ -45,7 +45,7 @@ impl System {
         self.evaluations = 0;
     }
 
-    /// Moves all positions with their velocities for a time `dt`: x += v dt, with reflection at the
+    /// Moves all particles with their velocities for a time `dt`: x += v dt, with reflection at the
     /// walls.
     pub fn drift(&mut self, dt: f64) {
         for (at, v) in self.state.at.iter_mut().zip(&mut self.state.v) {
@@ -54,7 +54,7 @@ impl System {
         }
     }
 
-    /// Changes all velocities by the forces at the current positions for a time `dt`: v += a dt.
+    /// Applies the forces at the current positions to all velocities for a time `dt`: v += a dt.
     pub fn kick(&mut self, dt: f64) {
         self.field.accelerations(&self.state.at, &mut self.a);
         self.evaluations += 1;
@@ -66,7 +66,7 @@ impl System {
 
 /// The classical Runge-Kutta method of fourth order, with the slopes of `R`.
 ///
-/// Its stages may be outside the walls; the step as a whole is reflected.
+/// The stages may put particles outside the walls. Only the result of the whole step is reflected.
 pub struct RungeKutta<R>(PhantomData<R>);
 
 impl<R> Default for RungeKutta<R> {

@@ -2,7 +2,7 @@
 //!
 //! A step of each program is one pass of a loop over all particles, which do not move. So these
 //! programs simulate nothing. Compare the two programs of a pair: they take the same time if the
-//! primitive is as fast as it can be.
+//! primitive is as fast as possible.
 
 use std::hint::black_box;
 use std::marker::PhantomData;
@@ -20,7 +20,7 @@ pub const DRAWN: Parameter =
 
 type Built = Result<Box<dyn Simulation>, BuildError>;
 
-/// Builds the program that moves particles at rest by [`Primitives::drift`].
+/// Builds the program that moves particles at rest with [`Primitives::drift`].
 pub fn drift<P: Primitives>(_: &Config) -> Built {
     of(|data| dispatch(Drift(data, PhantomData::<P>)), false)
 }
@@ -30,12 +30,12 @@ pub fn plain(_: &Config) -> Built {
     of(|data| dispatch(Plain(data)), false)
 }
 
-/// Builds the program that lists pairs by [`Primitives::collect`], for the parameter [`DRAWN`].
+/// Builds the program that lists pairs with [`Primitives::collect`], for the parameter [`DRAWN`].
 pub fn collect<P: Primitives>(config: &Config) -> Built {
     of(|data| dispatch(Collect(data, PhantomData::<P>)), is_drawn(config))
 }
 
-/// Builds the program that filters pairs by [`Primitives::filter`], for the parameter [`DRAWN`].
+/// Builds the program that filters pairs with [`Primitives::filter`], for the parameter [`DRAWN`].
 pub fn filter<P: Primitives>(config: &Config) -> Built {
     of(|data| dispatch(Filter(data, PhantomData::<P>)), is_drawn(config))
 }
@@ -72,8 +72,8 @@ struct Loop {
     /// Zero accelerations.
     zeros: Vec<f64>,
     pairs: Vec<Pair>,
-    /// Whether chance decides which particles are near, and how many particles each is compared
-    /// with.
+    /// Whether chance decides which particles are near, and with how many particles each is
+    /// compared.
     drawn: bool,
     passes: usize,
     /// Number of near pairs and of chunks with a particle outside. The compiler cannot omit work
@@ -94,8 +94,8 @@ struct Plain<'a>(&'a mut Loop);
 /// If near pairs are random, a particle is compared with the next zero to six particles instead.
 struct Collect<'a, P>(&'a mut Loop, PhantomData<P>);
 
-/// Calls [`filter`](Primitives::filter) with a pair for nearly each particle: the particle and the
-/// next one.
+/// Calls [`filter`](Primitives::filter) with pairs of a particle and the next one, for nearly all
+/// particles.
 struct Filter<'a, P>(&'a mut Loop, PhantomData<P>);
 
 impl Loop {
@@ -176,7 +176,7 @@ impl<P: Primitives> Kernel for Filter<'_, P> {
         let mut found = 0;
         let positions = self.0.positions();
         let size = self.0.size;
-        // Among pairs of random particles in the box, one in ten is this near.
+        // Of all pairs of random particles in the box, one in ten is so near.
         let squared = if self.0.drawn { 0.036 * size * size } else { -1.0 };
         let pairs = &self.0.pairs[..positions.x.len().saturating_sub(1)];
         for some in pairs.chunks(ROOM) {

@@ -1,17 +1,17 @@
 //! A neighbour-list engine for soft discs that works with any primitives.
 //!
-//! If you want a fast engine, use the package `neighbour-list`, which adds fast primitives. Here
-//! the primitives are a type parameter, [`Primitives`]: the move, the search for pairs, their
-//! filter, and how long the list lasts. If you write your own primitives, as in lab 10, this
-//! package is the rest of the engine.
+//! If you want a fast engine, use the package `neighbour-list`, which adds fast primitives. Here a
+//! type parameter supplies the primitives, [`Primitives`]: the move, the search for pairs, the
+//! filter for pairs, and the life of the list. If you write your own primitives, as in lab 10, this
+//! package contains the rest of the engine.
 //!
 //! - [`particles`]: particles as a structure of arrays, [`Bodies`], and their move.
 //! - [`cells`]: the [`Grid`], and sorting by cell, which makes neighbours in the box neighbours in
 //!   memory.
 //! - [`kernels`]: loops for vector registers.
 //! - [`list`]: the neighbour list in blocks, and the few particles that are too fast for it.
-//! - [`threads`]: the number of threads, and dividing work into pieces that depend on the scene
-//!   only.
+//! - [`threads`]: the number of threads, and the division of work into pieces that depend on the
+//!   scene only.
 //! - [`engine`]: the engine, [`NeighbourList`].
 //!
 //! Lengths are in units of the box, times in steps, costs in nanoseconds. An index counts particles

@@ -34,9 +34,10 @@ pub(crate) struct Compared {
 pub(crate) struct PairError {
     pub(crate) style: Style,
     pub(crate) distances: usize,
-    /// Largest error from half a cutoff on. Hardly any pair of the official scene comes nearer.
+    /// Largest error at distances of at least half a cutoff. Hardly any pair of the official scene
+    /// comes nearer.
     pub(crate) beyond_half_a_cutoff: f64,
-    /// Largest error from a hundredth of a cutoff on.
+    /// Largest error at distances of at least a hundredth of a cutoff.
     pub(crate) largest: f64,
 }
 
@@ -87,7 +88,7 @@ pub(crate) struct Moment {
     /// Greatest distance between a particle in LAMMPS and in the program; `None` once LAMMPS has
     /// lost particles.
     pub(crate) furthest_in_cutoffs: Option<f64>,
-    /// Root of the mean squared distance from the exact positions; `None` after other steps than [`EARLY`].
+    /// Root of the mean squared distance from the exact positions; `None` except after step [`EARLY`].
     pub(crate) rms_error: Option<f64>,
     pub(crate) rms_error_lammps: Option<f64>,
     /// Relative changes of energy since the start.

@@ -31,7 +31,7 @@ pub(crate) struct Raced {
     pub(crate) workers: u16,
 }
 
-/// An engine that takes turns with others.
+/// An engine that takes turns with other engines.
 #[derive(Clone)]
 enum Engine {
     Lammps(Setup),
@@ -48,7 +48,7 @@ pub(crate) struct Timed {
     #[serde(rename = "seconds")]
     pub(crate) times: Times,
     pub(crate) nanoseconds_per_particle_and_step: Span,
-    /// Ratio of LAMMPS's better style to this engine, by minima and by medians.
+    /// Time of LAMMPS's better style divided by this engine's time, for minima and for medians.
     pub(crate) lammps_best_over_this: Option<Ratio>,
 }
 
@@ -89,13 +89,13 @@ impl Raced {
     }
 }
 
-/// Returns the setup of this style with the shortest take; `None` if the style was not tried.
+/// Returns the setup of this style with the shortest time; `None` if the style was not tried.
 fn quickest(tried: &[Timed], style: Style) -> Option<Engine> {
     let of_style = tried.iter().filter(|timed| timed.engine.style() == Some(style));
     Some(of_style.min_by(|a, b| a.times.min.total_cmp(&b.times.min))?.engine.clone())
 }
 
-/// Summarises the takes of each engine.
+/// Summarises the times of each engine.
 fn timed(engines: &[Engine], takes: Vec<Vec<f64>>, n: usize, steps: u64) -> Vec<Timed> {
     let mut all = Vec::new();
     for (engine, takes) in engines.iter().zip(takes) {
@@ -116,10 +116,10 @@ fn timed(engines: &[Engine], takes: Vec<Vec<f64>>, n: usize, steps: u64) -> Vec<
     all
 }
 
-/// Returns the least seconds of LAMMPS over its styles; `None` if it did not run.
+/// Returns LAMMPS's least times among its styles; `None` if LAMMPS did not run.
 ///
-/// The least minimum and the least median may be of different styles. Both show how fast LAMMPS can
-/// be, and with one style for both, one of them would be unfair to LAMMPS.
+/// The least minimum and the least median may belong to different styles. Both show how fast LAMMPS
+/// can be. With the same style for both, one time would be unfair to LAMMPS.
 fn best_of_lammps(all: &[Timed]) -> Option<Span> {
     let lammps = all.iter().filter(|timed| timed.engine.style().is_some());
     Span::least(lammps.map(|timed| timed.times.span(1.0)))

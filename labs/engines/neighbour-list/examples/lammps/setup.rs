@@ -105,7 +105,7 @@ pub(crate) enum Style {
 pub(crate) struct Setup {
     pub(crate) style: Style,
     pub(crate) skin: f64,
-    /// Number of steps after which LAMMPS sorts its particles, at its next list.
+    /// Number of steps after which LAMMPS sorts its particles when it builds its next list.
     pub(crate) sort: u32,
 }
 

@@ -7,8 +7,8 @@ use crate::network::Network;
 
 /// Number of steps of an epoch.
 ///
-/// It is a mean of 100 steps of the official scene. The model uses it for all scenes, although low
-/// strips have shorter epochs.
+/// It is the mean over 100 steps of the official scene. The model uses it for all scenes, although
+/// low strips have shorter epochs.
 const EPOCH: f64 = 9.1;
 /// Depth of the ghosts of such an epoch, in cutoffs.
 const DEPTH: f64 = 12.6;
@@ -21,7 +21,7 @@ const REDUCTIONS: f64 = 1.4;
 /// next epoch.
 const CONFIRMED: f64 = EPOCH + 2.0;
 
-/// Returns the seconds of a step of `n` particles on `p` ranks.
+/// Returns the time of a step of `n` particles on `p` ranks, in seconds.
 ///
 /// A particle costs `cost` seconds. Ghosts are moved and listed, so they cost as much as the rank's
 /// own particles. No particle moves while messages travel.

@@ -1,7 +1,8 @@
 //! Models programs on more ranks than this machine has cores.
 //!
-//! The methods are messages through the root, halos, lists on ranks, and deep ghosts. The LogGP
-//! model of messages gives the time of a step. The formulae are in chapters 6 and 13 of the book.
+//! The methods are messages through the root, halos, lists on ranks, and deep ghosts. The time of a
+//! step follows from the LogGP model of messages. The formulae are in chapters 6 and 13 of the
+//! book.
 
 mod blocks;
 mod deep;

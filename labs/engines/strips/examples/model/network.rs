@@ -11,7 +11,7 @@ use serde::Serialize;
 /// messages into the LogP model*, SPAA 1995.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub(crate) struct Network {
-    /// Name of the network, and who published the figures.
+    /// Name of the network, and authors of the figures.
     pub(crate) name: &'static str,
     /// L: the travel time of the first byte.
     pub(crate) latency: f64,
@@ -51,7 +51,7 @@ pub(crate) const PUBLISHED: [Network; 3] = [
 pub(crate) struct Exchange {
     /// The part that keeps the processor busy.
     pub(crate) busy: f64,
-    /// The part that passes without the processor.
+    /// The part that does not need the processor.
     pub(crate) away: f64,
 }
 
@@ -75,14 +75,14 @@ impl Network {
 
     /// Makes a network from half a round trip, L + 2o, and the bandwidth, if nothing else is known.
     ///
-    /// Each o is assumed to be a quarter of half a round trip, and the gap to be equal to o.
+    /// It is assumed that o is a quarter of half a round trip, and that the gap equals o.
     const fn from_ping_pong(name: &'static str, half_round_trip: f64, bandwidth: f64) -> Self {
         let overhead = half_round_trip / 4.0;
         let latency = half_round_trip - 2.0 * overhead;
         Self { name, latency, overhead, gap: overhead, per_byte: 1.0 / bandwidth }
     }
 
-    /// Returns the time of an exchange in which no message waits for another.
+    /// Returns the time of an exchange in which no message waits for another message.
     ///
     /// A rank sends a message of `bytes` bytes to each of `others` ranks and receives a message
     /// from each.
@@ -107,7 +107,7 @@ impl Network {
         (ranks - 1.0) * each + bytes * self.per_byte + self.latency + self.overhead
     }
 
-    /// Returns the time in which all ranks obtain the sums of `numbers` numbers, by recursive
+    /// Returns the time in which all ranks obtain the sums of `numbers` numbers with recursive
     /// doubling.
     pub(crate) fn all_reduce(&self, ranks: f64, numbers: f64) -> f64 {
         let bytes = 8.0 * numbers;

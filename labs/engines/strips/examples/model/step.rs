@@ -55,7 +55,7 @@ impl Method {
         }
     }
 
-    /// Returns the seconds of a step of `n` particles on `p` ranks.
+    /// Returns the time of a step of `n` particles on `p` ranks, in seconds.
     ///
     /// A particle takes `cost` seconds on one rank.
     pub(crate) fn step(self, n: f64, p: f64, cost: f64, network: &Network) -> f64 {
@@ -68,9 +68,9 @@ impl Method {
     }
 }
 
-/// Returns the time of two gathers and a scatter, each after its counts.
+/// Returns the time of two gathers and a scatter. The counts for each are sent before it.
 ///
-/// So the root exchanges messages with all ranks six times.
+/// So the root exchanges messages with all ranks six times in total.
 fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 2.0);
     let crossing = blocks.borders() * blocks.crossing;
@@ -82,9 +82,9 @@ fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     blocks.largest * cost + counts + leavers + copies + back
 }
 
-/// Returns the time with ghosts that travel while the interior is computed.
+/// Returns the time of a step whose ghosts travel while the interior is computed.
 ///
-/// Movers and a sum over all ranks follow.
+/// The time of movers and of a sum over all ranks is included.
 fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
     let neighbours = blocks.neighbours();
@@ -115,7 +115,7 @@ mod tests {
     use super::*;
     use crate::network::PUBLISHED;
 
-    /// A network on which the seconds of a step are the number of bytes.
+    /// A network on which the time of a step in seconds equals the number of bytes.
     const BYTES: Network = Network { per_byte: 1.0, ..Network::FREE };
 
     #[test]

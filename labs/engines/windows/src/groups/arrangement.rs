@@ -41,8 +41,8 @@ impl Arrangement {
             let members = &mut self.members[start..end as usize];
             start = end as usize;
             members.sort_unstable_by_key(|&number| bodies.id[particle(number) as usize]);
-            // A group of two has numbers only if its pair was found twice. Otherwise it is a
-            // couple, which is done.
+            // A group of two has numbers only if its pair was found twice. Otherwise the group is a
+            // couple, which has been handled already.
             let small = SMALL[1..].iter().position(|size| *size == members.len());
             if let Some(k) = small.filter(|_| group >= union.crowds) {
                 groups.small[k + 1].extend(members.iter().map(|&number| particle(number)));

@@ -26,7 +26,7 @@ use super::task::Task;
 use super::union::{NO_GROUP, Union};
 use crate::rules::Rules;
 
-/// The working memory of the three steps, and the pairs that are left over.
+/// The working memory of the three steps, and the pairs that are not grouped yet.
 #[derive(Default)]
 pub(crate) struct Grouper {
     numbering: Numbering,

@@ -1,4 +1,4 @@
-//! Groups of particles that may touch one another in a window, and running them through it.
+//! Groups of particles that may touch one another in a window, and their run through the window.
 //!
 //! [`Grouper`] makes groups from pairs, `slots` stores them, and `run` computes them. Groups of
 //! two, three and four run side by side in vector registers (`together`).

@@ -9,20 +9,20 @@ use super::task::Task;
 /// Entry of `number` for a particle without a number.
 const NONE: u32 = u32::MAX;
 
-/// Numbers from 0 on for all particles of a task, except for those of couples.
+/// Numbers from 0 on for all particles of a task, except for particles of couples.
 #[derive(Default)]
 pub(super) struct Numbering {
     /// For each particle of the task's range, the number of its pairs, at most 255.
     degree: Vec<u8>,
     /// For each particle of the task's range, its number, or [`NONE`].
     number: Vec<u32>,
-    /// The particle of each number.
+    /// The particle with each number.
     pub(super) particles: Vec<u32>,
     /// The number of particles in pairs that are grouped elsewhere. These particles have the lowest
     /// numbers.
     pub(super) elsewhere: u32,
-    /// The numbers below this belong to particles that are grouped elsewhere or may reach a wall,
-    /// so their group is not a small one.
+    /// The end of the numbers of particles that are grouped elsewhere or may reach a wall. The
+    /// groups of these particles are not small groups.
     pub(super) alone: u32,
     /// The pairs that are not couples, as pairs of numbers.
     pub(super) pairs: Vec<Pair>,
@@ -69,7 +69,7 @@ impl Numbering {
         }
     }
 
-    /// Numbers these particles, and prevents them from counting as part of a couple.
+    /// Numbers these particles, and makes sure that they do not become part of a couple.
     fn number_all(&mut self, particles: &[u32], first: u32) {
         for &i in particles {
             self.degree[(i - first) as usize] = u8::MAX;
@@ -77,7 +77,7 @@ impl Numbering {
         }
     }
 
-    /// Returns the number of a particle. A particle without a number gets the next one.
+    /// Returns the number of a particle. A particle without a number gets the next number.
     fn number_of(&mut self, i: u32, first: u32) -> u32 {
         let number = &mut self.number[(i - first) as usize];
         if *number == NONE {

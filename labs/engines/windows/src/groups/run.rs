@@ -24,12 +24,12 @@ pub(crate) struct Scratch {
 }
 
 impl Group<'_> {
-    /// Runs a group of any size through the steps of `span`, with its walls, and writes its members
-    /// to `out`.
+    /// Runs a group of any size through the steps of `span`, with its walls. Writes its members to
+    /// `out`.
     ///
-    /// Members are in the order of their ids, and pairs ascend. So every particle sums over its
-    /// neighbours by ascending id, as all-pairs programs do, and the bits are the same.
-    /// `observers` is empty or has an observer for each step.
+    /// Members are in the order of their ids, and pairs are in ascending order. So every particle
+    /// sums over its neighbours in ascending order of ids, as in all-pairs programs, and the bits
+    /// are the same. `observers` is empty or has an observer for each step.
     fn run<R: Rules, O: Observer>(
         &self,
         start: &Bodies,
@@ -104,7 +104,7 @@ impl Group<'_> {
         }
     }
 
-    /// Runs only this group, and writes to the slots from 0 on of `record`.
+    /// Runs only this group, and writes its members to the first slots of `record`.
     pub(crate) fn run_alone<R: Rules, O: Observer>(
         &self,
         start: &Bodies,
@@ -137,7 +137,7 @@ impl Groups {
     /// Runs all groups again for observers.
     ///
     /// A group may have been computed again in a later batch. For a member of a group, `is_theirs`
-    /// returns whether this batch was the last.
+    /// returns whether this batch was the last to compute the group.
     pub(crate) fn observe<R: Rules, O: Observer>(
         &self,
         bodies: &Bodies,

@@ -1,4 +1,4 @@
-//! Storage for groups, and for the result of running them.
+//! Storage for groups, and for the results of their runs.
 
 use std::ops::Range;
 
@@ -10,11 +10,11 @@ pub(crate) const LANES: usize = 16;
 /// Sizes of small groups. Every other group is a crowd.
 pub(crate) const SMALL: [usize; 3] = [2, 3, 4];
 
-/// Groups of particles. In a window, a particle may touch others of its group and no others.
+/// Groups of particles. In a window, a particle may touch only particles of its own group.
 ///
 /// So each group can be computed alone from the start of the window to its end, in any order and by
-/// any thread. Every member has a slot. Here are one block of sixteen couples (a, b, …), one of
-/// sixteen threes, and the crowds:
+/// any thread. Every member has a slot. The drawing shows one block of sixteen couples (a, b, …),
+/// one block of sixteen threes, and the crowds:
 ///
 /// ```text
 /// slot    0           16          32          48          64          80
@@ -25,7 +25,7 @@ pub(crate) const SMALL: [usize; 3] = [2, 3, 4];
 /// In the last block of a size some slots may be empty.
 #[derive(Default)]
 pub(crate) struct Groups {
-    /// For each size the members of all small groups, as indices in the sorted order.
+    /// For each size, the members of all small groups of this size, as indices in the sorted order.
     ///
     /// The groups follow one another; within a group members are in the order of their ids.
     pub(crate) small: [Vec<u32>; SMALL.len()],
@@ -33,8 +33,8 @@ pub(crate) struct Groups {
     pub(crate) members: Vec<u32>,
     /// The end of each crowd in `members`.
     pub(crate) ends: Vec<u32>,
-    /// The pairs of all crowds, as indices among the members of the crowd, ascending, the lower id
-    /// first.
+    /// The pairs of all crowds, as indices among the members of the crowd, in ascending order, the
+    /// lower id first.
     pub(crate) pairs: Vec<Pair>,
     /// The end of each crowd's pairs in `pairs`.
     pub(crate) pair_ends: Vec<u32>,
@@ -150,7 +150,7 @@ fn part(ends: &[u32], k: usize) -> Range<usize> {
     start..ends[k] as usize
 }
 
-/// The members of groups after the window, and how far they were off their reference paths.
+/// The members of groups after the window, and their deviations from their reference paths.
 #[derive(Clone, Default)]
 pub(crate) struct Record {
     pub(crate) x: Vec<f64>,
@@ -159,8 +159,8 @@ pub(crate) struct Record {
     pub(crate) vy: Vec<f64>,
     /// The greatest deviation from the reference path, beyond the path's spread; a length.
     pub(crate) deviation: Vec<f64>,
-    /// Distance off the path along x and y after each step but the last: by block, then by step,
-    /// then by slot.
+    /// Displacement from the path along x and y after each step but the last. The order is by
+    /// block, then by step, then by slot.
     off: Vec<[f32; 2]>,
     steps: usize,
 }
@@ -197,8 +197,8 @@ impl Record {
         }
     }
 
-    /// Returns how far the member in slot `p` of a block was off its reference path after `step`
-    /// steps.
+    /// Returns the displacement of the member in slot `p` of a block from its reference path after
+    /// `step` steps.
     ///
     /// `step` is at least 1 and less than the number of steps.
     #[inline]

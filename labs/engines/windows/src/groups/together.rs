@@ -10,12 +10,13 @@ use crate::span::Span;
 /// Runs up to sixteen groups of `M` members through the steps of `span`, side by side and without a
 /// branch.
 ///
-/// The members are written to `out`: the first member of each group, then the second of each, and
-/// so on. Returns whether all of them stayed in the box. If one did not, the result is not valid.
+/// The members are written to `out`: the first member of each group, then the second member of each
+/// group, and so on. Returns whether all members stayed in the box. If one left the box, the result
+/// is not valid.
 ///
-/// Members are in the order of their ids. Every pair of a group is computed, in contact or not,
-/// because adding zero changes no bit. If there are fewer than sixteen groups, the last one is
-/// computed several times.
+/// Members are in the order of their ids. Every pair of a group is computed, whether in contact or
+/// not, because adding zero changes no bit. If there are fewer than sixteen groups, the last group
+/// is computed several times.
 #[inline(always)]
 pub(crate) fn run_together<const M: usize>(
     start: &Bodies,

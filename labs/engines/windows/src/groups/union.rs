@@ -11,8 +11,8 @@ pub(super) const NO_GROUP: u32 = u32::MAX;
 /// The groups into which pairs unite numbers.
 #[derive(Default)]
 pub(super) struct Union {
-    /// For each number, a number of its group that is not greater. The least number of a group is
-    /// its own parent.
+    /// For each number, its parent: a number of the same group that is not greater. The least
+    /// number of a group is its own parent.
     parent: Vec<u32>,
     /// For each number, its group, or [`NO_GROUP`].
     group: Vec<u32>,

@@ -1,4 +1,4 @@
-//! The engine that plans for the scene before it steps.
+//! The engine that makes a plan for the scene before it takes steps.
 
 mod plan;
 
@@ -21,7 +21,7 @@ const WINDOWS: u64 = 16;
 /// Number of steps with a list after which the engine makes a new plan.
 const STEPS: u64 = 256;
 
-/// The engine: it surveys the scene, plans, and advances the scene by windows or by a list.
+/// The engine: it surveys the scene, plans, and advances the scene with windows or with a list.
 ///
 /// `R` are the rules of its windows, and `O` observes each step. Observations that `O` ignores cost
 /// nothing.
@@ -85,7 +85,7 @@ impl<R: Rules, O: Observer> Planned<R, O> {
         }
     }
 
-    /// Makes a plan for the particles of the neighbour list. If the plan is again to use a list,
+    /// Makes a plan for the particles of the neighbour list. If the new plan is to use a list too,
     /// the present list continues.
     fn reconsider(&mut self) {
         self.adopt(plan::<R>(self.plain.bodies(), self.fixed_steps, self.divide));
@@ -120,7 +120,8 @@ impl<R: Rules, O: Observer> Planned<R, O> {
         }
     }
 
-    /// Opens a window of `steps` official steps, or of fewer if forces bend too many paths in it.
+    /// Opens a window of `steps` official steps, or of fewer steps if forces bend too many paths in
+    /// the window.
     fn search(&mut self, mut steps: u32, workers: &Workers) {
         let fastest = self.window.bodies.fastest();
         let dt = DT / f64::from(self.divide);
@@ -135,7 +136,7 @@ impl<R: Rules, O: Observer> Planned<R, O> {
                 return;
             }
             if steps == 1 {
-                // Even in one step too many particles touch, so no window pays.
+                // Even in one step too many particles touch, so no window is worth its cost.
                 self.plan.strategy = Strategy::List;
                 self.plain.start(self.window.bodies.clone(), self.size);
                 return;

@@ -33,11 +33,11 @@ pub struct Plan {
     pub fastest: f64,
     /// Mean number of other particles in a disc whose radius is the cutoff, around a particle.
     pub neighbours: f64,
-    /// Number of particles per area around a particle, the mean over all particles.
+    /// Number of particles per area around a particle, averaged over all particles.
     pub density: f64,
 }
 
-/// Surveys the particles and decides how to advance them.
+/// Surveys the particles and chooses the way to advance them.
 ///
 /// A window has `fixed` steps, or as many as the rules choose if `fixed` is 0. Each step is divided
 /// into `divide` small steps.
@@ -48,8 +48,8 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     let mean = Sample::of(bodies, 4096).mean();
     let fastest = bodies.fastest();
     let steps = if fixed > 0 { fixed } else { divided(R::window_length(density, mean), divide) };
-    // The list of a window allows for the fastest particle; the list of lab 10 treats it as an
-    // outlier.
+    // The list of a window allows for the fastest particle; the list of lab 10 treats this particle
+    // as an outlier.
     let far = CUTOFF + 2.0 * fastest * f64::from(steps) * DT;
     let alone = neighbours <= max_neighbours_in_windows(divide) && far * far * density <= FULL;
     let strategy = if fixed > 0 || alone { Strategy::Windows { steps } } else { Strategy::List };
@@ -57,9 +57,9 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     Plan { strategy, margin, fastest, neighbours, density }
 }
 
-/// Number of particles in the area of a cutoff disc above which a list is cheaper than windows.
+/// Number of particles in the area of a cutoff disc. Above it, lists are cheaper than windows.
 ///
-/// It was measured on the machine of the book.
+/// The number was measured on the machine of the book.
 const MAX_NEIGHBOURS_IN_WINDOWS: f64 = 0.12;
 /// Greatest number of particles in a square as wide as the reach of a window's list.
 const FULL: f64 = 20.0;
@@ -73,8 +73,8 @@ const SMALL_MARGIN: f64 = 0.02;
 ///
 /// Opening a window costs the same for every length. The time for groups grows with the number of
 /// particles in them, and so with the window's length, and with `divide`. The sum of both costs per
-/// step is least at a length proportional to 1 / √`divide`. Opening a window for a single step does
-/// not pay.
+/// step is least at a length proportional to 1 / √`divide`. Opening a window for a single step is
+/// not worth its cost.
 fn divided(steps: u32, divide: u32) -> u32 {
     let length = f64::from(steps) / f64::from(divide.max(1)).sqrt();
     (length as u32).max(steps.min(2))
@@ -82,16 +82,17 @@ fn divided(steps: u32, divide: u32) -> u32 {
 
 /// Returns `MAX_NEIGHBOURS_IN_WINDOWS` for steps that are divided into `divide`.
 ///
-/// Small steps of all particles cost nearly `divide` times as much, and small steps of groups do
-/// not. The numbers were measured for `divide` from 2 to 20.
+/// A step costs nearly `divide` times as much if all particles take small steps, but not if only
+/// groups do. The numbers were measured for `divide` from 2 to 20.
 fn max_neighbours_in_windows(divide: u32) -> f64 {
     (MAX_NEIGHBOURS_IN_WINDOWS + 0.25 * f64::from(divide.max(1) - 1)).min(1.2)
 }
 
-/// Returns the number of particles per area around a particle, the mean over all particles.
+/// Returns the number of particles per area around a particle, averaged over all particles.
 ///
-/// It counts other particles in the same cell, four cutoffs wide. In a regular lattice there are
-/// fewer of them, so the result is at least the density of the whole scene.
+/// It counts other particles in the same cell, four cutoffs wide. As a particle does not count
+/// itself, the count in a regular lattice is too low. Therefore the result is never less than the
+/// density of the whole scene.
 fn density(bodies: &Bodies, extent: &Extent) -> f64 {
     let grid = Grid::new(extent, 4.0 * CUTOFF);
     let around = occupancy(bodies, &grid) / (grid.side() * grid.side());
@@ -99,7 +100,7 @@ fn density(bodies: &Bodies, extent: &Extent) -> f64 {
     around.max(even)
 }
 
-/// Returns the number of other particles in the cell of a particle, the mean over all particles.
+/// Returns the number of other particles in the cell of a particle, averaged over all particles.
 fn occupancy(bodies: &Bodies, grid: &Grid) -> f64 {
     let columns = u64::from(grid.columns);
     let key =

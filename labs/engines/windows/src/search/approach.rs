@@ -13,8 +13,8 @@ use crate::rules::Rules;
 
 /// A vector kernel that sorts pairs into close pairs, pairs to be watched, and the rest.
 ///
-/// The processor cannot predict the kind of a pair, so there is no branch. Every pair is written
-/// down, and the next pair overwrites it if its free flights stay too far apart.
+/// The processor cannot predict the kind of a pair, so there is no branch. Every pair is written,
+/// and is overwritten by the next pair if its free flights stay too far apart.
 pub(crate) struct Approach<'a, R> {
     pub(crate) pairs: [&'a [Pair]; 2],
     pub(crate) bodies: &'a Bodies,

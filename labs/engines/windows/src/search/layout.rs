@@ -18,13 +18,14 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
-    /// Returns the distance of two reference paths up to which their pair is computed.
+    /// Returns the distance between two reference paths up to which their pair is computed.
     pub(crate) fn near(&self) -> f64 {
         let margin = if self.span.steps == 1 { 0.0 } else { self.margin };
         CUTOFF + self.span.rounding() + margin
     }
 
-    /// Returns the distance of two reference paths up to which their pair is computed or watched.
+    /// Returns the distance between two reference paths up to which their pair is computed or
+    /// watched.
     pub(crate) fn watched(&self) -> f64 {
         self.near() + WATCHED_MARGIN
     }
@@ -35,15 +36,15 @@ impl Layout {
         self.watched() - CUTOFF + 2.0 * windows * self.reach
     }
 
-    /// Returns the sum of the distances by which the particles of an unwatched pair may leave their
-    /// paths and still not touch.
+    /// Returns the sum of deviations up to which the particles of an unwatched pair cannot touch.
     pub(crate) fn slack(&self) -> f64 {
         self.margin + WATCHED_MARGIN
     }
 
     /// Returns the number of windows that a list should last, for `density` particles per area.
     ///
-    /// A short list must be built often, and a long one costs more in every window.
+    /// A list for few windows must be built often, and a list for many windows costs more in each
+    /// of them.
     pub(crate) fn lasting(&self, density: f64) -> f64 {
         let cost = |windows: f64| {
             let area = (CUTOFF + self.skin(windows)).powi(2) * density;

@@ -8,7 +8,7 @@ use neighbour_list::{Bodies, EIGHT, Workers};
 
 use super::layout::Layout;
 
-/// The pairs that may come near each other in a window, and the positions for which they were
+/// The pairs that may come near each other in a window, and the positions at which they were
 /// listed.
 #[derive(Default)]
 pub(crate) struct Listed {

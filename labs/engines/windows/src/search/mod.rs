@@ -26,7 +26,8 @@ pub(crate) use listed::Listed;
 pub(crate) struct Found {
     /// Pairs that are to be computed. A pair may occur more than once.
     pub(crate) close: Vec<Pair>,
-    /// Pairs that come nearly as close as the pairs in `close`. They are checked after the window.
+    /// Pairs that come nearly as close as the pairs in `close`. These pairs are checked after the
+    /// window.
     pub(crate) watched: Vec<Pair>,
     /// Number of pairs that were tested.
     pub(crate) tested: u64,
@@ -65,8 +66,8 @@ impl Search<'_> {
 
     /// Calls `visit` with every particle k that may touch particle `i` in the window.
     ///
-    /// The two particles may leave their reference paths by `slack(k)` together, which is at most
-    /// `most`. Returns the number of pairs that were tested.
+    /// The deviations of both particles from their reference paths add up to at most `slack(k)`,
+    /// which never exceeds `most`. Returns the number of pairs that were tested.
     pub(crate) fn around<R: Rules>(
         &self,
         i: u32,
@@ -78,7 +79,7 @@ impl Search<'_> {
         let Some(cells) = &listed.list.cells else { return 0 };
         let path = span.path::<R>(&bodies.get(i as usize));
         let time = span.forces();
-        // The cells belong to the positions for which the particles were listed.
+        // The cells were computed from the positions at which the particles were listed.
         let pad = CUTOFF + path.spread + most + span.rounding() + reach + listed.moved;
         let far = CUTOFF + path.spread + most + span.rounding() + 2.0 * reach;
         let dx = path.wx * time;

@@ -15,7 +15,7 @@ use crate::search::{Found, Layout, Search};
 pub(crate) struct Band {
     /// The particles in the band's cells.
     pub(crate) particles: Range<usize>,
-    /// Pairs that a search from the band's particles found. Both particles of a close pair are in
+    /// Pairs that the search found for the band's particles. Both particles of a close pair are in
     /// the band.
     pub(crate) found: Found,
     /// Close pairs with a particle of another band.
@@ -66,7 +66,7 @@ impl Band {
         if span.steps > 1 {
             walls.iter().for_each(|&i| search.at_wall::<R>(i, found));
         }
-        // Pairs with a particle of another band are grouped after the bands.
+        // Pairs with a particle of another band are grouped when all bands have been computed.
         across.clear();
         found.close.retain(|pair| {
             let here = pair.iter().all(|&i| particles.contains(&(i as usize)));

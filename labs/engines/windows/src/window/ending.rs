@@ -30,7 +30,7 @@ impl<R: Rules> NullaryFnOnce for Fly<'_, R> {
 }
 
 impl Window {
-    /// Returns the particles after `steps` ≤ the window's steps, and changes nothing.
+    /// Returns the particles after `steps` of the window's steps, and changes nothing.
     pub(crate) fn after<R: Rules>(&self, span: &Span, steps: u32) -> Bodies {
         let mut bodies = self.bodies.clone();
         R::fly(&mut bodies.x, &bodies.vx, steps, span.dt);

@@ -10,7 +10,7 @@ use crate::groups::{Batch, FREE, Grouper, Task};
 use crate::rules::Rules;
 use crate::search::{Layout, Listed, Search};
 
-/// The bit of a slot number that marks a batch computed after the bands.
+/// The bit of a slot number that marks a batch that was computed after the bands.
 pub(crate) const LATE: u32 = 1 << 31;
 /// Number of repairs of a window before it is repeated with fewer steps.
 const REPAIRS: usize = 12;
@@ -41,8 +41,8 @@ impl Window {
 
     /// Sorts the particles and computes a window.
     ///
-    /// Returns false if margins broke again after every repair. The particles are then unchanged,
-    /// and the caller should try a shorter window.
+    /// Returns false if margins still broke after the last repair. The particles are then
+    /// unchanged, and the caller should try a shorter window.
     pub(crate) fn open<R: Rules>(
         &mut self,
         layout: &Layout,
@@ -128,7 +128,8 @@ impl Window {
         });
     }
 
-    /// Groups `pairs` and computes them as another batch. Returns the number of its members.
+    /// Groups `pairs` and computes the groups as another batch. Returns the number of the batch's
+    /// members.
     fn run_late<R: Rules>(&mut self, pairs: &[Pair], layout: &Layout) -> usize {
         let alone = self.walls_in::<R>(pairs, layout);
         let task = Task { range: 0..self.bodies.len(), pairs, alone: &alone, elsewhere: &[] };

@@ -11,16 +11,16 @@ use crate::rules::Rules;
 use crate::search::{Layout, Search};
 
 impl Window {
-    /// Returns the pairs that touched, because a force bent a path, although no group computed
-    /// them.
+    /// Returns the pairs that touched although no group computed them, because a force had bent a
+    /// path.
     ///
-    /// The reference paths of such a pair were further apart than cutoff + margin. So it can have
-    /// touched only if one of its particles was off its path by at least half the margin. All
-    /// particles near that particle are tested. If the distance could have been small enough, the
-    /// actual positions are compared, step by step.
+    /// The reference paths of such a pair were further apart than cutoff + margin. So the pair can
+    /// have touched only if one of its particles deviated from its path by at least half the
+    /// margin. All particles near that particle are tested. If the particles could have come close
+    /// enough, their actual positions are compared, step by step.
     ///
     /// With `last`, only the members of the last batch have changed since the pairs were verified.
-    /// So only these members are tested, and the other particle of a pair may be further off its
+    /// So only these members are tested, and the other particle of a pair may deviate more from its
     /// path than the member.
     pub(crate) fn verify<R: Rules>(
         &self,
@@ -63,8 +63,8 @@ impl Window {
     /// Returns the pairs of members of `batch` that touched, and the number of pairs that were
     /// tested.
     ///
-    /// The other particle of a pair is off its path by at most `other`, or by at most as much as
-    /// the member if that is more.
+    /// The other particle of a pair deviates from its path by at most `other` or at most as much as
+    /// the member, whichever is more.
     fn broken<R: Rules>(&self, batch: &Batch, other: f64, search: &Search<'_>) -> (Vec<Pair>, u64) {
         let Search { layout, .. } = search;
         let mut broken = Vec::new();

@@ -8,7 +8,8 @@ use std::ops::Range;
 
 use crate::particles::{Bodies, Moving};
 
-/// Number of particles whose range of cells is stored, so that a band can skip them all at once.
+/// Number of particles whose range of cells is stored, so that a band can skip all of them
+/// together.
 pub(super) const PIECE: usize = 1024;
 
 /// The cell of each particle, in the order before the sort.
@@ -29,7 +30,7 @@ impl Located<'_> {
     }
 }
 
-/// Consecutive cells, and the memory that their sorted particles are written to.
+/// Consecutive cells, and the memory for their sorted particles.
 #[derive(Default)]
 pub(super) struct Band<'a> {
     /// The number of the band's first cell.

@@ -15,9 +15,9 @@ pub struct Grid {
     bottom: f64,
     side: f64,
     inverse: f64,
-    /// Number of columns, with the empty one.
+    /// Number of columns, including the empty column.
     pub columns: u32,
-    /// Number of rows, with the empty one.
+    /// Number of rows, including the empty row.
     pub rows: u32,
 }
 
@@ -106,7 +106,7 @@ impl Grid {
         u64::from(self.columns) * u64::from(self.rows)
     }
 
-    /// Whether few enough cells are empty that all can be stored, for `n` particles.
+    /// Whether the grid has so few empty cells, for `n` particles, that all cells can be stored.
     pub fn is_dense(&self, n: usize) -> bool {
         self.cells() <= 8 * n as u64 + 64
     }

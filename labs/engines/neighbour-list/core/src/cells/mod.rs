@@ -1,7 +1,7 @@
 //! The grid of cells, and sorting particles by cell.
 //!
-//! [`Grid`] says which cell a position is in, [`Sorter`] sorts the particles, and [`Cells`] returns
-//! the particles of a cell and of the cells around it.
+//! [`Grid`] finds the cell of a position, [`Sorter`] sorts the particles, and [`Cells`] returns the
+//! particles of a cell and of the cells around it.
 
 mod bands;
 mod grid;

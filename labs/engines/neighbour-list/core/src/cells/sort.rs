@@ -1,7 +1,7 @@
 //! Sorts particles by cell, so that neighbours in the box become neighbours in memory.
 //!
-//! If few cells are empty, many threads run a counting sort. Eight particles, four cells, two
-//! bands:
+//! If few cells are empty, many threads run a counting sort. An example with eight particles, four
+//! cells and two bands:
 //!
 //! ```text
 //! before    particle     a b c d e f g h
@@ -12,8 +12,8 @@
 //! fill      particles    b e h d                   a f c g
 //! ```
 //!
-//! The ends tell each band where it writes, so the threads need no lock. Within a cell particles
-//! keep their order.
+//! Each band knows its part of the result from the ends, so the threads need no lock. Within a cell
+//! particles keep their order.
 //!
 //! If most cells are empty, pairs of cell and particle are sorted, and only occupied cells are
 //! stored.
@@ -34,7 +34,7 @@ const BAND: usize = 4096;
 /// Greatest number of bands.
 const BANDS: usize = 256;
 
-/// The memory of a sort, kept for the next one.
+/// The memory of a sort, kept for the next sort.
 #[derive(Default)]
 pub struct Sorter {
     /// The memory for the next result. After a sort it contains the particles in their order before
@@ -48,7 +48,7 @@ pub struct Sorter {
 }
 
 impl Sorter {
-    /// Sorts `bodies` by the cells of `grid`. Within a cell particles keep their order.
+    /// Sorts `bodies` by cell of `grid`. Within a cell particles keep their order.
     pub fn sort(&mut self, bodies: &mut Bodies, grid: Grid, workers: &Workers) -> Cells {
         self.spare.resize(bodies.len());
         let cells = if grid.is_dense(bodies.len()) {
@@ -152,7 +152,7 @@ impl NullaryFnOnce for Locate<'_> {
     }
 }
 
-/// Sorts `from` into `to` by the cells of `grid`, and stores only the occupied cells.
+/// Sorts `from` into `to` by cell of `grid`, and stores only the occupied cells.
 fn sort_sparse(from: &Bodies, to: &mut Bodies, grid: Grid) -> Cells {
     let key = |i: usize| {
         u64::from(grid.row(from.y[i])) * u64::from(grid.columns) + u64::from(grid.column(from.x[i]))

@@ -1,4 +1,4 @@
-//! A table of sorted particles by cell.
+//! A table with the range of sorted particles in each cell.
 
 use std::ops::Range;
 
@@ -9,9 +9,9 @@ use super::grid::Grid;
 /// Cells are numbered row by row, so the particles of a cell and of its right neighbour are
 /// adjacent in memory.
 pub struct Cells {
-    /// The grid that the cells belong to.
+    /// The grid of these cells.
     pub grid: Grid,
-    /// The stored cells: all of them, or only the occupied ones.
+    /// The stored cells: all cells, or only the occupied cells.
     pub kind: Kind,
     /// The index of each particle's cell among the stored cells.
     pub home: Vec<u32>,
@@ -126,7 +126,7 @@ impl Cells {
         }
     }
 
-    /// Returns [`ahead`](Self::ahead) of particle `i` in cell `key`, if only occupied cells are
+    /// Computes [`ahead`](Self::ahead) for particle `i` in cell `key`, if only occupied cells are
     /// stored.
     #[inline(never)]
     fn ahead_of(&self, key: u64, i: usize) -> [Range<usize>; 2] {
@@ -170,8 +170,8 @@ impl Cells {
     }
 }
 
-/// An iterator over the rows of a rectangle of cells. It does not borrow the [`Cells`]: they are an
-/// argument of [`next`](Self::next).
+/// An iterator over the rows of a rectangle of cells. The iterator does not borrow the [`Cells`],
+/// which are an argument of [`next`](Self::next).
 pub struct Rows {
     left: u32,
     right: u32,
@@ -187,7 +187,8 @@ impl Rows {
             return None;
         }
         if let Kind::Sparse { keys, .. } = &cells.kind {
-            // Rows without particles are skipped in one step, because there may be very many.
+            // Rows without particles are skipped in one step, because there may be very many such
+            // rows.
             let columns = u64::from(cells.grid.columns);
             let from = u64::from(self.row) * columns + u64::from(self.left);
             let key = keys.get(keys.partition_point(|&key| key < from))?;

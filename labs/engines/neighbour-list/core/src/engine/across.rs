@@ -49,14 +49,15 @@ impl<P: Primitives> Across<P> {
     }
 }
 
-/// Accelerations of some of the engine's particles by particles outside the engine, in one step.
+/// Accelerations of some of the engine's particles due to particles outside the engine, in one
+/// step.
 #[derive(Clone, Copy, Default)]
 pub struct External<'a> {
     /// The particles as indices into the engine's order, ascending.
     pub indices: &'a [u32],
-    /// Their accelerations along x.
+    /// The accelerations of these particles along x.
     pub x: &'a [f64],
-    /// Their accelerations along y.
+    /// The accelerations of these particles along y.
     pub y: &'a [f64],
 }
 

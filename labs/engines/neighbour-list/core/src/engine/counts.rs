@@ -13,13 +13,12 @@ pub struct Counts {
     pub skins: f64,
     /// Inner lists built.
     pub inner_rebuilds: u64,
-    /// Sum of the numbers of outliers of all inner lists.
+    /// Total number of outliers in all inner lists.
     pub outliers: u64,
 }
 
 impl Counts {
-    /// Returns the counters with their names, per step where that helps, for a run of `n`
-    /// particles.
+    /// Returns the counters with their names, some of them per step, for a run of `n` particles.
     pub(crate) fn shown(&self, n: usize) -> Vec<(&'static str, f64)> {
         let Counts { steps, rebuilds, tests, skins, inner_rebuilds, outliers } = *self;
         let particle_steps = n as f64 * steps as f64;

@@ -1,4 +1,4 @@
-//! The engine: it sorts particles, lists pairs with a skin, and computes forces and move together.
+//! The engine: it sorts particles, lists pairs with a skin, sums forces and moves particles.
 //!
 //! The pass over a block is in `sweep.rs`.
 
@@ -54,7 +54,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         &self.bodies
     }
 
-    /// Returns the particles, so that the caller can remove and add some. The caller must then
+    /// Returns the particles, so that the caller can remove and add particles. The caller must then
     /// rebuild the list.
     pub fn bodies_mut(&mut self) -> &mut Bodies {
         &mut self.bodies
@@ -70,7 +70,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         &self.limits
     }
 
-    /// Returns the observer, so that the caller can take what it has recorded.
+    /// Returns the observer, so that the caller can take its records.
     pub fn observer_mut(&mut self) -> &mut O {
         &mut self.observer
     }
@@ -119,7 +119,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         self.count(tested);
     }
 
-    /// Rebuilds the list and leaves the particles in their former order in `kept`.
+    /// Rebuilds the list, and stores the particles in their former order in `kept`.
     pub fn rebuild_keeping(&mut self, kept: &mut Bodies) {
         self.rebuild();
         // Sorting has left the particles in the arrays that the next sort would write to.
@@ -148,16 +148,16 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
         self.count(tested);
     }
 
-    /// Moves the blocks that contain none of the particles `waiting`, whose indices ascend.
+    /// Moves the blocks that contain none of the particles `waiting`, whose indices are ascending.
     ///
-    /// Particles outside the engine may act on the particles `waiting`, so their blocks are left
-    /// for [`move_outer`](Self::move_outer).
+    /// Particles outside the engine may act on the particles `waiting`, so
+    /// [`move_outer`](Self::move_outer) moves their blocks.
     pub fn move_inner(&mut self, waiting: &[u32]) {
         self.sweep(External::default(), |block| !block.has_any(waiting));
     }
 
-    /// Moves the other blocks, on which the accelerations `external` act too, and ends the step.
-    /// Returns an upper bound of the distance that the fastest particle went.
+    /// Moves the other blocks, to which the accelerations `external` are added, and ends the step.
+    /// Returns an upper bound for the distance that the fastest particle went.
     pub fn move_outer(&mut self, external: External<'_>) -> f64 {
         self.sweep(external, |block| block.has_any(external.indices));
         let over = self.passes.iter().fold(1.0, |over: f64, pass| over.max(pass.fast.over));
@@ -198,7 +198,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
 
     /// Moves all particles by a small step, with a new list if the old one has expired.
     ///
-    /// Returns an upper bound of the distance that the fastest particle went.
+    /// Returns an upper bound for the distance that the fastest particle went.
     pub fn advance(&mut self) -> f64 {
         if self.has_expired() {
             self.rebuild();
@@ -211,7 +211,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     fn official_step(&mut self) {
         self.observer = O::default();
         self.advance();
-        // An observer sees the forces of the first small step only; they are the forces of the
+        // An observer sees the forces of the first small step only; these are the forces of the
         // official step.
         let seen = std::mem::take(&mut self.observer);
         for _ in 1..self.divide {

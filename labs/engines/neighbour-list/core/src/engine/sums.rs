@@ -1,9 +1,9 @@
 //! Sums of accelerations for the particles that a pass currently works on.
 
 /// The accelerations of consecutive particles: the particles of a piece, and the particles ahead of
-/// it.
+/// the piece.
 ///
-/// There are so few of them that the sums stay in the cache.
+/// There are so few particles that the sums stay in the cache.
 #[derive(Default)]
 pub(super) struct Sums {
     /// The index of the first particle.

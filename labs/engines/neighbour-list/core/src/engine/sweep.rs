@@ -1,9 +1,9 @@
 //! One pass over a block: computes forces and moves particles, while a piece is in the cache.
 //!
 //! A pair is listed with the particle that comes first. Once the pairs of a piece and of all pieces
-//! before it are done, no later pair needs the piece's old positions, and its accelerations are
-//! complete. So the piece moves at once. The pairs across the ends of blocks are computed before
-//! any block moves.
+//! before it are done, no later pair needs the piece's old positions, and the piece's accelerations
+//! are complete. So the piece can move immediately. The pairs across the ends of blocks are
+//! computed before any block moves.
 
 use common::soft::Observer;
 use pulp::NullaryFnOnce;

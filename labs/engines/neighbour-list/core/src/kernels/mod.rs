@@ -2,9 +2,9 @@
 //!
 //! They are plain loops over short arrays. [`pulp::Arch::dispatch`] has each kernel compiled three
 //! times: for any processor, for AVX2 and for AVX-512. The version is chosen when the program runs.
-//! So a program also runs on a processor older than the one that it was built on, and uses all of a
-//! newer one. The compiler never fuses a multiplication with an addition here and never exchanges
-//! lanes, so all versions give the same bits.
+//! So a program also runs on a processor older than the one that it was built on, and uses all
+//! features of a newer one. The compiler never fuses a multiplication with an addition here and
+//! never exchanges lanes, so all versions give the same bits.
 //!
 //! A kernel is a type whose [`pulp::NullaryFnOnce::call`] is always inlined. A closure would be
 //! shorter. However, the compiler may translate a closure into a separate function for any

@@ -1,4 +1,4 @@
-//! The interface between the engine and the primitives that it is built on.
+//! The interface between the engine and its primitives.
 
 use std::ops::Range;
 
@@ -21,9 +21,9 @@ pub trait Primitives: Default + Send + Sync + 'static {
     /// `i`.
     ///
     /// The pairs are in ascending order, and a distance of exactly `reach` counts as within.
-    /// `list[..len]` contains the pairs that were found before; after them there is room for all of
-    /// `range` and eight more pairs. `i` is not in `range`, and `range` may be empty. Returns the
-    /// new number of pairs.
+    /// `list[..len]` contains the pairs that were found before; behind these pairs there is room
+    /// for all of `range` and eight more pairs. `i` is not in `range`, and `range` may be empty.
+    /// Returns the new number of pairs.
     fn collect(
         list: &mut [Pair],
         len: usize,
@@ -52,6 +52,7 @@ pub trait Primitives: Default + Send + Sync + 'static {
 
     /// Returns the skin that makes a step cheapest. It is positive.
     ///
-    /// There are `density` particles per area, and the fastest goes `displacement` in a step.
+    /// There are `density` particles per area, and the fastest particle goes `displacement` in a
+    /// step.
     fn best_skin(density: f64, displacement: f64) -> f64;
 }

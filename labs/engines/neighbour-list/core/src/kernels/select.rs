@@ -29,7 +29,8 @@ static LANES: [[u64; EIGHT]; 256] = {
 /// Before the call, `list` has `len` pairs.
 ///
 /// The pairs are in ascending order. Returns the new number of pairs. There must be room for eight
-/// pairs, because eight are always written; the next call overwrites those that do not count.
+/// pairs, because eight pairs are always written; the next call overwrites the pairs that do not
+/// count.
 #[inline(always)]
 pub fn pack(list: &mut [Pair], len: usize, [i, start]: [usize; 2], set: u32) -> usize {
     // Both indices of a pair are in one word, so one addition computes the pair.

@@ -1,8 +1,8 @@
 //! Collects the signs of eight numbers in a vector register as eight bits.
 //!
 //! Processors have one instruction for this, but no loop over bits makes the compiler use it: the
-//! compiler begins with the result and computes each bit separately. So the instruction is called
-//! by name here. All other kernels are plain loops ([`crate::kernels`]).
+//! compiler begins with the result and computes each bit separately. So this module names the
+//! instruction explicitly. All other kernels are plain loops ([`crate::kernels`]).
 
 use pulp::{Arch, NullaryFnOnce};
 

@@ -13,7 +13,7 @@ use crate::cells::Cells;
 use crate::kernels::{EIGHT, Kernel, Pair, Positions, Primitives, ROOM, Signs, make_room};
 use crate::particles::Bodies;
 
-/// Number of particles that are moved together as soon as their forces are known: so few that they
+/// Number of particles that are moved together as soon as their forces are known. So few particles
 /// stay in the cache.
 const PIECE: usize = 1000;
 
@@ -79,7 +79,7 @@ impl Block {
         if self.has_inner { &self.inner } else { &self.outer }
     }
 
-    /// Whether the block contains a particle of `indices`, which ascend.
+    /// Whether the block contains one of the particles `indices`, which are ascending.
     pub fn has_any(&self, indices: &[u32]) -> bool {
         let next = indices.partition_point(|&i| (i as usize) < self.particles.start);
         indices.get(next).is_some_and(|&i| (i as usize) < self.particles.end)
@@ -186,7 +186,7 @@ impl<P: Primitives> NullaryFnOnce for Filter<'_, P> {
     }
 }
 
-/// Appends the pairs within the root of `squared` to `near`.
+/// Appends the pairs whose squared distance is at most `squared` to `near`.
 #[inline(always)]
 fn keep_near<P: Primitives>(
     pairs: &[Pair],

@@ -1,4 +1,4 @@
-//! The life of a list of pairs, and the costs of building and using it.
+//! The life of a list of pairs, and the costs of building and using the list.
 //!
 //! Costs are in nanoseconds on the machine of the book. They affect only the speed, and they are
 //! constants, so that a run can be repeated exactly.
@@ -7,7 +7,8 @@ use common::soft::CUTOFF;
 
 use crate::kernels::Primitives;
 
-/// The skin of a list, and how much of it the particles have used up since the list was built.
+/// The skin of a list, and the part of the skin that particles have used up since the list was
+/// built.
 pub struct Budget {
     /// The list contains every pair that was within the cutoff plus this length.
     pub skin: f64,
@@ -34,8 +35,8 @@ impl Budget {
     }
 }
 
-/// Returns the number of steps that an inner list should last, or `None` if no inner list is
-/// cheaper.
+/// Returns the number of steps that an inner list should last. `None` if steps without an inner
+/// list are cheaper.
 ///
 /// The outer list contains the pairs within the cutoff plus `skin`, and no particle goes further
 /// than `displacement` in a step.

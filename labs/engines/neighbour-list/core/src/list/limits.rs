@@ -9,7 +9,7 @@ use super::outliers::{Outlier, Outliers};
 use crate::kernels::Primitives;
 use crate::particles::{Bodies, Sample};
 
-/// A new list is made for a speed that one particle in this number of particles exceeds.
+/// Number of particles of which one exceeds the speed that a new list is made for.
 const PARTICLES_PER_FAST_PARTICLE: usize = 1000;
 /// Number of particles whose speeds are sampled.
 const SAMPLE: usize = 1024;
@@ -22,15 +22,15 @@ const PARTICLES_PER_OUTLIER: usize = 50;
 const SPARE_OUTLIERS: usize = 32;
 /// The greatest factor by which the fastest particle is expected to exceed the speed limit.
 ///
-/// A faster particle makes the inner list expire at once; no list is built for such a speed.
+/// A faster particle makes the inner list expire immediately. No list is built for such a speed.
 const MAX_SPEED_RATIO: f64 = 2.0;
-/// Displacements that an inner list saves: a list of m steps must last for m − `SAVED_DISPLACEMENTS`.
+/// Displacements that an inner list saves: m steps use up m − `SAVED_DISPLACEMENTS` displacements.
 ///
 /// The first step uses the list before any particle has moved, which saves one displacement. A
-/// fifth of it is kept for particles that are faster than expected.
+/// fifth of this displacement is kept for particles that are faster than expected.
 const SAVED_DISPLACEMENTS: f64 = 0.8;
 
-/// The speed that lists are built for, and the outliers, which are faster.
+/// The speed that lists are built for, and the outliers, which are faster than this speed.
 pub struct Limits {
     /// The speed that a particle may have without being an outlier.
     usual: f64,
@@ -59,8 +59,8 @@ impl Default for Limits {
 }
 
 impl Limits {
-    /// Chooses the usual speed for a new list and whether to use inner lists. Returns the list's
-    /// skin.
+    /// Chooses the usual speed for a new list, and decides whether to use inner lists. Returns the
+    /// list's skin.
     ///
     /// `skin(displacement)` is the best skin if no particle goes further than `displacement` in a
     /// step.
@@ -142,9 +142,9 @@ impl Limits {
         fast: impl Iterator<Item = u32>,
         workers: &Workers,
     ) -> u64 {
-        // The steps that are left are divided into equal periods, so that no inner list is built
-        // for the last one or two steps only. A list is first used before any particle has moved,
-        // so it lasts one step longer.
+        // The remaining steps are divided into equal periods, so that no inner list is built for
+        // the last one or two steps only. A list is first used before any particle has moved, so it
+        // lasts one step longer.
         let left = 0.5 * list.budget.skin - list.budget.displacement;
         let steps_left = 1.0 + left / self.displacement;
         let periods = (steps_left / self.steps.unwrap_or(1.0)).round().max(1.0);
@@ -183,13 +183,13 @@ pub struct SpeedLimit<'a> {
     /// Whether to record the faster particles themselves, in addition to the factor by which they
     /// are faster.
     pub noted: bool,
-    /// The outliers in sorted order, which have higher limits.
+    /// The outliers, which have higher limits, in sorted order.
     pub outliers: &'a [Outlier],
 }
 
 /// The particles that have exceeded the usual speed and are not outliers yet.
 pub struct Fast {
-    /// Their indices in the sorted order. An index may occur more than once.
+    /// The indices of these particles in the sorted order. An index may occur more than once.
     pub indices: Vec<u32>,
     /// The greatest speed in the step as a multiple of the allowed speed, at least 1.
     pub over: f64,

@@ -23,9 +23,9 @@ pub struct Neighbours<P> {
     sorter: Sorter,
     /// The cells of the particles when the list was built.
     pub cells: Option<Cells>,
-    /// The pairs, block by block of the sorted particles.
+    /// The pairs, in a block for each range of sorted particles.
     pub blocks: Vec<Block>,
-    /// The skin, and how much of it is used up.
+    /// The skin, and the part of the skin that is used up.
     pub budget: Budget,
     /// The greatest amount by which rounding changes a distance.
     rounding: f64,
@@ -45,7 +45,8 @@ impl<P: Primitives> Neighbours<P> {
         self.budget = Budget::default();
     }
 
-    /// Returns the skin with the cheapest steps, if particles go at most `displacement` in a step.
+    /// Returns the skin that makes steps cheapest, if particles go at most `displacement` in a
+    /// step.
     ///
     /// The density is estimated from the last list, or from the extent of the particles if there is
     /// no list.
@@ -101,8 +102,8 @@ impl<P: Primitives> Neighbours<P> {
         (CUTOFF + skin) * (1.0 + 1e-9) + self.rounding
     }
 
-    /// Builds the inner list: the pairs within the cutoff plus `skin`, and `more`, which is in
-    /// order.
+    /// Builds the inner list: the pairs within the cutoff plus `skin`, and the pairs `more`, which
+    /// are in order.
     ///
     /// Returns the number of pairs that were tested.
     pub fn rebuild_inner(

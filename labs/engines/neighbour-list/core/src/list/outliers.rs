@@ -1,9 +1,9 @@
 //! Outliers: the few particles that are too fast for a list.
 //!
 //! A list that allows for the fastest particle would expire early for all particles. Among 100,000
-//! particles, the fastest has 1.5 times the speed that all but a hundred particles stay below. So
-//! the list is built for the usual speed. In the time in which a usual particle goes at most d, an
-//! outlier goes at most ratio · d:
+//! particles, the fastest is 1.5 times as fast as all but a hundred particles. So the list is built
+//! for the usual speed. In the time in which a usual particle goes at most d, an outlier goes at
+//! most ratio · d:
 //!
 //! ```text
 //! usual ●─▶   ◀─● usual        in the inner list if closer than cutoff + d + d
@@ -20,7 +20,7 @@ use crate::kernels::{Pair, Primitives};
 use crate::particles::Bodies;
 use crate::threads::pieces;
 
-/// Number of outliers whose pairs are searched one after another by a thread.
+/// Number of outliers whose pairs a thread searches one after another.
 const OUTLIERS_PER_TASK: usize = 32;
 
 /// A particle that has exceeded the speed of its list.
@@ -30,7 +30,7 @@ pub struct Outlier {
     pub index: u32,
     x: f64,
     y: f64,
-    /// The particle's speed limit while the inner list lasts, as a multiple of the usual speed.
+    /// The particle's speed limit for the life of the inner list, as a multiple of the usual speed.
     pub ratio: f64,
 }
 
@@ -64,8 +64,8 @@ impl Outliers {
 
     /// Adds the particles `new`, and records the position and the speed limit of every outlier.
     ///
-    /// Until they [`leave`](Outliers::leave), a search for usual particles does not find outliers:
-    /// x of each is NaN.
+    /// The x of an outlier is NaN until it [`leaves`](Outliers::leave). So a search for usual
+    /// particles does not find outliers.
     pub fn enter(&mut self, new: impl Iterator<Item = u32>, usual: f64, bodies: &mut Bodies) {
         let before = self.all.len();
         self.all.extend(new.map(|index| Outlier { index, x: 0.0, y: 0.0, ratio: 1.0 }));
@@ -107,7 +107,7 @@ impl Outliers {
             let Outlier { index, x, y, ratio } = *outlier;
             Disc { x, y, radius: 0.5 * list.reach(2.0 * ratio * displacement), index }
         };
-        // The first task finds the pairs of two outliers. Each other task finds the pairs of some
+        // The first task finds the pairs of two outliers. Every other task finds the pairs of some
         // outliers with usual particles.
         let some = self.all.chunks(pieces(self.all.len(), OUTLIERS_PER_TASK, 64)).map(Some);
         let found = workers.map(std::iter::once(None).chain(some).collect(), |some| {
@@ -138,7 +138,7 @@ impl Outlier {
         let Some(cells) = &list.cells else { return };
         let Outlier { index, x, y, ratio } = *self;
         let reach = list.reach(displacement + ratio * displacement);
-        // The cells belong to the positions at which the list was built.
+        // The cells were computed from the positions when the list was built.
         let pad = reach + list.budget.displacement;
         let mut rows = cells.rows_of(&[x - pad, x + pad, y - pad, y + pad]);
         while let Some(range) = rows.next(cells) {

@@ -112,7 +112,7 @@ impl Bodies {
         }
     }
 
-    /// Splits the particles at `ends`, which ascend and end with the number of particles.
+    /// Splits the particles at `ends`, an ascending list that ends with the number of particles.
     pub fn split(&mut self, ends: &[usize]) -> Vec<Moving<'_>> {
         let mut rest = self.moving();
         let mut pieces = Vec::with_capacity(ends.len());
@@ -145,7 +145,7 @@ impl Bodies {
 
 /// Changes the length of an array to `n`. New elements are zero.
 ///
-/// The first memory comes from the system as zeros, so it is not written before it is used.
+/// The first memory comes from the system as zeros, so it need not be written first.
 pub(crate) fn make_room<T: Copy + Default>(array: &mut Vec<T>, n: usize) {
     if array.capacity() == 0 {
         *array = vec![T::default(); n];

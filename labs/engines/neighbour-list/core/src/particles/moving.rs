@@ -45,7 +45,8 @@ impl<'a> Moving<'a> {
         }
     }
 
-    /// Moves the particles by `dt` under the accelerations (`ax`, `ay`), in a box of side `size`.
+    /// Moves the particles for a time `dt` under the accelerations (`ax`, `ay`), in a box of side
+    /// `size`.
     #[inline(always)]
     pub fn advance<P: Primitives>(&mut self, ax: &[f64], ay: &[f64], dt: f64, size: f64) {
         advance_along::<P>(self.x, self.vx, ax, dt, size);
@@ -57,7 +58,7 @@ fn split_off<'a, T>(slice: &mut &'a mut [T], len: usize) -> &'a mut [T] {
     slice.split_off_mut(..len).expect("there are as many")
 }
 
-/// Number of particles that are tested together for having left the box.
+/// Number of particles for which one test shows whether any has left the box.
 const CHUNK: usize = 64;
 
 /// Moves one coordinate, and reflects the particles that have left the box.

@@ -1,16 +1,15 @@
-//! Threads, and work that gives the same result on any number of them.
+//! Threads, and work with the same result on any number of threads.
 //!
-//! The work is divided into pieces by the scene, never by the number of threads.
+//! The pieces of work depend on the scene, never on the number of threads.
 
 use workers::Workers;
 
-/// The least number of particles for which another thread pays, measured on the machine of the
-/// book.
+/// The least number of particles that is worth another thread, measured on the machine of the book.
 ///
 /// With fewer particles, waking the thread takes longer than its work.
 pub const LEAST: usize = 2000;
 
-/// The threads of an engine: as many as pay for the particles of the scene.
+/// The threads of an engine: as many as are worth their cost for the particles of the scene.
 #[derive(Clone, Default)]
 pub struct Crew {
     most: usize,
@@ -34,10 +33,10 @@ impl Crew {
         Self { most, share, workers: Workers::One }
     }
 
-    /// Starts as many threads as pay for `n` particles.
+    /// Starts as many threads as are worth their cost for `n` particles.
     ///
-    /// If the system refuses to start them, the caller works alone: more slowly, with the same
-    /// result.
+    /// If the system refuses to start the threads, the caller works alone: more slowly, with the
+    /// same result.
     pub fn engage(&mut self, n: usize) {
         let threads = self.most.min(n / self.share.max(1)).max(1);
         if threads != self.workers.count() {
@@ -58,14 +57,14 @@ impl Crew {
 
 /// Returns the length of pieces into which `n` items are divided.
 ///
-/// Pieces are at least `target` long if there are as many items, and there are at most `most`
-/// pieces. Their number is a power of two, so that two or four threads get equal work.
+/// Pieces are at least `target` long if there are at least `target` items, and there are at most
+/// `most` pieces. Their number is a power of two, so that two or four threads get equal work.
 pub fn pieces(n: usize, target: usize, most: usize) -> usize {
     let most = (n / target).clamp(1, most);
     n.div_ceil(1 << most.ilog2()).max(1)
 }
 
-/// Cuts a slice at `ends`, which ascend and end with the slice's length.
+/// Cuts a slice at `ends`, an ascending list that ends with the slice's length.
 pub fn cut<'a, T>(slice: &'a mut [T], ends: &[usize]) -> Vec<&'a mut [T]> {
     let mut rest = slice;
     let mut pieces = Vec::with_capacity(ends.len());
