@@ -35,7 +35,7 @@ impl Mpiexec {
     /// `mpiexec`.
     ///
     /// `MPICC` names the compiler that the labs were built with. The launcher and the compiler must
-    /// be of the same MPI.
+    /// belong to the same MPI library.
     ///
     /// # Errors
     /// The launcher is missing or does not start.
@@ -57,7 +57,7 @@ impl Mpiexec {
     /// The job takes at most `usual` if waiting ranks yield their cores.
     ///
     /// With MPICH as Debian builds it, they do not: a rank polls for messages until the system
-    /// takes its core away, after three or four milliseconds. Each message of a rank without a core
+    /// takes its core away, after three or four milliseconds. A message to a rank without a core
     /// then takes that long.
     pub fn limit(&self, usual: Duration, ranks: usize) -> Duration {
         let cores = thread::available_parallelism().map_or(1, usize::from);

@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 /// Time step of the sweep. Its value does not matter.
 const DT: f64 = 0.0005;
 
-/// Least time of a take. In a shorter take, the clock and the start of threads would have an
-/// influence.
+/// Least time of one timing (a take). The clock and the start of threads would distort a shorter
+/// take.
 const LEAST: Duration = Duration::from_millis(10);
 
 /// The particles of one thread, as four arrays.
