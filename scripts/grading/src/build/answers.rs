@@ -1,5 +1,4 @@
-//! Tests that the program that runs a submission contains no right answer, by its symbols and
-//! strings.
+//! Tests that the symbols and strings of the program that runs a submission reveal no right answer.
 
 use std::fs;
 use std::process::Command;
@@ -10,7 +9,7 @@ use crate::asking::{ANSWER, JUDGE};
 use crate::sandbox::{Limits, Sandbox};
 use lab_kit::Kit;
 
-/// Texts that reveal knowledge of right answers in a program.
+/// Texts that occur only in a program that contains right answers.
 ///
 /// They are parts of symbols of code that compares or computes answers, and texts that only a
 /// verdict contains.

@@ -79,7 +79,7 @@ fn questions(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     Ok(sources)
 }
 
-/// Writes the module that runs an order, with the lab's program of that name or the serial one.
+/// Writes the module that runs an order: the lab's program of that name, or the serial program.
 fn scene(lab: Lab, rubric: &Facts) -> String {
     let mut modules = String::new();
     let mut run = String::from("None");

@@ -34,7 +34,7 @@ pub(crate) struct Grader<'a> {
     pub(crate) lab: Lab,
     pub(crate) rubric: Facts,
     pub(crate) sandbox: &'a Sandbox,
-    /// Seed of every submission; `None` if each submission gets a random seed.
+    /// Common seed of all submissions; `None` if each submission gets a random seed.
     seed: Option<u64>,
     given: Given,
     /// Folder that keeps the output of programs for the staff.
@@ -79,7 +79,7 @@ impl<'a> Grader<'a> {
         cut(&self.shown(&format!("{error:#}"), path), MESSAGE_LENGTH)
     }
 
-    /// Removes the folders of this machine from a text, because students read it.
+    /// Removes the names of this machine's folders from a text, because students read it.
     fn shown(&self, text: &str, path: &Path) -> String {
         let class = path.parent().unwrap_or(path);
         let own = self.sandbox.folders().into_iter().chain([self.kit.root(), class]);

@@ -22,24 +22,23 @@ pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 /// Number of the format of records. A record with another number is refused.
 pub(crate) const FORMAT: u8 = 1;
 
-/// Record of one graded submission, in a JSON file whose fields are those of all parts.
+/// Record of one graded submission. Its JSON file has the fields of all parts in one object.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub(crate) struct Record {
     /// Findings of the grading, which are final.
     #[serde(flatten)]
     pub(crate) found: Findings,
-    /// Results of the tasks, with their points; in a record with points, in the order of their
-    /// numbers.
+    /// Results of the tasks, with their points. They are sorted by number when points are computed.
     pub(crate) tasks: Vec<Task>,
     /// Marks, which are computed from the other parts, and can be computed again.
     #[serde(flatten)]
     pub(crate) marked: Marked,
 }
 
-/// Findings about a submission: its files, what its programs were asked, and its times.
+/// Findings about a submission: its files, the settings of its grading, and its times.
 ///
-/// Only asking and timing write them.
+/// They are written only when the submission is asked and timed.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub(crate) struct Findings {
@@ -83,7 +82,7 @@ pub(crate) struct Findings {
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub(crate) struct Marked {
-    /// Grades of the times.
+    /// Measures of the times, with their grades.
     pub(crate) measures: Vec<Measure>,
     /// Time of the hand-in, from the file.
     pub(crate) handed_in: Option<Timestamp>,
@@ -99,7 +98,7 @@ pub(crate) struct Marked {
     pub(crate) pseudonym: Option<String>,
     /// Points of all tasks and all measures.
     pub(crate) points: f64,
-    /// Largest possible number of points, including points that are still open.
+    /// Largest possible number of points, including the points of measures without a grade.
     pub(crate) out_of: f64,
 }
 
@@ -131,7 +130,7 @@ pub(crate) struct LeftOut {
     pub(crate) reason: String,
 }
 
-/// Result of a task. It depends on the answers to the task's questions only.
+/// Result of a task. It depends only on the answers to the task's questions.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Task {
     /// Number of the task, such as `1.3`.
@@ -240,7 +239,8 @@ impl Record {
         shown
     }
 
-    /// Returns the points that the tasks are worth, plus those of the measures that are `among`.
+    /// Returns the points that the tasks are worth, plus the points of the measures that are
+    /// `among`.
     pub(crate) fn worth(&self, among: impl Fn(&Measure) -> bool) -> f64 {
         let measures = self.marked.measures.iter().filter(|measure| among(measure));
         let measures: f64 = measures.map(|measure| measure.out_of).sum();
@@ -257,7 +257,8 @@ impl Record {
     }
 }
 
-/// Returns the points that a whole class is marked out of, including open points.
+/// Returns the points that a whole class is marked out of, including those of timed measures
+/// without a grade.
 pub(crate) fn scale(records: &[Record]) -> f64 {
     let mut most: f64 = 0.0;
     for record in records {
@@ -274,7 +275,7 @@ pub(crate) fn points(points: f64) -> String {
 
 #[cfg(test)]
 impl Record {
-    /// Returns the record of Ada, who has one of two tasks of lab 1.
+    /// Returns the record of Ada, who has solved one of two tasks of lab 1.
     pub(crate) fn sample() -> Self {
         serde_json::from_str(include_str!("../../tests/record.json")).unwrap()
     }

@@ -54,8 +54,8 @@ fn network(process: &str) -> Option<PathBuf> {
     fs::read_link(format!("/proc/{process}/ns/net")).ok()
 }
 
-/// Returns the unread bytes in a connection table of the system: its fifth column, sent and
-/// received.
+/// Sums the unread bytes, sent and received, in the fifth column of a connection table of the
+/// system.
 fn waiting(table: &str) -> u64 {
     let bytes = table.lines().skip(1).filter_map(|line| {
         let (sent, received) = line.split_whitespace().nth(4)?.split_once(':')?;
@@ -100,7 +100,7 @@ mod tests {
             let all = all();
             family(&all, started.child.id()).last().map_or(0, |(number, _)| held(number))
         };
-        // Making the files takes a moment.
+        // The program takes a moment to make the files.
         for _ in 0..600 {
             if of_youngest() >= 5000 * FILE {
                 return;

@@ -2,7 +2,7 @@
 //!
 //! A full disk or a missing process stops a right program just as a mistake would. The error
 //! messages of a program prove nothing, because a submission can print the same text. So each run
-//! that a fault could have stopped is followed by a control, which succeeds on a machine that
+//! that a fault could have stopped is followed by a control run, which succeeds on a machine that
 //! works. The failure of a run counts only if it occurs [`RUNS`] times and the control succeeds
 //! each time. If the control fails, the submission is not graded.
 
@@ -45,8 +45,7 @@ const SIGNS: [&str; 11] = [
 /// Exit codes of a shell that cannot start a program, and of a sandbox whose program was killed.
 const CODES: [i32; 3] = [126, 127, 137];
 
-/// Runs `once`, and repeats it while it `is_doubtful` whether the machine or the submission ended
-/// it.
+/// Calls `once`, and repeats it while its result `is_doubtful`: the machine may have ended the run.
 ///
 /// # Errors
 /// If the control fails, which is a fault of the machine.

@@ -66,7 +66,7 @@ fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
         // `clone`.
         SYS_clone3,
     ];
-    // Refuses a call if the comparison of one argument, counted from 0, with the number holds.
+    // Refuses a call if the comparison of argument `at`, counted from 0, with the number is true.
     let if_argument = |at, comparison, number| -> Result<_> {
         let condition = SeccompCondition::new(at, SeccompCmpArgLen::Dword, comparison, number)?;
         Ok(vec![SeccompRule::new(vec![condition])?])

@@ -60,14 +60,13 @@ impl Drop for Guard {
     fn drop(&mut self) {
         self.over.store(true, Ordering::Relaxed);
         if let Some(watcher) = self.watcher.take() {
-            // The watcher does not panic. A panic would lose nothing here.
+            // If the watcher has panicked, nothing is lost here.
             let _ = watcher.join();
         }
     }
 }
 
-/// Whether a process can hold more than `limit` bytes, judged by the memory of all processes
-/// together.
+/// Whether some process might hold more than `limit` bytes, judging by the machine's memory in use.
 ///
 /// Reading the memory of each process would take milliseconds of processor time, which would
 /// disturb the timed programs.
@@ -128,7 +127,8 @@ mod tests {
         let mut child = command.spawn().unwrap();
         let own = std::process::id();
         let number = child.id();
-        // Another test's child may hold as little, so only this child is passed on.
+        // The child of another test may hold equally little memory, so only this child is passed
+        // on.
         let offered = || {
             let mut all = all();
             all.retain(|it, process| *it == number || process.parent == number);
@@ -136,7 +136,7 @@ mod tests {
         };
         end_the_greedy(&offered(), own, u64::MAX);
         assert!(child.try_wait().unwrap().is_none(), "it holds little");
-        // A process that has just started may hold no memory that counts, so several checks are
+        // A process that has just started may hold no counted memory yet, so several checks are
         // needed.
         for _ in 0..50 {
             end_the_greedy(&offered(), own, 0);

@@ -1,9 +1,9 @@
 //! Sandbox in which submissions are built and run.
 //!
-//! A submission in it has no network, no home folder, nothing to write to, and limits on its
-//! resources. Bubblewrap makes the sandbox from namespaces. Of the machine it shows only the files
-//! that a compiler and a program need, read-only. Root ignores limits on processes, so a program
-//! never runs as root.
+//! In the sandbox, a submission has no network, no home folder, no file to write to, and limited
+//! resources. Bubblewrap makes the sandbox from namespaces. It shows only those files of the
+//! machine that a compiler and a program need, and makes them read-only. Root ignores limits on
+//! processes, so a program never runs as root.
 
 mod beside;
 pub(crate) mod faults;
@@ -31,9 +31,9 @@ use scratch::Scratch;
 /// Limits of a submission.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
-    /// Longest time of a program.
+    /// Time limit of a program.
     pub(crate) run: Duration,
-    /// Longest time of the compiler, for one submission.
+    /// Time limit of the compiler for one submission.
     pub(crate) build: Duration,
     /// Whether programs may connect to each other through the loopback network, as ranks do.
     pub(crate) loopback: bool,
@@ -180,12 +180,12 @@ impl Sandbox {
     /// Checks that programs can be started in the sandbox now.
     ///
     /// # Errors
-    /// If they cannot. The message gives the reason.
+    /// If programs cannot be started. The message gives the reason.
     pub(crate) fn works(&self) -> Result<()> {
         if self.keeps { self_test::check(self) } else { Ok(()) }
     }
 
-    /// Returns the folder of the temporary folders.
+    /// Returns the folder that contains the temporary folders.
     pub(crate) fn scratch(&self) -> &Path {
         self.scratch.path()
     }
@@ -259,9 +259,8 @@ impl Sandbox {
     /// Returns a sandbox command, with `folder` as `/kit`; append the program and its arguments.
     /// The program may write only the file `written`.
     fn inside(&self, folder: &Path, written: Option<&Path>) -> Command {
-        // Processes are counted by user. The limit is set inside, where only this sandbox's
-        // processes count. If the limit were set outside, one fork bomb would keep every other
-        // submission from starting.
+        // Processes are counted by user. The limit is set inside the sandbox, so that only its own
+        // processes count. Otherwise one fork bomb would keep every other submission from starting.
         let mut command = if getuid().is_root() {
             let mut command = launcher("setpriv");
             command.args(["--reuid", NOBODY, "--regid", NOBODY, "--clear-groups", SHELL]);

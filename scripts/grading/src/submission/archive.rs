@@ -12,8 +12,8 @@ use lzma_rust2::XzReader;
 
 use super::HandedIn;
 
-/// Maximal number of bytes read from an archive. Skipped entries take little time, but they take
-/// some.
+/// Maximal number of bytes read from an archive. Skipped entries count too, because they also take
+/// time.
 const UNPACKED: u64 = 256 << 20;
 const TOO_LARGE: &str =
     "it is larger than 256 MiB: a submission is a lab's src, without the folder target";

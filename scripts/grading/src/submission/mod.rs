@@ -224,7 +224,7 @@ pub(crate) fn holds(kit: &Kit, lab: Lab, path: &Path) -> Result<bool> {
     Ok(read(path)?.labs.contains_key(&lab))
 }
 
-/// Returns the message about a submission without any file with a task, which names a similar file.
+/// Returns the message about a submission that has no file with a task. It names a similar file.
 pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
     let other = left_out
         .iter()

@@ -13,7 +13,7 @@ pub(crate) fn sizes(most: usize) -> Vec<usize> {
     (0..7).rev().map(|halvings| (most >> halvings).max(1)).collect()
 }
 
-/// Returns the numbers of workers: 2, 4, … and all cores. One worker does not scale.
+/// Returns the numbers of workers: 2, 4, … and all cores. A single worker shows no scaling.
 pub(crate) fn workers(cores: usize) -> Vec<usize> {
     doubled_up_to(cores).into_iter().filter(|p| *p > 1).collect()
 }
@@ -58,7 +58,7 @@ pub(crate) fn plan(rubric: &Facts, seed: u64, cores: usize) -> Vec<Run> {
             add(Whose::Serial, SERIAL, each, 1, steps);
             for n in [timed.n, each * p] {
                 add(Whose::Serial, SERIAL, n, 1, steps);
-                // The solution's times beside the submission's show whose the noise is.
+                // If the solution's times are noisy too, the machine causes the noise.
                 add(Whose::Solution, &timed.variant, n, p, steps);
                 add(Whose::Own, &timed.variant, n, p, steps);
             }

@@ -116,7 +116,7 @@ pub(crate) fn take(
     }))
 }
 
-/// Returns the trouble with a program that breaks the rules of a timed run.
+/// Returns the trouble of a program that breaks the rules of a timed run.
 fn wrong(why: &str) -> Result<Taken, Trouble> {
     Err((Outcome::Wrong, why.into()))
 }

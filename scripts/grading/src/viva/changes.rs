@@ -86,7 +86,7 @@ pub(super) fn is_head(line: &str) -> bool {
     line.split_whitespace().take(3).any(|word| word == "fn")
 }
 
-/// Returns all changes of a student's lines: known mistakes if the answer's line is theirs, and
+/// Returns all changes of a student's lines: known mistakes in lines that equal the solution's, and
 /// mutations.
 pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>> {
     let files = answers::read_solution(kit, lab)?;

@@ -1,7 +1,7 @@
 //! Cheats, and their expected results.
 //!
-//! Every cheat is the solution with an addition. So a cheat without full marks lost them by its
-//! addition, and a cheat with full marks gained nothing.
+//! Every cheat is the solution with an addition. So a cheat without full marks lost marks because
+//! of its addition, and a cheat with full marks gained nothing.
 
 use crate::code::{
     BEFORE_MAIN, DEADLOCK, EARLY_ANSWER, ENDLESS_LOOP, ENDLESS_OUTPUT, EXIT, FORGED, FORK_BOMB,

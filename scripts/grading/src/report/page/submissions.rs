@@ -80,7 +80,7 @@ fn given(record: &Record, full: f64) -> Markup {
     }
 }
 
-/// Writes points that a person gave, with the reason; `None` if no person did.
+/// Writes points that a person gave, with the reason; `None` if no person gave points.
 fn hand(record: &Record, task: &str, given: f64) -> Option<Markup> {
     let why = sentences::by_hand(record, Some(task)).join(" ");
     record.is_by_hand(task).then(|| html! { span.hand title=(line(&why)) { (points(given)) } })

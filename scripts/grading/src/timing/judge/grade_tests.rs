@@ -7,7 +7,7 @@ use crate::timing::plan::plan;
 use lab_kit::Facts;
 use lab_kit::facts::Timed;
 
-/// Returns a record whose runs took the times of `seconds`, a function of program, n and workers.
+/// Returns a record of runs that take `seconds`, a function of program, n and workers.
 fn record(rubric: &Facts, cores: usize, seconds: impl Fn(Whose, f64, f64) -> Vec<f64>) -> Record {
     let sample = include_str!("../../../tests/record.json");
     let mut record: Record = serde_json::from_str(sample).unwrap();
@@ -68,7 +68,7 @@ fn to_dawdle_on_small_scenes_makes_no_line_flat() {
 #[test]
 fn to_sleep_on_small_scenes_makes_no_line_flat() {
     // The program is quadratic. On the largest scene it is five times as slow as the solution. On
-    // smaller scenes it sleeps until it is as slow as that.
+    // smaller scenes it sleeps until it is five times as slow, too.
     let rubric = Facts { complexity: timed(64_000), ..Facts::default() };
     let work = |n: f64| 1.5e-10 * n * n;
     let mut record = record(&rubric, 2, |whose, n, _| {

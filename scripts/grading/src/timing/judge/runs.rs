@@ -13,7 +13,7 @@ const QUIET: f64 = 1.06;
 /// program is 25 times as fast as the slowest program that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// Share of its time that a program with a processor works, unless it waits.
+/// Share of its time for which a program with a processor computes at least, unless it waits.
 const MOSTLY: f64 = 0.7;
 /// Seconds in a take above which a pause counts as waiting. Shorter pauses are errors of the clock.
 const LONG: f64 = 0.01;
@@ -95,7 +95,7 @@ pub(crate) fn busy(run: &Run) -> f64 {
     run.processors.filter(|busy| *busy > 0.0).map_or(f64::INFINITY, |busy| busy / wall)
 }
 
-/// Returns the share of its time that a run of one worker computed; `None` unless it waited.
+/// Returns the share of the time in which a run of one worker computed; `None` if it did not wait.
 pub(crate) fn waited(run: &Run) -> Option<f64> {
     let takes = run.seconds.len() as f64;
     let wall = run.seconds.iter().sum::<f64>();
@@ -104,7 +104,8 @@ pub(crate) fn waited(run: &Run) -> Option<f64> {
     (run.outcome == Outcome::Timed && waits).then_some(share)
 }
 
-/// Returns the seconds of a run's shortest take, without start and result; `None` without a take.
+/// Returns the seconds of a run's shortest take, without start and result; `None` if the run is not
+/// valid.
 pub(crate) fn seconds_of(findings: &Findings, run: &Run) -> Option<f64> {
     let timed = run.outcome == Outcome::Timed;
     timed.then(|| net(&findings.runs, run).ok())?.map(|span| span.min)
@@ -136,7 +137,7 @@ fn idle<'r>(runs: &'r [Run], run: &Run) -> Option<&'r Run> {
     all.find(|r| (&r.variant, r.workers) == (&run.variant, run.workers)).or(first)
 }
 
-/// Subtracts one time from another. The result is always positive.
+/// Subtracts one time from another. A difference below a microsecond becomes a microsecond.
 fn less(all: Span, part: Span) -> Span {
     Span::both(|way| (way(&all) - way(&part)).max(1e-6))
 }
