@@ -1,4 +1,4 @@
-//! Repeated takes of the same run, and the rule that decides whether two programs differ.
+//! Repeated timings (takes) of the same run, and the rule that decides whether two programs differ.
 
 use lab_kit::table::three_digits;
 use serde::{Deserialize, Serialize};
@@ -92,18 +92,18 @@ impl Span {
     }
 }
 
-/// Least seconds of a shortest take for a grade.
+/// Least seconds that the shortest take must have for a grade.
 const SHORTEST: f64 = 0.01;
 
 /// Message in place of a grade.
 pub const TOO_SHORT: &str =
     "Too short to grade: take more particles or --steps, and two --rounds or more.";
 
-/// Difference between the grades by the shortest takes and by the medians above which the grade is
+/// Difference between the grades for the shortest takes and for the medians above which a grade is
 /// noisy.
 const NOISE: f64 = 5.0;
 
-/// Whether the times vary too much for this grade, of 100.
+/// Whether the times vary too much for this grade out of 100.
 pub fn is_noisy(grade: Span) -> bool {
     (grade.min - grade.median).abs() > NOISE
 }

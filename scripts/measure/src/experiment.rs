@@ -53,7 +53,7 @@ pub struct Bound {
 pub struct Timings {
     /// Timings in the order of the jobs.
     pub timings: Vec<Timing>,
-    /// Streaming bounds by ascending n, each with one thread and with all threads.
+    /// Streaming bounds in ascending order of n, each with one thread and with all threads.
     pub bounds: Vec<Bound>,
     /// Jobs that were not measured, and the reasons.
     pub left_out: LeftOut,

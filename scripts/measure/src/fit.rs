@@ -33,8 +33,8 @@ pub struct Effort {
 /// The way to choose the numbers of steps, if the user does not set them.
 #[derive(Clone, Copy)]
 pub enum Fit {
-    /// All jobs have the same number of steps. It suits the slowest program, which is tried in the
-    /// first of its jobs.
+    /// All jobs have the same number of steps. The first job of each program is tried, and the
+    /// number suits the slowest program.
     Alike,
     /// Each job has as many steps as its share of the time allows, at most `most`.
     Each {

@@ -18,7 +18,7 @@ pub(crate) const FRAMES: &str = "frames.txt";
 /// Name of the file that a program writes its events to.
 pub(crate) const EVENTS: &str = "events.txt";
 
-/// A program and its task.
+/// A program, its scene, and the settings of its run.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Job {
     /// The program.
@@ -112,7 +112,7 @@ impl Job {
             && self.all_workers() == other.all_workers()
     }
 
-    /// Whether the job is the same run with any number of steps.
+    /// Whether the two jobs differ at most in their numbers of steps.
     pub(crate) fn is_but_for_steps(&self, other: &Self) -> bool {
         Self { steps: other.steps, ..self.clone() } == *other
     }

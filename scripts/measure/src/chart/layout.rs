@@ -20,7 +20,7 @@ pub(super) struct Layout {
     pub(super) legend: u32,
 }
 
-/// Sizes of text, 1.24 times its height in pixels.
+/// Text sizes. A size is 1.24 times the height of the text in pixels.
 ///
 /// No text is displayed less than 12 pixels high. A page scales a figure by 0.91.
 pub(super) struct Sizes {

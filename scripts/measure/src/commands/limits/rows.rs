@@ -25,11 +25,12 @@ const MOVE: f64 = 8.0;
 pub(super) struct Row {
     pub(super) program: Program,
     pub(super) n: usize,
-    /// Nanoseconds per particle and step: measured, by each count, and the least by all counts.
+    /// Measured nanoseconds per particle and step. `bounds` and `least` follow from the counts.
     pub(super) time: f64,
     bounds: Bounds,
     least: f64,
-    /// The least time as a share of the time, and the bound that limits the program.
+    /// The least time as a share of the measured time. `held_by` names the bound that limits the
+    /// program.
     reached: f64,
     held_by: String,
     /// Nanoseconds of streaming a particle once.
@@ -48,13 +49,13 @@ pub(super) struct Shared {
     pub(super) time: f64,
     /// The time of one worker, divided by the number of workers and by the time of this run.
     reached: f64,
-    /// Shares of the time, as means of the workers; `None` if they are not counted.
+    /// Shares of the time, averaged over the workers; `None` if they are not counted.
     waiting: Option<f64>,
     messages: Option<f64>,
 }
 
 impl Row {
-    /// Compares the least times of a program's runs with its counts.
+    /// Compares the shortest takes of a program with the bounds that its counts give.
     pub(super) fn new(
         run: &Counted,
         least: Take,

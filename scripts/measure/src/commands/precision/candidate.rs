@@ -60,7 +60,7 @@ impl Candidate {
 
     /// Makes a job of some official steps on one worker.
     ///
-    /// The first step is always written, then steps at equal intervals, the last step among them.
+    /// The program writes the states after the first and the last step.
     pub(super) fn job(&self, scene: &Arc<Scene>, steps: u64) -> Job {
         let job = Job::new(self.program.clone(), scene::Scene::Given(Arc::clone(scene)));
         Job { steps, every: Some((steps - 1).max(1)), ..job }
@@ -87,9 +87,8 @@ impl Candidate {
         if let Some(counted) = counters.get("force evaluations") {
             return *counted;
         }
-        // An engine with windows touches every particle once in each window. The other counts are
-        // evaluations in groups. A group may be computed beyond the last step, to the end of its
-        // window.
+        // An engine with windows touches every particle once in each window. All further touches
+        // are evaluations in groups, which may be computed beyond the last step.
         let touched = counters.get("particles touched per particle and step");
         if let (Some(touched), Some(windows)) = (touched, counters.get("windows")) {
             return touched * STEPS as f64 - windows;

@@ -113,8 +113,7 @@ impl Results {
         })]
     }
 
-    /// Returns a value between the greatest number of workers that has enough cores and the next
-    /// number.
+    /// Returns a value between the greatest number of workers with a core each and the next number.
     fn beyond_the_cores(&self) -> Option<f64> {
         let within = self.strong().filter(|point| point.graded).map(|point| point.workers).max()?;
         Some(within as f64 * 2_f64.sqrt())

@@ -25,7 +25,7 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Returns every run once. A run that strong and weak scaling share is in the list only once.
+    /// Returns all runs. A run that strong and weak scaling share is in the list only once.
     pub(super) fn jobs(&self) -> Vec<Job> {
         let mut jobs = vec![self.strong_job(&self.serial, 1)];
         jobs.extend(self.weak_job(&self.serial, 1));

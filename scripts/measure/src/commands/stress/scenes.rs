@@ -70,8 +70,8 @@ pub(super) fn very_close() -> Scene {
     scene(1.0, particles)
 }
 
-/// Makes the dense scene with one particle at a speed of a hundred, ten thousand, a million, a
-/// billion.
+/// Makes four dense scenes. One particle is fast: 100, 10,000, a million and a billion in the four
+/// scenes.
 pub(super) fn fast() -> Vec<Scene> {
     let dense = scenes::dense();
     let mut all = Vec::new();
@@ -131,8 +131,8 @@ pub(super) fn walls() -> Scene {
     scene(size, particles)
 }
 
-/// Makes pairs at a cutoff, an ulp less and an ulp more: across every edge and corner of bins, and
-/// on them.
+/// Makes pairs across edges and corners of bins, and on them, whose distances are a cutoff or an
+/// ulp less or more.
 pub(super) fn edges() -> Scene {
     let size = 30.0 * CUTOFF;
     let mut particles = Vec::new();

@@ -58,14 +58,14 @@ impl Cell {
         }
     }
 
-    /// Returns the milliseconds of a step in kernels, by the device's clock; `None` without a
-    /// clock.
+    /// Returns the milliseconds that kernels take in a step, by the device's clock; `None` without
+    /// a clock.
     pub(super) fn kernels(&self) -> Option<f64> {
         Some(1e3 * self.timing.per_step("kernel time [s]")?)
     }
 
-    /// Returns the milliseconds of a step on the device outside its kernels: recording commands,
-    /// copying, waiting.
+    /// Returns the milliseconds that a step takes on the device outside its kernels: recording
+    /// commands, copying, waiting.
     ///
     /// For soft discs this is the whole rest of the step. For hard discs, the rest also includes
     /// the host's computations.
