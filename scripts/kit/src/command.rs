@@ -87,7 +87,7 @@ pub fn finish(result: Result<ExitCode>) -> ExitCode {
     })
 }
 
-/// Makes three panics end the program with at most one line.
+/// Makes three kinds of panics end the program with at most one line.
 ///
 /// `head` and `less` close the pipe early, which is not an error, but `println!` would panic. A
 /// full disk behind standard output and a thread that the system refuses are errors, printed in one

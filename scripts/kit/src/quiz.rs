@@ -123,7 +123,7 @@ fn rendered(quiz: &Quiz, wrong: &Wrong, code: &str) -> String {
 
 /// Returns an answer of a quiz: a fold with the reply to it.
 ///
-/// Of the folds with the same `name` one is open at a time.
+/// Only one of the folds with the same `name` is open at a time.
 pub fn choice(name: &str, says: &str, is_right: bool, reply: &str) -> String {
     let (class, verdict) = if is_right { (" class=\"is-right\"", "Yes") } else { ("", "No") };
     format!(

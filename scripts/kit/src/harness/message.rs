@@ -1,4 +1,4 @@
-//! Orders the output of a test for a student.
+//! Arranges the output of a test for a student.
 //!
 //! The reason and the location of the failure come first. The output of the lab's own code follows.
 

@@ -30,7 +30,7 @@ pub fn own_paths(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
 }
 
-/// Returns the starter as it was given: the copy that the kit keeps, or else made from the
+/// Returns the starter as it was given: the copy that the kit keeps, or else a new one from the
 /// solution.
 pub fn given(kit: &Kit, lab: Lab) -> Result<Files> {
     let kept = kit.starter(lab).join(GIVEN);
@@ -61,7 +61,7 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
         })?;
         files.insert(file.path, text);
     }
-    // Other files than Rust and shaders are copied unchanged.
+    // Files other than Rust sources and shaders are copied unchanged.
     for (path, bytes) in read_below(&folder.join("src"))? {
         files.entry(Path::new("src").join(path)).or_insert_with(|| with_unix_lines(bytes));
     }
