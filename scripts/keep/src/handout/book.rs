@@ -82,7 +82,7 @@ fn is_for(page: &str, labs: &[Lab]) -> bool {
 
 /// Returns the text with its quizzes written out, because the handout has no known-wrong programs.
 ///
-/// A quiz shows much of an answer, so only the quizzes of labs that were `collected` are kept.
+/// A quiz reveals much of an answer, so only quizzes about `collected` labs are kept.
 fn with_quizzes(kit: &Kit, collected: &[Lab], text: &str) -> Result<String> {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {

@@ -85,7 +85,7 @@ fn have_ranks(kit: &Kit, labs: &[Lab]) -> Result<bool> {
     Ok(false)
 }
 
-/// Adds a lab as it is given, whatever is in the instructor's folder of the lab.
+/// Adds a lab's starter, even if the instructor has changed the lab's folder.
 fn starter(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
     let folder = PathBuf::from(format!("labs/lab{lab}"));
     let given = generate(kit, lab)?;
