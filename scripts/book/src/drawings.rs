@@ -38,7 +38,7 @@ fn linked(image: &str, file: &str, folder: &Path) -> String {
     format!("<a class=\"figure\"{style} href=\"{file}\">{image}</a>")
 }
 
-/// Returns the path for the form of a chart for phones: `figures/phone/a.svg` for `figures/a.svg`.
+/// Returns the path of a chart's form for phones: `figures/phone/a.svg` for `figures/a.svg`.
 fn for_phones(file: &str) -> Option<String> {
     let (folder, name) = file.rsplit_once('/')?;
     Some(format!("{folder}/phone/{name}"))

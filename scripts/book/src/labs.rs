@@ -54,7 +54,7 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
     Ok(out)
 }
 
-/// Returns the numbers of the labs with such workers, as `5, 6, 8`.
+/// Returns the numbers of the labs with these workers, as `5, 6, 8`.
 pub(crate) fn labs_with(kit: &Kit, workers: &str) -> Result<String> {
     let workers: Workers = serde_json::from_value(workers.into())?;
     let mut numbers = Vec::new();

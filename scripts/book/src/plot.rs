@@ -1,7 +1,7 @@
 //! A dot plot of the variants' times, on a logarithmic axis.
 //!
 //! Each row is HTML with an SVG of its own, whose positions are percentages, so the plot fits every
-//! width. It needs no script: boxes to check hide rows through the style sheet.
+//! width. It needs no script: check boxes hide rows through the style sheet.
 
 use lab_kit::Lab;
 use lab_kit::facts::Workers;
@@ -73,7 +73,7 @@ pub(crate) fn plot(rows: &[Row]) -> String {
     out + "Point at a row for its numbers. The number before a name is the lab.</figcaption>\n</figure>\n"
 }
 
-/// Returns a box to check for each kind of workers, if there are several.
+/// Returns a check box for each kind of workers, if there are several kinds.
 fn filter(rows: &[&Row]) -> String {
     let kinds = WORKERS.iter().filter(|kind| rows.iter().any(|row| row.workers == kind.0));
     let boxes: Vec<String> = kinds

@@ -70,7 +70,7 @@ pub(crate) fn table(data: &mut Data, discs: &str) -> Result<String> {
     Ok(plot(&rows) + &times + &text)
 }
 
-/// Whether a race of such discs has a variant.
+/// Whether a race of these discs has timed a variant.
 fn is_timed(data: &mut Data, lab: Lab, variant: &str, discs: &str) -> Result<bool> {
     for race in RACES {
         let runs = data.entries(&format!("{race}-{discs}-*.json"))?;
