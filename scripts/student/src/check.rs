@@ -80,7 +80,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Seen {
     source: String,
-    /// Troubles that the check found.
+    /// Problems that the check found.
     pub(crate) troubles: Vec<String>,
 }
 
@@ -97,12 +97,12 @@ fn name(lab: Lab) -> String {
     format!("checks/lab{lab}.json")
 }
 
-/// Troubles found so far.
+/// Problems found so far.
 #[derive(Default)]
 struct Troubles(Vec<String>);
 
 impl Troubles {
-    /// Prints a line about a check, and records its trouble if it has one.
+    /// Prints a line about a check, and records the problem if there is one.
     fn say(&mut self, name: &str, verdict: Result<String, String>) {
         match verdict {
             Ok(well) => print!("{}", folded(&format!("{name:8} well: "), &well)),

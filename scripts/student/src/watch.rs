@@ -17,8 +17,8 @@ use lab_kit::process;
 use lab_kit::progress::can_draw;
 use lab_kit::{Kit, Lab};
 
-/// Interval between two looks at the source. An editor writes a file in several steps, which count
-/// as one change within this time.
+/// Interval between two checks of the source. Within this time, the several steps in which an
+/// editor writes a file count as one change.
 const TOGETHER: Duration = Duration::from_millis(300);
 
 /// Test a lab again whenever you save a file

@@ -6,8 +6,8 @@ use oracle::potential_of_pair;
 
 /// Largest encoded number.
 ///
-/// Positions are integers from 0 to this number across the box. For velocities, half of it means 0,
-/// and all of it the largest component in all frames.
+/// Positions are integers from 0 to this number across the box. For velocities, half of this number
+/// means 0, and the whole number means the largest component in all frames.
 const WHOLE: f64 = 65_534.0;
 
 /// A run in the form that a page needs.
