@@ -11,7 +11,7 @@ use exam::paper::{self, KINDS, POINTS};
 use lab_kit::files::read_text;
 use lab_kit::{Kit, Lab, answers};
 
-/// Returns the labs that the exam asks about: those with prescribed answers.
+/// Returns the labs that the exam asks about: the labs with prescribed answers.
 fn labs() -> (Kit, Vec<Lab>) {
     let kit = Kit::find().unwrap();
     let mut labs = kit.solutions();

@@ -27,7 +27,7 @@ pub fn all(inputs: &mut Inputs) -> BTreeMap<&'static str, Vec<f64>> {
     .collect()
 }
 
-/// Returns the sum of all earlier numbers, for each number.
+/// Returns, for each number, the sum of the numbers before it.
 fn starts(counts: &[usize]) -> Vec<usize> {
     let sum = |sum: &mut usize, count: &usize| Some(std::mem::replace(sum, *sum + count));
     counts.iter().scan(0, sum).collect()
