@@ -1,4 +1,4 @@
-//! Asks a submission the questions of its lab and has its answers judged.
+//! Asks a submission the questions of its lab, and has the judging program judge the answers.
 //!
 //! The program that runs a submission writes answers to a file and contains no right answer. The
 //! grader's own program, which is built from the solution, judges the file.

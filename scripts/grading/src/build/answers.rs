@@ -28,7 +28,7 @@ const KNOWING: [&str; 7] = [
 fn the_program_that_runs_a_submission_knows_no_answer() {
     let kit = Kit::find().unwrap();
     let limit = Duration::from_secs(900);
-    // No foreign code runs here.
+    // This test runs no foreign code.
     let sandbox =
         Sandbox::find(&kit, true, Limits { run: limit, build: limit, loopback: false }).unwrap();
     let tree = Tree::lay(&kit, "1".parse().unwrap(), &sandbox).unwrap();

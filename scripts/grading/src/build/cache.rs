@@ -33,7 +33,7 @@ pub(crate) fn put_into(kept: &Path, tree: &Path) -> Result<()> {
 
 /// Copies the build of a tree into the cache, unless the cache has it already.
 ///
-/// If the grader is killed half-way, it leaves a folder that is never used.
+/// If the grader is killed while it copies, it leaves a folder that is never used.
 pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
     let sources = sources(tree)?;
     if fs::read_to_string(kept.join("sources")).is_ok_and(|kept| kept == sources) {

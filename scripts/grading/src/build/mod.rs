@@ -184,7 +184,8 @@ impl Tree {
         // The tree keeps nothing of the solution.
         put(self.folder.path(), self.lab, &Sources::new(), sandbox)?;
         cache::keep(&cache::of(kit), self.folder.path())?;
-        // The oracle is compiled now. Emptying its sources keeps a submission from including them.
+        // The oracle is compiled now. Its sources are emptied, so that no submission can include
+        // them.
         for path in files_below(&self.folder.path().join("tests"))? {
             if path.extension().is_some_and(|extension| extension == "rs") {
                 File::create(&path)?.set_modified(SystemTime::UNIX_EPOCH)?;

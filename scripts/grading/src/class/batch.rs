@@ -149,7 +149,7 @@ fn judge(
     on_all_cores(open, work).into_iter().filter_map(Result::transpose).collect()
 }
 
-/// Takes one of the trees. There are as many trees as workers.
+/// Takes one of the trees. A tree is always free, because there are as many trees as workers.
 fn taken(trees: &Mutex<Vec<Tree>>) -> Tree {
     trees.lock().expect("popping does not panic").pop().expect("a tree for each worker")
 }

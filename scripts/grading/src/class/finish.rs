@@ -72,8 +72,8 @@ fn time_one(
 
 /// Computes points, writes the pages, and prints a line for each submission.
 ///
-/// Returns failure if a submission could not be graded, or if the marks of one of the kit's
-/// known-wrong solutions differ from its manifest.
+/// Returns failure if a submission could not be graded, or if a known-wrong solution of the kit has
+/// unexpected marks.
 pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<ExitCode> {
     let mut records = record::read_all(into)?;
     for (name, path) in submissions {

@@ -22,10 +22,10 @@ use lab_kit::rubric;
 use lab_kit::sources::Sources;
 use lab_kit::{Given, Kit, Lab};
 
-/// Maximal number of characters kept of a message about a submission or a task.
+/// Maximal number of characters that are kept of a message about a submission or a task.
 const MESSAGE_LENGTH: usize = 4000;
 
-/// Maximal number of characters kept of the output of a task.
+/// Maximal number of characters that are kept of a task's output.
 const PRINTED: usize = 1 << 16;
 
 /// Settings and files for grading all submissions of a lab.
@@ -92,7 +92,7 @@ impl<'a> Grader<'a> {
         })
     }
 
-    /// Returns a record of a submission that was not read yet.
+    /// Makes the record of a submission that has not been read yet.
     fn blank(&self, name: &str) -> Record {
         let found = Findings {
             format: FORMAT,

@@ -50,7 +50,7 @@ pub(crate) struct Findings {
     pub(crate) lab: Lab,
     /// Stage that grading reached.
     pub(crate) status: Status,
-    /// Reason why grading stopped, from the compiler or the unpacking; empty if it did not stop.
+    /// Reason why grading stopped, such as a compiler error; empty if it did not stop.
     pub(crate) message: String,
     /// SHA-256 of all sources taken, with their paths.
     pub(crate) hash: String,
@@ -78,7 +78,7 @@ pub(crate) struct Findings {
 
 /// Marks of a submission, and the decisions that they depend on.
 ///
-/// The decisions come from the class's roster, its clock and its graders.
+/// The decisions come from the class's roster, the clock and people.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub(crate) struct Marked {
@@ -90,9 +90,9 @@ pub(crate) struct Marked {
     pub(crate) late: Option<Lateness>,
     /// Decisions by a person.
     pub(crate) by_hand: Vec<Decision>,
-    /// Whether this submission counts, if its student handed in several.
+    /// Whether this submission determines its student's mark.
     pub(crate) attempt: Attempt,
-    /// Name of the student in the roster; `None` without a roster.
+    /// Name of the student in the roster; `None` if there is no roster.
     pub(crate) student: Option<String>,
     /// Pseudonym that graders see instead of names.
     pub(crate) pseudonym: Option<String>,
@@ -124,7 +124,7 @@ pub(crate) enum Status {
 /// A file that was not taken.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub(crate) struct LeftOut {
-    /// Path of the file, as far as it can be written.
+    /// Path of the file, with replacements for bytes that are not UTF-8.
     pub(crate) path: String,
     /// Reason why it was not taken.
     pub(crate) reason: String,

@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 /// The repeated timings (takes) of one program on scenes of one size.
 ///
-/// The grader's clock times a take from the moment when the program receives the scene until its
-/// last particle has come back.
+/// A take lasts, by the grader's clock, from the sending of the scene until the program's last
+/// particle has arrived.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Run {
     /// Owner of the program.

@@ -32,7 +32,7 @@ struct Words {
     titles: BTreeMap<String, String>,
     /// Path of the lab's chapter; `None` if there is no chapter yet.
     chapter: Option<String>,
-    /// Facts about the lab, among them its kind of workers and the sections of the chapter.
+    /// Facts about the lab, such as its kind of workers and the sections of its chapter.
     facts: Facts,
 }
 

@@ -2,10 +2,10 @@
 //!
 //! The system's memory limits count each process separately, and a submission may have many. So the
 //! grader watches each of its child processes together with all descendants, and kills the whole
-//! group when it holds too much. Three kinds of memory count: resident memory, the buffers of
-//! sockets, and memory of the sandbox outside processes ([`super::beside`]). Other memory is small
-//! or cannot be allocated: pipes have the system's limit (64 MiB for a user, beyond that a page or
-//! two each), and [`super::filter`] refuses the rest.
+//! group when it holds too much memory. Three kinds of memory count: resident memory, the buffers
+//! of sockets, and memory of the sandbox outside processes ([`super::beside`]). Other memory is
+//! small or cannot be allocated: pipes have a limit of the system (64 MiB for a user, then one or
+//! two pages each), and [`super::filter`] refuses the calls that allocate other memory.
 //!
 //! A control group with `memory.max` would count all of this memory. It needs a group that was
 //! delegated to the user who grades. Containers have no such group, and with systemd each program
@@ -29,7 +29,7 @@ const MEMORY_IN_ALL: u64 = 8 << 30;
 /// Interval between two checks.
 const GLANCE: Duration = Duration::from_millis(200);
 
-/// Guard that kills programs with too much memory, until it is dropped.
+/// Guard that kills programs that hold too much memory, until the guard is dropped.
 pub(crate) struct Guard {
     over: Arc<AtomicBool>,
     watcher: Option<JoinHandle<()>>,

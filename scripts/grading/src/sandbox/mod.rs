@@ -39,7 +39,7 @@ pub(crate) struct Limits {
     pub(crate) loopback: bool,
 }
 
-/// Limits of each process of a program, as arguments of `prlimit`.
+/// Limits for each process of a program, as arguments of `prlimit`.
 const PROGRAM: [&str; 5] =
     ["--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256", "--as=4294967296"];
 
@@ -51,8 +51,8 @@ pub(crate) const GIVEN_FILE: u64 = 1 << 30;
 
 /// Bytes that the build of a submission may write.
 ///
-/// This is enough for its sixteen objects, its library, and two programs, each with an object and a
-/// file that describes it.
+/// This is enough for sixteen objects, a library, and two programs. Each program has an object and
+/// a file that describes it.
 pub(crate) const BUILD_QUOTA: u64 = 24 * BUILT_FILE;
 
 /// Size limit of a program's temporary files, in bytes.
@@ -103,14 +103,14 @@ const ENVIRONMENT: [(&str, &str); 8] = [
     ("NODEVICE_SELECT", "1"),
     ("MESA_SHADER_CACHE_DISABLE", "true"),
     ("HWLOC_HIDE_ERRORS", "2"),
-    // The component `x86` would move to each processor to query it, and no program may change its
+    // The component `x86` would query each processor by moving there, but no program may change its
     // processors.
     ("HWLOC_COMPONENTS", "-x86"),
     // Reading another rank's memory needs a right that no rank has here.
     ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),
 ];
 
-/// Sandbox for submissions, or its replacement on a machine where no sandbox can be made.
+/// Sandbox for submissions, or a replacement where the machine allows no sandbox.
 #[derive(Debug)]
 pub(crate) struct Sandbox {
     /// Folder of the compiler.

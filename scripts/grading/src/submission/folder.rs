@@ -34,7 +34,7 @@ pub(crate) fn read(path: &Path) -> Result<HandedIn> {
 
 type Unpack = fn(File) -> Result<HandedIn>;
 
-/// Returns the function that unpacks a file, if its content or name marks it as an archive.
+/// Returns the function that unpacks a file; `None` if the file is no archive by content or name.
 pub(super) fn unpacker(path: &Path) -> Option<Unpack> {
     let is_file = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file());
     let head = is_file.then(|| archive::head(File::open(path).ok()?).ok()).flatten();

@@ -46,8 +46,8 @@ fn is_of_another(lab: Lab, path: &Path) -> bool {
     parts.iter().filter_map(|part| lab_of(part)).any(|of| of != lab)
 }
 
-/// Finds folders `src` that contain a file with a task. If there are several, only those in the
-/// lab's own folder count.
+/// Finds folders `src` that contain a file with a task. If there are several, only folders `src` of
+/// the lab count.
 fn source_folders(lab: Lab, tasks: &BTreeSet<String>, loose: &[&Loose]) -> Vec<String> {
     let mut folders: BTreeMap<String, bool> = BTreeMap::new();
     for (path, _) in loose {

@@ -20,7 +20,7 @@ pub(crate) fn workers(cores: usize) -> Vec<usize> {
 
 /// Returns a rubric with up to a tenth more particles in each measure, in steps of a hundred.
 ///
-/// The seed of a record determines the number, so a program cannot be written for one number alone.
+/// The seed of a record determines the number, so a program cannot be written for one fixed number.
 pub(crate) fn drawn(rubric: &Facts, seed: u64) -> Facts {
     let mut rubric = rubric.clone();
     let more = Random::new(seed).between(1.0, 1.1);
@@ -33,9 +33,9 @@ pub(crate) fn drawn(rubric: &Facts, seed: u64) -> Facts {
 
 /// Returns all runs of a lab's measures, each once.
 ///
-/// Every size has a run of a trusted program, whose result is right by definition, and a run
-/// without steps, which shows the time for making and sending a scene. With ranks, that time also
-/// depends on the number of ranks, so each number of ranks has its own run without steps.
+/// Every size has a run of a trusted program, whose result is right by definition. It also has a
+/// run without steps, which shows the time for making and sending a scene. That time depends on the
+/// number of ranks, so each number of ranks has its own run without steps.
 pub(crate) fn plan(rubric: &Facts, seed: u64, cores: usize) -> Vec<Run> {
     let rubric = drawn(rubric, seed);
     let steps = 40 + seed % 21;

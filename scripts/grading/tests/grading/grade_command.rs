@@ -1,4 +1,4 @@
-//! Runs `cargo lab grade` as an instructor does.
+//! Runs `cargo lab grade` like an instructor.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -36,8 +36,8 @@ pub(crate) fn grade(class: &Class, into: &Path, options: &[&str]) -> Command {
     grade_as_it_is(class, into, options)
 }
 
-/// Compiles the dependencies of the quick tests' lab once, so that tests do not do it at the same
-/// time.
+/// Compiles the dependencies of the quick tests' lab once, so that tests do not compile them at the
+/// same time.
 pub(crate) fn compile_what_all_need() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
@@ -56,7 +56,7 @@ fn grade_as_it_is(class: &Class, into: &Path, options: &[&str]) -> Command {
         .args(options)
         .arg(class.folder())
         .env(SECRET.0, SECRET.1)
-        // A killed command leaves its files here, and they are removed with the class.
+        // A killed command leaves its files in this folder, which is removed with the class.
         .env("TMPDIR", class.temporary())
         .process_group(0);
     command

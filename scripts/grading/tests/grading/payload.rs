@@ -172,7 +172,7 @@ fn memories() {
     call("syscall(312, 1, 1, 1, 0, 0)");
 }
 
-/// Checks that the judging program is not here, and that this program contains no right answer.
+/// Checks that the judging program is not visible, and that this program contains no right answer.
 fn answers() {
     must_fail("the program that judges", fs::read("/kit/judge"));
     let own = fs::read("/proc/self/exe").unwrap_or_default();

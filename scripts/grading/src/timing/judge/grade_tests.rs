@@ -57,8 +57,8 @@ fn the_slope_decides() {
 
 #[test]
 fn to_dawdle_on_small_scenes_makes_no_line_flat() {
-    // The program computes all pairs. On small scenes it waits until it has taken as long as on the
-    // largest scene.
+    // The program computes all pairs. On small scenes it waits until it has taken four seconds, as
+    // on the largest scene.
     let (grade, words) = complexity(|n| (1e-9 * n * n).max(4.0));
     assert!(grade.unwrap() < 30.0 && words.contains("begins at the solution's"), "{words}");
     let (grade, _) = complexity(|n| 2e-6 * n + 1.0);

@@ -9,11 +9,11 @@ use lab_measure::clock::{Span, Times};
 /// change a grade.
 const QUIET: f64 = 1.06;
 
-/// Greatest possible ratio of the speeds of two programs on as many processors. The kit's fastest
-/// program is 25 times as fast as the slowest program that is timed.
+/// Greatest possible ratio of the speeds of two programs on equally many processors. The kit's
+/// fastest program is 25 times as fast as the slowest program that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// Share of its time for which a program with a processor computes at least, unless it waits.
+/// Smallest share of its time that a program on a free processor computes, unless it waits.
 const MOSTLY: f64 = 0.7;
 /// Seconds in a take above which a pause counts as waiting. Shorter pauses are errors of the clock.
 const LONG: f64 = 0.01;
@@ -53,7 +53,7 @@ impl<'r> Runs<'r> {
         let same = |r: &&Run| r.whose != Whose::Own && (r.n, r.steps) == (run.n, run.steps);
         for trusted in self.all.iter().filter(same) {
             let shortest = span(run).map_or(f64::INFINITY, |span| span.min);
-            // The time for making the scene is subtracted, so this much work is certain.
+            // The time for making the scene is subtracted, so the program needs at least this work.
             let work = net(self.all, trusted)?.min * trusted.workers as f64;
             if shortest * run.workers as f64 * IMPOSSIBLE < work {
                 let why = format!(
@@ -67,7 +67,7 @@ impl<'r> Runs<'r> {
         Ok(run)
     }
 
-    /// Returns a program's seconds.
+    /// Returns the seconds of the run with this program, size and number of workers.
     pub(crate) fn time(&self, whose: Whose, n: usize, workers: usize) -> Result<Span, Without> {
         self.seconds(self.find(whose, n, workers)?)
     }
@@ -111,7 +111,7 @@ pub(crate) fn seconds_of(findings: &Findings, run: &Run) -> Option<f64> {
     timed.then(|| net(&findings.runs, run).ok())?.map(|span| span.min)
 }
 
-/// Returns the measured seconds of a run; `None` without a take.
+/// Returns the measured seconds of a run; `None` if it has no take.
 fn span(run: &Run) -> Option<Span> {
     Times::of(run.seconds.clone()).map(|times| times.span(1.0))
 }
