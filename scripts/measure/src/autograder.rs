@@ -33,8 +33,8 @@ pub fn complexity_grade(slope: f64) -> f64 {
     }
 }
 
-/// Returns the strong efficiency: the speed of all workers as a share of `workers` times the speed
-/// of one.
+/// Returns the strong efficiency: the speed of all workers divided by `workers` times the speed of
+/// one worker.
 ///
 /// The arguments are the seconds of one worker and of all workers on the same scene.
 pub fn strong_efficiency(one: f64, workers: usize, all: f64) -> f64 {

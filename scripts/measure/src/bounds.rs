@@ -9,7 +9,7 @@ use crate::cachegrind::{Caches, Counts};
 /// Bytes of a cache line.
 const LINE: f64 = 64.0;
 
-/// Bytes of a particle that the streaming bound reads; it writes as many.
+/// Bytes that the streaming bound reads for each particle. It writes the same number of bytes.
 const STREAMED: f64 = 32.0;
 
 /// Share of a program's time below which a bound explains nothing.
@@ -31,7 +31,7 @@ pub struct Costs {
 /// Nanoseconds per particle and step that the counts of a program allow.
 #[derive(Clone, Copy, Deserialize, Serialize)]
 pub struct Bounds {
-    /// Time of the instructions, if the core runs as many at once as it can.
+    /// Time of the instructions at the core's greatest rate.
     pub instructions: f64,
     /// Time of the branches that a simple predictor mispredicts.
     pub branches: f64,

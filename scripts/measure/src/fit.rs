@@ -119,8 +119,8 @@ impl Effort {
         Ok(Fitted { jobs: tried.into_iter().map(|tried| tried.job).collect(), left_out })
     }
 
-    /// Tries a job, even if its steps are given, because a device shows a refusal only when it
-    /// runs.
+    /// Tries a job, even if its number of steps is given, because a device refuses a job only when
+    /// it runs.
     fn try_out(&self, runner: &Runner, job: Job, share: f64, most: u64) -> Result<TriedOut> {
         let Some(steps) = self.steps else { return calibrated(runner, job, share, most) };
         if job.program.workers == Workers::Device {

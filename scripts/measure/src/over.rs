@@ -144,7 +144,7 @@ impl Varied {
         job
     }
 
-    /// Returns the value in the job; NaN if the job has no such quantity.
+    /// Returns the value in the job; NaN if the job does not have the quantity.
     pub fn of(&self, job: &Job) -> f64 {
         match (self, &job.scene) {
             (Self::N, scene) => scene.n() as f64,

@@ -55,7 +55,7 @@ pub struct Scaling {
     weak: Vec<(usize, f64)>,
 }
 
-/// CS3210's measurements of a program of hard discs, in addition to its growth and its scaling.
+/// The CS3210 report's measurements of a program, in addition to its growth and its scaling.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Swept {

@@ -92,8 +92,8 @@ impl Runner {
     /// Runs a command to its end and returns its output.
     ///
     /// # Errors
-    /// The command does not start, takes too long, or fails. If it fails, the error is its own
-    /// message.
+    /// The command does not start, takes too long, or fails. If it fails, the error is the
+    /// command's own message.
     pub fn words(&self, command: &mut Command, name: &str) -> Result<String> {
         let done = process::run(command, self.limit);
         let done = done.with_context(|| format!("{name} did not start"))?;

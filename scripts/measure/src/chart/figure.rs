@@ -43,7 +43,7 @@ pub struct Series {
 pub enum Kind {
     /// Measurements: a full line with filled marks.
     Measured,
-    /// Measurements without an order: filled marks alone.
+    /// Measurements without an order: filled marks only.
     Apart,
     /// Measurements that are shown only for comparison: grey marks.
     Behind,

@@ -38,7 +38,7 @@ impl Form {
         }
     }
 
-    /// Returns the height of the plot of a chart in a row of `charts` charts.
+    /// Returns the height of a plot in a row of `charts` charts.
     fn plot(self, charts: usize) -> u32 {
         match self {
             Self::Page if charts == 1 => 460,

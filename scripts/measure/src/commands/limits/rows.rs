@@ -105,7 +105,7 @@ fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
 impl Shared {
     fn new(runner: &Runner, run: &Counted, time: f64, alone: f64) -> Result<Self> {
         let job = run.job(machine::cores(), run.after + run.row.job.steps);
-        // Ranks report their waiting if they record events, and not all programs can.
+        // Ranks report their waiting only if they record events, which not all programs can do.
         let recorded = job.program.has_ranks().then(|| Job { events: true, ..job.clone() });
         let recorded = recorded.and_then(|job| runner.run(&job).ok());
         let output = recorded.map_or_else(|| runner.run(&job), Ok)?;

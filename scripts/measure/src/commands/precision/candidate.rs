@@ -21,7 +21,7 @@ pub(super) const STEPS: u64 = 100;
 /// Number of official steps until the energy is measured.
 const LATE: u64 = 2000;
 
-/// Finest division for which the energy is measured. A finer one would take minutes.
+/// Finest division for which the energy is measured. A finer division would take minutes.
 const MOST_DIVIDED: u32 = 10;
 
 /// Number of particles in the scene whose energy is measured.
@@ -97,8 +97,8 @@ impl Candidate {
         STEPS as f64 * f64::from(self.divide)
     }
 
-    /// Measures the greatest relative change of energy until t = 1, over seeds 1, 2, …; `None`
-    /// without seeds.
+    /// Measures the greatest relative change of energy until t = 1, over seeds 1, 2, …; `None` if
+    /// there are no seeds.
     pub(super) fn drift(&self, runner: &Runner, seeds: u32) -> Result<Option<f64>> {
         let mut greatest: Option<f64> = None;
         for seed in (1..=seeds).take_while(|_| self.divide <= MOST_DIVIDED) {

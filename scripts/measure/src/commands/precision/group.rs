@@ -27,7 +27,8 @@ pub(crate) struct Point {
     pub(super) energy_drift: Option<f64>,
     /// Whether the point is on the Pareto front.
     ///
-    /// No other point is then as good in seconds and error, and better in one of them.
+    /// For such a point, no other point is at least equal in seconds and error and better in one of
+    /// them.
     pub(super) on_front: bool,
 }
 

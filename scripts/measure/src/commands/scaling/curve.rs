@@ -50,7 +50,8 @@ pub(super) struct Runs<'m> {
 
 /// A function that computes an efficiency.
 ///
-/// Its arguments are the seconds of one worker, the number of workers, and the seconds of all.
+/// Its arguments are the seconds of one worker, the number of workers, and the seconds of all
+/// workers.
 type Efficiency = fn(f64, usize, f64) -> f64;
 
 impl Curve {

@@ -83,8 +83,8 @@ impl Results {
 
     /// Separates the curves with a name from the others.
     ///
-    /// A reader cannot distinguish more than a few lines. If there are many, those with less than
-    /// half the best efficiency have no name.
+    /// A reader cannot distinguish more than a few lines. If there are many lines, lines with less
+    /// than half the best efficiency have no name.
     fn named_and_crowd(&self) -> (Vec<&Curve>, Vec<&Curve>) {
         const MOST_NAMES: usize = 6;
         let efficiencies = self.curves.iter().filter_map(|curve| curve.average_strong_efficiency);

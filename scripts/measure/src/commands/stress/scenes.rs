@@ -39,7 +39,7 @@ pub(super) fn head_on(phases: u32) -> Scene {
 ///
 /// They are at rest or move together, so there is no force.
 ///
-/// Other pairs are an ulp, or much less, apart.
+/// Further pairs are an ulp or less apart.
 pub(super) fn one_position() -> Scene {
     let mut particles = Vec::new();
     for (k, count) in [2, 3, 10].into_iter().enumerate() {
@@ -159,7 +159,7 @@ pub(super) fn edges() -> Scene {
 
 /// Makes the same twenty-five particles, slightly too close together, in two boxes.
 ///
-/// One box has side `size`, with the particles near its far corner; the other box is small.
+/// One box has side `size`, with the particles near its far corner; the second box is small.
 pub(super) fn shifted(size: f64) -> Vec<Scene> {
     let small = 0.5;
     // The particles are far from the walls of both boxes.
