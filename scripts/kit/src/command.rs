@@ -1,4 +1,4 @@
-//! Commands of the kit: the packages that contain them, their start and their exit codes.
+//! Commands of the kit: finds the packages that contain them, starts them, and sets exit codes.
 //!
 //! A package in scripts/ declares its commands in its manifest, so that all commands are known
 //! without building any package:

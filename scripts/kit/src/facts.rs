@@ -70,13 +70,13 @@ pub struct Facts {
     /// Points for an entry in the contest, in addition to the tasks' points.
     #[serde(default, rename = "goal")]
     pub goals: Vec<Goal>,
-    /// Text about the work that grading does not judge, with advice for the instructor; `None` if
-    /// it judges everything.
+    /// Text about work that is not graded, with advice for the instructor; `None` if all work is
+    /// graded.
     pub ungraded: Option<String>,
     /// Loops that `cargo lab speed` times.
     #[serde(default, rename = "race")]
     pub races: Vec<Race>,
-    /// Facts of the lab's variants, for the comparison of all variants.
+    /// Facts about the lab's variants, for the book's tables that compare all variants.
     #[serde(default, rename = "variant")]
     pub variants: Vec<VariantFacts>,
 }
@@ -91,7 +91,7 @@ pub struct TaskFacts {
     /// Points for the task. It earns them if all answers to its questions (tests/labN.rs) are
     /// right.
     pub points: f64,
-    /// Share of the points that a wrong task can still earn, 0 to 1, in proportion to the right
+    /// Largest share of the points, 0 to 1, that a wrong task can earn, in proportion to its right
     /// answers.
     #[serde(default)]
     pub partial: f64,
@@ -127,7 +127,7 @@ pub struct Timed {
 pub struct Goal {
     /// Program of the engine, which is one of the contest's landmarks.
     pub beats: String,
-    /// Points, in addition to those of other goals.
+    /// Points, which are added to the points of other goals.
     pub points: f64,
 }
 
@@ -165,7 +165,7 @@ pub struct VariantFacts {
     pub task: Option<String>,
     /// Accuracy of the variant's results, compared with the naive program's.
     pub error: String,
-    /// Whether the variant uses one thread, for any number of workers.
+    /// Whether the variant uses only one thread, whatever the number of workers.
     #[serde(default)]
     pub serial: bool,
     /// Distribution of the variant's work among the workers.

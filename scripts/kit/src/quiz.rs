@@ -60,7 +60,7 @@ pub fn marked(words: &str) -> Result<(Lab, &str)> {
 /// Returns `None` if the kit has no known-wrong programs of this lab. A class's kit has none.
 ///
 /// # Errors
-/// If the lab has no such quiz, or if the quiz does not fit its program.
+/// If the lab has no quiz about this program, or if the quiz does not fit the program.
 pub fn markdown(kit: &Kit, lab: Lab, program: &str) -> Result<Option<String>> {
     let all = wrong::read(kit, lab)?;
     if all.is_empty() {

@@ -48,7 +48,7 @@ pub struct Wrong {
     pub fails: Vec<String>,
     /// Tests that must pass with this answer, if it is right.
     pub passes: Vec<String>,
-    /// Other tasks that cannot be asked without this one, and lose their marks with it.
+    /// Other tasks that lose their marks too, because their questions need this task.
     pub loses: Vec<Task>,
     /// Description of the mistake, or of the unusual idea.
     pub story: String,
