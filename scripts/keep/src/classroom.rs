@@ -27,7 +27,7 @@ pub struct Options {
 /// Classroom 50 allows.
 const BUILD: u64 = 600;
 
-/// Seconds for the tests of a task. Each test that hangs is ended much sooner.
+/// Seconds for the tests of a task. A test that hangs is stopped much sooner.
 const TASK: u64 = 300;
 
 /// Prints the tests.

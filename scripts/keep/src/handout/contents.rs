@@ -56,7 +56,7 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab], earlier: Earlier) -> Result<Files>
     // The lock file is copied as a whole; cargo removes the packages that the handout does not
     // need.
     add(kit, &mut files, &kit.path("Cargo.lock"))?;
-    // The measuring commands show its numbers with their measurements.
+    // The measuring commands show the published numbers beside their measurements.
     add(kit, &mut files, &kit.path("book/published.toml"))?;
     // `cargo lab contest` shows the kit's engines.
     add(kit, &mut files, &kit.path("book/data/lab14-landmarks.json"))?;

@@ -77,7 +77,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 pub struct Laid {
     /// The files that were written or removed.
     pub changed: Vec<PathBuf>,
-    /// The files that somebody has edited, which were left alone.
+    /// The files that the command did not change, because somebody has edited them.
     pub edited: Vec<PathBuf>,
 }
 
