@@ -44,7 +44,7 @@ fn for_phones(file: &str) -> Option<String> {
     Some(format!("{folder}/phone/{name}"))
 }
 
-/// Returns a `<picture>` with the image on a page and the other file on a phone.
+/// Returns a `<picture>` that shows the image on a page and the file `phone` on a phone.
 fn on_either(image: &str, phone: &str) -> String {
     format!("<picture><source media=\"(max-width: 600px)\" srcset=\"{phone}\">{image}</picture>")
 }
@@ -58,7 +58,7 @@ fn legible(svg: &str) -> Option<f64> {
     Some((LEAST_TEXT * width / least).ceil())
 }
 
-/// Returns the numbers behind a name, in attributes and in style sheets.
+/// Returns the numbers that follow a name in attributes and style sheets.
 fn numbers(svg: &str, name: &'static str) -> impl Iterator<Item = f64> {
     let values = svg.split(name).skip(1).map(|rest| rest.trim_start_matches(['=', ':', '"', ' ']));
     let digits = |value: &str| value.find(|c: char| c != '.' && !c.is_ascii_digit());

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-/// The kinds of figures, by their first tag, and the scripts that they need.
+/// The first tag of each kind of figure, and the scripts that such a figure needs.
 const FIGURES: [(&str, &[&str]); 2] =
     [("<figure class=\"live\"", &BOXES), ("<figure class=\"steps\"", &["pictures", "steps"])];
 

@@ -1,7 +1,7 @@
 //! Texts about labs, made from their facts.
 //!
-//! They are the opening of a chapter, the table of all labs, and the points of every task and
-//! measurement.
+//! They are the opening of each chapter, the table of labs, and the list of points for tasks and
+//! measurements.
 
 use anyhow::Result;
 
@@ -39,7 +39,7 @@ pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
     Ok(out + "\n</details>\n")
 }
 
-/// Returns a table with a row for each lab: its time, its size and its needs.
+/// Returns a table with each lab's time, size and needed software.
 pub(crate) fn labs(kit: &Kit) -> Result<String> {
     let mut out = String::from(
         "| lab | title | time and needs | tasks | known-wrong answers |\n|---|---|---|---|---|\n",

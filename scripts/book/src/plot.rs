@@ -127,7 +127,7 @@ struct Axis {
 }
 
 impl Axis {
-    /// Returns the shortest axis with all these numbers; `None` without a number.
+    /// Returns the shortest axis that contains all these numbers; `None` if there are no numbers.
     fn of(numbers: impl Iterator<Item = f64>) -> Option<Self> {
         let powers: Vec<f64> = numbers.map(f64::log10).collect();
         let first = powers.iter().copied().min_by(f64::total_cmp)?.floor();

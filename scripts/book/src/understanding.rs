@@ -56,7 +56,7 @@ pub(crate) fn folded(file: &Path, text: &str, with_answers: bool) -> Result<Stri
 
 /// A part of the section.
 enum Block<'a> {
-    /// Lines of a question: its number, and what is indented below it.
+    /// Lines of a question: the line with its number, and the indented lines below it.
     Question(Vec<&'a str>),
     /// A line of other text.
     Line(&'a str),
