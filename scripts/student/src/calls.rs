@@ -18,7 +18,7 @@ both. Behind a call stand its file and line.
 
 /// A call, as `labs/common-mpi` records it.
 struct Call {
-    /// Number of a collective call, equal on all ranks; 0 for a call of this rank alone.
+    /// Number of a collective call, equal on all ranks; 0 for a call that is not collective.
     number: u64,
     name: String,
     /// The other rank; negative if there is none, or if it is any rank.

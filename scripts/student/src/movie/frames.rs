@@ -60,8 +60,7 @@ pub(super) fn soft(text: &str) -> Result<Movie> {
     Ok(movie)
 }
 
-/// Reads the output of a lab of hard discs in a square of side `size`, and keeps every `every`-th
-/// step.
+/// Reads the output of a lab of hard discs in a square of side `size`. Keeps one of `every` steps.
 ///
 /// The output consists of lines `t i x y vx vy`, and at the end of lines with counts.
 pub(super) fn hard(text: &str, size: f64, every: u32) -> Result<Movie> {
