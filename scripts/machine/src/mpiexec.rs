@@ -31,7 +31,7 @@ pub struct NoMpiexec {
 }
 
 impl Mpiexec {
-    /// Finds the launcher: the one that `MPIEXEC` names, or else one beside the compiler, or else
+    /// Finds the launcher that `MPIEXEC` names, or else a launcher beside the compiler, or else
     /// `mpiexec`.
     ///
     /// `MPICC` names the compiler that the labs were built with. The launcher and the compiler must

@@ -52,10 +52,10 @@ fn line(n: usize, step: f64) -> Vec<f64> {
     (0..n).map(|i| i as f64 * step).collect()
 }
 
-/// Measures the nanoseconds per particle for reading and writing x, y, vx and vy in place, in one
-/// take.
+/// Times once how long reading and writing x, y, vx and vy in place takes, in nanoseconds per
+/// particle.
 ///
-/// There are `n` particles.
+/// All threads together have `n` particles.
 ///
 /// Each of the `threads` threads has an equal share of the particles.
 pub fn nanoseconds(n: usize, threads: usize) -> f64 {
