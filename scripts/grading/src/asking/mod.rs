@@ -26,9 +26,9 @@ use question_list::Question;
 /// Message for a program that was killed, by the grader or by the system.
 const KILLED: &str = "it was ended, because it needed more memory than a submission is allowed";
 
-/// Number of printed bytes from which on printing is given as the reason for a missing answer.
+/// Number of printed bytes above which a missing answer is blamed on the printing.
 const MUCH: usize = 1 << 19;
-/// Message about a program that printed [`MUCH`] bytes or more.
+/// Message about a program that printed so many bytes that it did not answer.
 const PRINTS: &str = "it prints too much: remove the output for each particle or pair";
 
 /// Message for a task whose questions all need another task that is wrong.

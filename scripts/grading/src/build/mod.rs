@@ -298,7 +298,7 @@ fn strip(root: &Path, lab: Lab) -> Result<()> {
             fs::remove_file(path)?;
         }
     }
-    // The package has this target while a submission's sources are replaced.
+    // While a submission's sources are replaced, the package has only this target.
     write_file(&root.join(format!("labs/lab{lab}/tests/none.rs")), "")
 }
 

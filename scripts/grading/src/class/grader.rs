@@ -69,7 +69,7 @@ impl<'a> Grader<'a> {
         submission::take(self.kit, self.lab, &self.given, path)
     }
 
-    /// Returns a random seed, so that knowing one submission's questions does not help another.
+    /// Returns a random seed, so that one student's questions do not help another student.
     fn seed(&self) -> u64 {
         self.seed.unwrap_or_else(|| RandomState::new().hash_one(()))
     }

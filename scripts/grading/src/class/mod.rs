@@ -1,8 +1,8 @@
 //! `cargo lab grade`: grades a class by running its programs.
 //!
 //! [`grader`] judges the tasks of one submission. [`batch`] judges all submissions, several at a
-//! time, and continues after an interruption. Then [`finish`] takes times, alone on the machine,
-//! and writes the pages.
+//! time, and continues after an interruption. Then [`finish`] times the submissions while nothing
+//! else runs, and writes the pages.
 
 mod batch;
 mod finish;

@@ -52,11 +52,11 @@ pub(crate) struct Findings {
     pub(crate) status: Status,
     /// Reason why grading stopped, such as a compiler error; empty if it did not stop.
     pub(crate) message: String,
-    /// SHA-256 of all sources taken, with their paths.
+    /// SHA-256 of all accepted sources, with their paths.
     pub(crate) hash: String,
-    /// SHA-256 of each source taken, by its path below the lab's folder.
+    /// SHA-256 of each accepted source, by its path below the lab's folder.
     pub(crate) files: BTreeMap<String, String>,
-    /// Files that were not taken, with the reasons.
+    /// Files that were not accepted, with the reasons.
     pub(crate) left_out: Vec<LeftOut>,
     /// Given files that the student changed. The kit's own versions were compiled.
     pub(crate) changed: Vec<String>,
@@ -121,12 +121,12 @@ pub(crate) enum Status {
     Graded,
 }
 
-/// A file that was not taken.
+/// A file that was not accepted.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub(crate) struct LeftOut {
     /// Path of the file, with replacements for bytes that are not UTF-8.
     pub(crate) path: String,
-    /// Reason why it was not taken.
+    /// Reason why the file was not accepted.
     pub(crate) reason: String,
 }
 

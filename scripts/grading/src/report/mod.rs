@@ -38,8 +38,8 @@ struct Words {
 
 /// Writes all reports into `folder`.
 ///
-/// These are `index.html`, `class.csv`, `feedback/NAME.md`, `gradescope/NAME.json`, with a roster
-/// `marks.csv`, and after an export from Moodle `moodle-feedback.zip`.
+/// These are `index.html`, `class.csv`, `feedback/NAME.md` and `gradescope/NAME.json`. A roster
+/// adds `marks.csv`, and an export from Moodle adds `moodle-feedback.zip`.
 pub(crate) fn write(
     kit: &Kit,
     lab: Lab,

@@ -225,7 +225,7 @@ impl<'a> Join<'a> {
     }
 }
 
-/// Finds the student of the roster for a student of Gradescope's file.
+/// Finds the roster's entry for a student in Gradescope's file.
 fn the_member(students: &[Student], member: &Member) -> Option<usize> {
     member.keys.iter().find_map(|key| the_one(students, key))
 }

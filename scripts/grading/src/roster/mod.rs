@@ -64,7 +64,7 @@ pub(crate) struct ClassFile {
 /// Names of the two files about submissions: the instructor's and Gradescope's.
 pub(crate) const FILES: [&str; 2] = [FILE, export::FILE];
 
-/// Links one of [`FILES`] beside the submissions into a folder of records.
+/// Makes a link in a folder of records to one of the [`FILES`] beside the submissions.
 ///
 /// # Errors
 /// If the folder has a different file of that name.

@@ -118,7 +118,7 @@ impl Roster {
                 NAME_PARTS.iter().find_map(|(first, last)| Some([cell(first)?, cell(last)?]));
             let name = parts.map_or(full_name, |parts| parts.join(" "));
             let own = cell(id).unwrap_or_default();
-            // Canvas has rows about the columns.
+            // Canvas adds rows that describe the columns.
             if self.form == Form::Canvas && (own.is_empty() || name == TEST_STUDENT) {
                 continue;
             }

@@ -256,8 +256,8 @@ impl Sandbox {
         command
     }
 
-    /// Returns a sandbox command, with `folder` as `/kit`; append the program and its arguments.
-    /// The program may write only the file `written`.
+    /// Returns a command that starts the sandbox, with `folder` as `/kit`. The caller appends a
+    /// program and its arguments. The program may write only the file `written`.
     fn inside(&self, folder: &Path, written: Option<&Path>) -> Command {
         // Processes are counted by user. The limit is set inside the sandbox, so that only its own
         // processes count. Otherwise one fork bomb would keep every other submission from starting.

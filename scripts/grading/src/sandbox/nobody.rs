@@ -12,7 +12,7 @@ use rustix::process::getuid;
 
 use super::{ENVIRONMENT, NOBODY, PATH, PROGRAM, launcher};
 
-/// Shell script that gives a tree to nobody and then runs the remaining arguments.
+/// Shell script that gives a tree to the user nobody and then runs the remaining arguments.
 const OWN: &str = "chown -R \"$1:$1\" \"$2\" && shift 2 && exec \"$@\"";
 
 /// Whether the user nobody can run the compiler in `sysroot` and read the sources in `cargo_home`.
@@ -32,7 +32,7 @@ pub(super) fn program(path: &Path) -> Command {
     command
 }
 
-/// Returns a command that gives `tree` to nobody and runs Cargo there as nobody.
+/// Returns a command that gives `tree` to the user nobody and runs Cargo there as this user.
 pub(super) fn cargo(sysroot: &Path, cargo_home: &Path, tree: &Path) -> Command {
     let programs = sysroot.join("bin");
     let mut command = launcher("sh");

@@ -15,7 +15,7 @@ use super::{HandedIn, NAMED, archive};
 /// files.
 ///
 /// # Errors
-/// If it is neither, is damaged, or is larger than any submission.
+/// If the file is neither, is damaged, or is too large for a submission.
 pub(crate) fn read(path: &Path) -> Result<HandedIn> {
     let metadata = fs::symlink_metadata(path);
     let metadata = metadata.with_context(|| format!("cannot read {}", path.display()))?;

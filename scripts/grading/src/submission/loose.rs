@@ -86,7 +86,7 @@ impl Found {
         }
     }
 
-    /// Adds files with the names of files with tasks, and the files beside them.
+    /// Adds files that have the name of a file with a task, and the files beside them.
     fn by_name(&mut self, tasks: &BTreeSet<String>, loose: &[&Loose]) {
         for task in tasks {
             let name = Path::new(task).file_name();

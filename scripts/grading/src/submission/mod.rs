@@ -40,7 +40,7 @@ pub(crate) struct HandedIn {
     /// Files in other folders that may be sources. They are left out too, unless they are the lab's
     /// only files.
     loose: Vec<Loose>,
-    /// Archives within this one.
+    /// Archives inside this archive.
     archives: Vec<Vec<u8>>,
 }
 

@@ -8,7 +8,7 @@ use oracle::Random;
 /// Name of the best serial program, which is lab 2's.
 pub(crate) const SERIAL: &str = "sorted";
 
-/// Returns the sizes of a complexity measure, doubled up to `most`, over a factor of 64.
+/// Returns the seven sizes of a complexity measure, each twice the previous size, up to `most`.
 pub(crate) fn sizes(most: usize) -> Vec<usize> {
     (0..7).rev().map(|halvings| (most >> halvings).max(1)).collect()
 }

@@ -98,8 +98,8 @@ pub(crate) fn complaints(class: &Class, into: &Path) -> Vec<String> {
     complaints.collect()
 }
 
-/// Runs the command, and kills only this command as soon as `enough` is true. Returns false without
-/// a sandbox.
+/// Runs the command, and kills only this command as soon as `enough` is true. Returns false if
+/// there is no sandbox.
 pub(crate) fn kill_when(mut command: Command, enough: impl Fn() -> bool) -> bool {
     let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
     while !enough() {
@@ -117,7 +117,7 @@ pub(crate) fn kill_when(mut command: Command, enough: impl Fn() -> bool) -> bool
     true
 }
 
-/// Runs the command, which must succeed. Returns false without a sandbox.
+/// Runs the command, which must succeed. Returns false if there is no sandbox.
 pub(crate) fn run(mut command: Command) -> bool {
     let output = command.output().unwrap();
     let message = String::from_utf8_lossy(&output.stderr);

@@ -71,7 +71,7 @@ fn sockets() {
     must_fail("a connection to itself", TcpListener::bind("127.0.0.1:0"));
 }
 
-/// Checks that the processes of the grader's user are not visible, nor their data.
+/// Checks that neither the processes of the grader's user nor their data are visible.
 fn parents() {
     let processes = fs::read_dir("/proc").into_iter().flatten().flatten();
     for process in processes {

@@ -8,7 +8,7 @@ use crate::record::Record;
 use crate::report::Words;
 use lab_kit::escape::{cut, line};
 
-/// Maximal number of characters shown of a message.
+/// Maximal number of characters of a message that are shown.
 const SHOWN: usize = 200;
 
 /// Number of bars in the histogram.

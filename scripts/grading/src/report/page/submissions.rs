@@ -65,7 +65,7 @@ fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
     }
 }
 
-/// Writes the points, the open points, and the days late.
+/// Writes the points, the points that are still open, and the days late.
 fn given(record: &Record, full: f64) -> Markup {
     let open = full - record.worth(Measure::counts);
     html! {

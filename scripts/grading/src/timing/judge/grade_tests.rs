@@ -134,7 +134,7 @@ fn one_worker_at_work_does_not_scale() {
         run.processors = Some(1.05 * run.seconds.iter().sum::<f64>());
     }
     assert_eq!(grade_of_scaling(&record).1, Some(0.0));
-    // Other work on the machine: the solution's workers got little more than one processor.
+    // The machine does other work, so the solution's workers get little more than one processor.
     for run in record.found.runs.iter_mut().filter(|run| run.whose == Whose::Solution) {
         run.processors = Some(1.15 * run.seconds.iter().sum::<f64>());
     }
