@@ -62,12 +62,13 @@ impl Caches {
         1024 * self.last_level as usize
     }
 
-    /// Returns the words that precede a program's command line, so that its events are counted.
+    /// Returns the words before a program's command line that make valgrind count the program's
+    /// events.
     ///
     /// The counts are in files named `counts.…` in `folder`.
     ///
     /// # Errors
-    /// Valgrind is not installed, or the caches are not possible.
+    /// Valgrind is not installed, or it cannot simulate the caches.
     pub fn tool(&self, folder: &Path) -> Result<Vec<String>> {
         let Self { first_level, last_level } = self;
         ensure!(first_level <= last_level, "the last level cannot be smaller than the first");

@@ -92,7 +92,7 @@ impl Span {
     }
 }
 
-/// Least seconds that the shortest take must have for a grade.
+/// Number of seconds that the shortest take must last for a grade.
 const SHORTEST: f64 = 0.01;
 
 /// Message in place of a grade.
@@ -170,7 +170,7 @@ mod tests {
         assert!(quick.over(span(&[1.3, 1.4, 1.5])).decided);
         assert!(!span(&[1.05, 1.4, 1.5]).over(quick).decided);
         assert!(!quick.over(quick).decided);
-        // One bad take of three does not change a clear result.
+        // One disturbed take out of three does not change a clear result.
         assert!(span(&[2.0, 2.1, 9.0]).over(span(&[1.0, 1.1, 5.0])).decided);
     }
 

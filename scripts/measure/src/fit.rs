@@ -138,7 +138,7 @@ fn calibrated(runner: &Runner, mut job: Job, seconds: f64, most: u64) -> Result<
         let took = runner.run(&job)?.seconds.max(1e-9);
         let step = took / job.steps as f64;
         let fitting = (seconds / step) as u64;
-        // A run of a few milliseconds says little, because the first steps find cold caches.
+        // A run of a few milliseconds is not typical, because the first steps find cold caches.
         if took > 0.2 * seconds || job.steps == most {
             job.steps = fitting.clamp(1, most);
             return Ok(TriedOut { job, step });

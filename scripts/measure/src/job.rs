@@ -27,8 +27,8 @@ pub struct Job {
     pub scene: Scene,
     /// Number of time steps.
     pub steps: u64,
-    /// Number of threads, or of ranks if the program has ranks, unless the program's name contains
-    /// the number.
+    /// Number of threads, or of ranks if the program has ranks. A number in the program's name has
+    /// priority.
     #[serde(skip)]
     pub workers: usize,
     /// Whether the program collects statistics, which costs time.
@@ -46,7 +46,7 @@ pub struct Job {
 /// The numbers that a run prints or writes.
 #[derive(Clone, Debug, Deserialize)]
 pub struct RunOutput {
-    /// Seconds of the steps, without start, scene and output.
+    /// Seconds that the steps take, without start, scene and output.
     pub seconds: f64,
     /// Seconds of the engine's `load`.
     #[serde(default)]

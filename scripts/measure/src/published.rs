@@ -196,7 +196,8 @@ mod tests {
         }
     }
 
-    /// CSC367 prints no slope. It says «linear», which its Table 1 must be by this rubric.
+    /// CSC367 prints no slope. Its text says «linear», so by this rubric its Table 1 must be
+    /// linear.
     #[test]
     fn csc367_is_linear() {
         let slope = slope(&growth("csc367-serial").points);

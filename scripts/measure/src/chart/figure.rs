@@ -49,7 +49,7 @@ pub enum Kind {
     Behind,
     /// One of many similar lines, of which only one is named: thin and grey, without marks.
     Crowd,
-    /// Numbers of a course report, whose name comes first: dashes with hollow marks.
+    /// Numbers of a course report, named after the report: dashes with hollow marks.
     Published,
     /// Values of a formula: a full line without marks, with a band.
     Model,

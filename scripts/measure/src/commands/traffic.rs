@@ -65,7 +65,8 @@ struct Point {
     counters: BTreeMap<String, f64>,
 }
 
-/// A program's exponent of n on a number of ranks; `None` if no bytes are sent.
+/// Exponent with which a program's bytes grow with n, on a number of ranks; `None` if no bytes are
+/// sent.
 #[derive(Deserialize, Serialize)]
 struct Slope {
     program: Program,

@@ -27,7 +27,7 @@ struct Student {
     points: f64,
 }
 
-/// Writes the page of the files `NAME.json` in `folder`, the plane, and the points.
+/// Writes the page, the plane and the points of the entries in the files `NAME.json` in `folder`.
 ///
 /// The page names nobody: each entry has a number. `points.csv` lists names, numbers and points.
 pub(super) fn write(kit: &Kit, folder: &Path) -> Result<()> {

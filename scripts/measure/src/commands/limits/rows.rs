@@ -33,7 +33,7 @@ pub(super) struct Row {
     /// program.
     reached: f64,
     held_by: String,
-    /// Nanoseconds of streaming a particle once.
+    /// Nanoseconds in which a particle can be streamed once.
     pub(super) streaming: f64,
     pub(super) instructions: f64,
     /// Bytes that are loaded into the first-level cache, per particle and step.
@@ -90,7 +90,7 @@ impl Row {
 
 /// Returns the floating-point operations per particle and step that the formulas need.
 ///
-/// They follow from a run's counts of pairs.
+/// The number follows from the counts of pairs in a run.
 fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
     if job.program.discs != Discs::Soft {
         return Ok(None);

@@ -93,7 +93,7 @@ impl Candidate {
         if let (Some(touched), Some(windows)) = (touched, counters.get("windows")) {
             return touched * STEPS as f64 - windows;
         }
-        // Without a counter, every particle needs one evaluation in each step.
+        // A program without a counter makes one evaluation per particle and step.
         STEPS as f64 * f64::from(self.divide)
     }
 

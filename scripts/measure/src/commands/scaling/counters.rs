@@ -84,7 +84,7 @@ impl Breakdown {
     /// omitted.
     ///
     /// # Errors
-    /// A name fits no counter, or several.
+    /// A name fits no counter, or several counters.
     pub(super) fn new(curves: &[Curve], names: &[String]) -> Result<Self> {
         let mut parts = names.to_vec();
         parts.push("rest".into());
@@ -120,7 +120,7 @@ impl Breakdown {
 }
 
 impl Point {
-    /// Returns the milliseconds of a step in each counter and in the rest.
+    /// Returns the milliseconds of a step that each counter measures, and the rest of the step.
     ///
     /// Returns `None` if the run has no such counter.
     fn parts(&self, counters: &[String]) -> Option<Vec<f64>> {

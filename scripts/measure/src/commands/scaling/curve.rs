@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 
 /// A variant's strong and weak scaling.
 ///
-/// The grade uses the numbers of workers that this machine has cores for. It is `None` if there are
-/// no such numbers.
+/// The grade uses only numbers of workers for which this machine has enough cores. It is `None` if
+/// there are no such numbers.
 #[derive(Deserialize, Serialize)]
 pub(super) struct Curve {
     pub(super) program: Program,

@@ -132,8 +132,8 @@ fn weak(curve: &Curve) -> Vec<(f64, f64)> {
     curve.weak.iter().map(|point| (point.workers as f64, point.efficiency)).collect()
 }
 
-/// Returns the values that are powers of two, because labels need room, or all values if no value
-/// is.
+/// Returns only the powers of two among the values, because labels need room. Returns all values if
+/// there are no powers of two.
 fn powers_of_two(values: &[f64]) -> Vec<f64> {
     let powers: Vec<f64> = values.iter().copied().filter(|v| v.log2().fract() == 0.0).collect();
     if powers.is_empty() { values.to_vec() } else { powers }

@@ -1,4 +1,4 @@
-//! A program of a lab that is under stress.
+//! A lab's program in the stress tests.
 
 use std::sync::Arc;
 

@@ -45,7 +45,7 @@ impl Method {
     pub(super) fn allowed(self) -> Allowed {
         match self {
             Self::Official => Allowed { position: 1e-13, velocity: 1e-12, of_force: 0.0 },
-            // A position has seven digits of a cutoff, and the slope of the force is a million.
+            // A position has seven correct digits, and the slope of the force is up to a million.
             Self::SinglePrecision => Allowed { position: 3e-7, velocity: 3e-4, of_force: 0.0 },
             // A contact that ends just after the start of a step may act for half of the step.
             Self::Better => Allowed { position: 1e-9, velocity: 1e-6, of_force: 0.55 },
