@@ -1,4 +1,4 @@
-//! Runs processes with a time limit. No process is left behind.
+//! Runs processes with a time limit, and leaves none of them running.
 
 use std::collections::BTreeSet;
 use std::io::{self, Read};
@@ -102,7 +102,7 @@ fn running<T>(change: impl FnOnce(&mut BTreeSet<i32>) -> T) -> T {
 
 fn kill(group: i32, signal: Signal) {
     if let Some(group) = Pid::from_raw(group) {
-        // It does no harm if the group has already ended.
+        // The group may have ended already, which does no harm.
         let _ = kill_process_group(group, signal);
     }
 }

@@ -46,7 +46,7 @@ pub struct Answer {
     pub refutation: Option<String>,
 }
 
-/// Reads the words of a marker `{{#quiz LAB PROGRAM}}`: the lab and its known-wrong program.
+/// Parses the words of a marker `{{#quiz LAB PROGRAM}}`: a lab and one of its known-wrong programs.
 ///
 /// # Errors
 /// If a word is missing, or if the first word is not a lab.

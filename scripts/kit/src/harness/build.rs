@@ -57,8 +57,8 @@ pub struct Build<'a> {
     pub colour: bool,
 }
 
-/// Settings for comparing snapshots, which override a file `insta.yaml`. Nothing is written or
-/// hidden.
+/// Settings for comparing snapshots, which override a file `insta.yaml`. With them, insta writes no
+/// files and hides no differences.
 const SNAPSHOTS: [(&str, &str); 4] = [
     ("INSTA_UPDATE", "no"),
     ("INSTA_FORCE_PASS", "0"),
