@@ -60,7 +60,7 @@ fn tests(lab: Lab, facts: &Facts) -> Result<Vec<Value>> {
             "points": points as u64, "run": format!("cargo lab test {id}"),
         }));
     }
-    // The facts are sorted as texts, so 3.10 comes before 3.2.
+    // The facts are sorted as texts, with 3.10 before 3.2.
     tests[1..].sort_by_key(|test| number(&test["run"]));
     Ok(tests)
 }

@@ -32,7 +32,7 @@ const TOP: [&str; 14] = [
     "rustfmt.toml",
 ];
 
-/// Returns all files of a tree with these labs, in order, by their path.
+/// Returns all files of a tree with these labs, by path.
 pub(super) fn gather(kit: &Kit, labs: &[Lab], earlier: Earlier) -> Result<Files> {
     let mut files = Files::new();
     for path in TOP {
@@ -58,7 +58,7 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab], earlier: Earlier) -> Result<Files>
     add(kit, &mut files, &kit.path("Cargo.lock"))?;
     // The measuring commands show the published numbers beside their measurements.
     add(kit, &mut files, &kit.path("book/published.toml"))?;
-    // `cargo lab contest` shows the kit's engines.
+    // `cargo lab contest` shows these measurements of the kit's engines.
     add(kit, &mut files, &kit.path("book/data/lab14-landmarks.json"))?;
     add_all(kit, &mut files, &kit.path("scripts/slurm"))?;
     // This script grades a class.
