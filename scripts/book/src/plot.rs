@@ -145,7 +145,7 @@ impl Axis {
         for power in self.first..=self.last {
             let at = self.at(10f64.powi(power));
             let text = Format::of(".0").unwrap_or_default().print(10f64.powi(power));
-            // On a phone there is no room for thousands.
+            // A phone has no room for the zeros of thousands.
             let text = text.replace(",000", "k");
             ticks += &format!("<text x=\"{at:.1}%\" y=\"75%\">{text}</text>");
         }

@@ -23,7 +23,8 @@ use crate::entries::Data;
 use crate::pages::{Table, pages, tables};
 use crate::query::Query;
 
-/// Sections whose tables contain measurements. All tables of a page for the curious do as well.
+/// Sections whose tables contain measurements. On pages for the curious, all tables contain
+/// measurements.
 const MEASURED: [&str; 4] =
     ["## Measure", "## Compare", "## Where it breaks", "## For the curious"];
 

@@ -84,9 +84,9 @@ pub(crate) fn table(data: &mut Data) -> Result<String> {
 /// The kit's counterpart of a table or figure of a report.
 #[derive(Default)]
 struct Here {
-    /// The report's number; empty if none is compared.
+    /// The report's number; empty if no numbers are compared.
     theirs: String,
-    /// The kit's number; empty if none is compared.
+    /// The kit's number; empty if no numbers are compared.
     ours: String,
     /// The page that shows it and the command that makes it, or the reason why it is left out.
     shown: String,

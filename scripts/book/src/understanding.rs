@@ -135,7 +135,7 @@ impl Question {
 
     /// Returns a fold with the answers. Only one of the folds with this `name` is open at a time.
     fn folded(&self, name: &str) -> String {
-        // The escaped point keeps the number from becoming a list.
+        // Without the backslash, Markdown would read the number as the beginning of a list.
         let says = self.says.replacen(". ", "\\. ", 1);
         let mut out = format!("<details class=\"quiz\"><summary>\n\n{says}\n\n</summary>\n\n");
         for Answer { says, reply, is_right } in &self.answers {
