@@ -106,7 +106,7 @@ fn rows(calls: &[Vec<Call>]) -> Vec<Vec<String>> {
     }
 }
 
-/// Counts the consecutive equal calls from this one on that involve no other rank, such as waiting.
+/// Counts equal calls in a row, from this call on, if they involve no other rank, such as waiting.
 fn alike(calls: &[Call], at: usize) -> usize {
     let first = &calls[at];
     let alone = first.number == 0 && !first.sends() && !first.receives();

@@ -157,7 +157,7 @@ fn tests(kit: &Kit, lab: Lab, judge: Judge) -> Result<Result<String, String>> {
     Ok(run.map_or_else(|| Err("it does not compile".into()), |run| judge(lab, &run)))
 }
 
-/// Tests the lab as it would be handed in and graded.
+/// Tests the files that would be handed in, built as the grader builds them.
 fn graded(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     let collected = sources::collect(&kit.starter(lab))?;
     let graded = Graded::lay(kit, lab, &collected)?;

@@ -52,7 +52,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
 }
 
-/// Runs the tests of the task that was open the last time, which are quick, and then all tests.
+/// Runs the tests of the task that was not done in the last run, which are quick, and then all
+/// tests.
 ///
 /// All tests run, because the change may have broken any task. `None` if the lab does not compile.
 fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Option<Run>> {
