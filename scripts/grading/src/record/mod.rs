@@ -257,8 +257,7 @@ impl Record {
     }
 }
 
-/// Returns the points that a whole class is marked out of, including those of timed measures
-/// without a grade.
+/// Returns the points that a class is marked out of. Timed measures without a grade are included.
 pub(crate) fn scale(records: &[Record]) -> f64 {
     let mut most: f64 = 0.0;
     for record in records {

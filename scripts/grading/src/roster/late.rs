@@ -163,8 +163,8 @@ impl<'de> Deserialize<'de> for Moment {
     }
 }
 
-/// Returns the modification time of an archive, or the latest of a folder's files; `None` if there
-/// is no time.
+/// Returns the modification time of an archive, or the latest time of the files in a folder. `None`
+/// if there is no time.
 pub(crate) fn file_time(path: &Path, lab: Lab) -> Option<Timestamp> {
     let metadata = fs::symlink_metadata(path).ok()?;
     if !metadata.is_dir() {

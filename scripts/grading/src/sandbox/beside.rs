@@ -15,8 +15,7 @@ const FILE: u64 = 1280;
 /// Largest number of bytes of memory that one unread byte in a connection takes.
 const SPREAD: u64 = 2;
 
-/// Returns the bytes of memory that a process's sandbox holds outside processes; 0 if there is no
-/// sandbox.
+/// Returns the bytes that a process's sandbox holds outside processes; 0 if there is no sandbox.
 pub(super) fn held(number: u32) -> u64 {
     in_files(number) + in_connections(number)
 }

@@ -1,5 +1,4 @@
-//! Second line of defence where no sandbox can be made: submissions run as the user nobody, with
-//! limits.
+//! Replacement where no sandbox can be made: submissions run as the user nobody, with limits.
 //!
 //! Only root can become nobody, and the user nobody must be able to run the compiler.
 //! `scripts/gradescope` provides both. A submission then reads and writes only files that are open

@@ -13,8 +13,7 @@ use crate::record::{Record, Status};
 use lab_kit::wrong::{self, Wrong};
 use lab_kit::{Kit, Lab};
 
-/// Lists the programs on the kit's page at `path`, as paths `PAGE/NAME`; empty if `path` is no page
-/// of programs.
+/// Lists the programs on the kit's page at `path`, as paths `PAGE/NAME`; empty for other files.
 pub(crate) fn on_page(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     let Some((_, programs)) = page_at(kit, path)? else { return Ok(Vec::new()) };
     Ok(programs.into_iter().map(|wrong| path.join(wrong.name)).collect())

@@ -86,8 +86,8 @@ pub(super) fn is_head(line: &str) -> bool {
     line.split_whitespace().take(3).any(|word| word == "fn")
 }
 
-/// Returns all changes of a student's lines: known mistakes in lines that equal the solution's, and
-/// mutations.
+/// Returns all changes of a student's lines: mutations, and known mistakes where a line equals the
+/// solution's.
 pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>> {
     let files = answers::read_solution(kit, lab)?;
     let mut changes = Vec::new();

@@ -36,8 +36,7 @@ pub(crate) fn grade(class: &Class, into: &Path, options: &[&str]) -> Command {
     grade_as_it_is(class, into, options)
 }
 
-/// Compiles the dependencies of the quick tests' lab once, so that tests do not compile them at the
-/// same time.
+/// Compiles the dependencies of the quick tests' lab once, because the tests run at the same time.
 pub(crate) fn compile_what_all_need() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {

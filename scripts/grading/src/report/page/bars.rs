@@ -67,8 +67,8 @@ fn having(records: &[Record], id: &str) -> usize {
     tasks.filter(|task| task.id == id && task.passed).count()
 }
 
-/// Returns the most frequent message about a task, and its frequency; `None` if no message occurs
-/// twice.
+/// Returns the most frequent message about a task, and how often it occurs. `None` if no message
+/// occurs twice.
 ///
 /// Numbers in a message come from each submission's own inputs, so they are ignored.
 fn commonest(records: &[Record], id: &str) -> Option<(String, usize)> {

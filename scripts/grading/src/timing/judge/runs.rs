@@ -104,7 +104,7 @@ pub(crate) fn waited(run: &Run) -> Option<f64> {
     (run.outcome == Outcome::Timed && waits).then_some(share)
 }
 
-/// Returns the seconds of a run's shortest take, without start and result; `None` if the run is not
+/// Returns the seconds of a run's shortest take, without start and result. `None` if the run is not
 /// valid.
 pub(crate) fn seconds_of(findings: &Findings, run: &Run) -> Option<f64> {
     let timed = run.outcome == Outcome::Timed;
