@@ -33,16 +33,14 @@ pub fn complexity_grade(slope: f64) -> f64 {
     }
 }
 
-/// Returns the strong efficiency: the speed of all workers divided by `workers` times the speed of
-/// one worker.
+/// Returns the strong efficiency: the speed-up of all workers divided by their number.
 ///
 /// The arguments are the seconds of one worker and of all workers on the same scene.
 pub fn strong_efficiency(one: f64, workers: usize, all: f64) -> f64 {
     one / (workers as f64 * all)
 }
 
-/// Returns the weak efficiency: one worker's seconds divided by the seconds of all workers on a
-/// larger scene.
+/// Returns the weak efficiency: one worker's seconds divided by all workers' on a larger scene.
 ///
 /// The scene grows in proportion to the number of workers.
 pub fn weak_efficiency(one: f64, all: f64) -> f64 {

@@ -99,8 +99,7 @@ const SHORTEST: f64 = 0.01;
 pub const TOO_SHORT: &str =
     "Too short to grade: take more particles or --steps, and two --rounds or more.";
 
-/// Difference between the grades for the shortest takes and for the medians above which a grade is
-/// noisy.
+/// Largest difference between the grades for shortest takes and for medians that is not noisy.
 const NOISE: f64 = 5.0;
 
 /// Whether the times vary too much for this grade out of 100.

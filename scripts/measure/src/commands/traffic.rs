@@ -65,8 +65,7 @@ struct Point {
     counters: BTreeMap<String, f64>,
 }
 
-/// Exponent with which a program's bytes grow with n, on a number of ranks; `None` if no bytes are
-/// sent.
+/// Exponent of n in the growth of a program's bytes, on a number of ranks; `None` if it sends none.
 #[derive(Deserialize, Serialize)]
 struct Slope {
     program: Program,

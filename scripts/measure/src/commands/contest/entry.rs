@@ -65,8 +65,8 @@ impl Entry {
         self.faults.push(format!("{}, seed {}: {why}", drawn.kind.name(), drawn.seed));
     }
 
-    /// Whether the entry had a fault on a scene of this kind, so that it runs no further scenes of
-    /// the kind.
+    /// Whether the entry had a fault on a scene of this kind. It then runs no further scenes of the
+    /// kind.
     pub(super) fn gave_up(&self, kind: Kind) -> bool {
         self.faults.iter().any(|fault| fault.starts_with(kind.name()))
     }

@@ -97,8 +97,8 @@ impl Candidate {
         STEPS as f64 * f64::from(self.divide)
     }
 
-    /// Measures the greatest relative change of energy until t = 1, over seeds 1, 2, …; `None` if
-    /// there are no seeds.
+    /// Measures the greatest relative change of energy until t = 1, over seeds 1 to `seeds`; `None`
+    /// if this is 0.
     pub(super) fn drift(&self, runner: &Runner, seeds: u32) -> Result<Option<f64>> {
         let mut greatest: Option<f64> = None;
         for seed in (1..=seeds).take_while(|_| self.divide <= MOST_DIVIDED) {

@@ -1,4 +1,4 @@
-//! The verdict about a measured number (a figure): it passes, it is a limit of the method, or it
+//! The verdict about a measured number, a figure. It passes, it is a limit of the method, or it
 //! shows a mistake.
 
 use serde::Serialize;

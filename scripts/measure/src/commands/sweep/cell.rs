@@ -58,14 +58,14 @@ impl Cell {
         }
     }
 
-    /// Returns the milliseconds that kernels take in a step, by the device's clock; `None` if it
+    /// Returns the milliseconds that kernels take in a step, by the device's clock. `None` if it
     /// has no clock.
     pub(super) fn kernels(&self) -> Option<f64> {
         Some(1e3 * self.timing.per_step("kernel time [s]")?)
     }
 
-    /// Returns the milliseconds that a step takes on the device outside its kernels: recording
-    /// commands, copying, waiting.
+    /// Returns the milliseconds of a step for recording commands, copying and waiting, outside
+    /// kernels.
     ///
     /// For soft discs, this is all time outside kernels. For hard discs, the host's computations
     /// are not included.
