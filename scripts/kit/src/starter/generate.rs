@@ -30,8 +30,7 @@ pub fn own_paths(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
 }
 
-/// Returns the starter as it was given: the copy that the kit keeps, or else a new one from the
-/// solution.
+/// Returns the starter as it was given: the copy in the kit, or else a new one from the solution.
 pub fn given(kit: &Kit, lab: Lab) -> Result<Files> {
     let kept = kit.starter(lab).join(GIVEN);
     if kept.is_dir() {
