@@ -36,7 +36,7 @@ fn force() -> Result<Chart> {
     .with(Series::new(Kind::Guide, "velocity 1, as fast as most particles are", speed)))
 }
 
-/// Draws the potential of a pair against its distance, and the energies of an average pair and of
+/// Draws the potential of a pair against its distance. Lines show the energies of an average and of
 /// the fastest pair.
 fn potential() -> Result<Chart> {
     let points: Vec<(f64, f64)> = (0..=150)
