@@ -77,8 +77,8 @@ pub fn misprediction() -> f64 {
     2.0 * (take(black_box(1 << 40)) - take(black_box(0)))
 }
 
-/// Measures the nanoseconds of a load from a random place in `bytes` bytes, if the next load waits
-/// for it.
+/// Measures the nanoseconds of a load from a random place in `bytes` bytes. Each load waits for the
+/// previous load.
 pub fn latency(bytes: usize) -> f64 {
     let lines = (bytes / LINE).max(2);
     let numbers = LINE / size_of::<usize>();
