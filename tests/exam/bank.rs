@@ -36,14 +36,14 @@ pub struct Question {
     pub text: String,
     /// Answer, as Markdown.
     pub answer: String,
-    /// Computed numbers of the answer: the numbers in bold.
+    /// Numbers in bold in the answer. They are computed.
     pub numbers: Vec<String>,
 }
 
 /// Returns the questions about a lab.
 ///
 /// # Errors
-/// If the page cannot be read, or if a question is not whole.
+/// If the page cannot be read, or if a part of a question is missing.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Question>> {
     let text = read_text(&kit.path(format!("book/src/instructor/exam/lab{lab}.md")))?;
     let question_of = |part: &str| question(part).with_context(|| part.to_owned());
@@ -72,14 +72,14 @@ fn question(text: &str) -> Option<Question> {
     })
 }
 
-/// Returns the numbers of a text in bold, such as `(3, 4), −1.5` or `120,000`.
+/// Returns the numbers in a bold text, such as `(3, 4), −1.5` or `120,000`.
 pub fn numbers(bold: &str) -> Vec<String> {
     let words = bold.split(|c: char| c.is_whitespace() || "()".contains(c));
     let plain = words.map(|word| plain(word.trim_end_matches(',')));
     plain.filter(|word| !word.is_empty()).collect()
 }
 
-/// Returns a number of the book as Rust parses it.
+/// Converts a number of the book to the form that Rust parses.
 fn plain(number: &str) -> String {
     number.replace(',', "").replace('−', "-")
 }
@@ -109,7 +109,7 @@ pub fn rows(page: &str) -> impl Iterator<Item = Vec<&str>> {
 /// Expands a list of tasks: `1.2–1.4, 2.1` is tasks 1.2, 1.3, 1.4 and 2.1.
 ///
 /// # Panics
-/// If a word is not a run of tasks.
+/// If a word is neither a task nor a range of tasks.
 pub fn each(list: &str) -> Vec<String> {
     let words = list.split(", ").filter(|word| word.contains('.'));
     let run = |word: &str| {

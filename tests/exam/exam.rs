@@ -1,6 +1,6 @@
-//! Checks of the exam. The exam questions are complete and their numbers computed. Each learning
-//! outcome has a core task, a question of a chapter and an exam question. The weekly plans list the
-//! hours of the chapters.
+//! Checks the exam. The exam questions are complete, and their numbers are computed. Each learning
+//! outcome has a core task, a question in a chapter, and an exam question. The weekly plans list
+//! the hours of the chapters.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,7 +11,7 @@ use exam::paper::{self, KINDS, POINTS};
 use lab_kit::files::read_text;
 use lab_kit::{Kit, Lab, answers};
 
-/// Returns the labs that the exam asks about: those with prescribed answers.
+/// Returns the labs that the exam asks about: the labs with prescribed answers.
 fn labs() -> (Kit, Vec<Lab>) {
     let kit = Kit::find().unwrap();
     let mut labs = kit.solutions();
@@ -138,7 +138,7 @@ fn each_outcome_has_a_core_task_a_question_and_an_exam_question() {
     assert!(tasks.is_empty(), "tasks for no outcome: {tasks:?}");
 }
 
-/// Checks that a week's hours are the hours of the chapters that begin in it and of its tasks.
+/// Checks that each week has the hours of its tasks and of the chapters that begin in it.
 #[test]
 fn weeks_have_the_hours_of_their_chapters() {
     let (kit, _) = labs();

@@ -1,4 +1,4 @@
-//! Examination papers: questions of the bank with numbers of their own.
+//! Examination papers: questions from the bank, with different numbers in each paper.
 //!
 //! All papers have questions of the same kinds, and the same number of points.
 
@@ -13,10 +13,10 @@ use crate::numbers::draw::{Draw, Inputs, Shown};
 use lab_kit::table::with_commas;
 use lab_kit::{Kit, Lab};
 
-/// Kinds of the questions, by the beginning of their titles.
+/// Kinds of the questions in a paper. A question's title begins with its kind.
 pub const KINDS: [&str; 7] = ["A sum", "A sum", "Trace", "Trace", "Find", "Predict", "Design"];
 
-/// Points of a paper: about two minutes for a point.
+/// Points of a paper. A student has about two minutes for each point.
 pub const POINTS: u32 = 31;
 
 /// Number of attempts to draw questions with the right number of points.
@@ -49,14 +49,14 @@ pub fn draw(kit: &Kit, labs: &[Lab], seed: u64) -> Result<Paper> {
     Ok(printed(&chosen, seed, &inputs.shown, &answers))
 }
 
-/// Draws a question of each kind; `None` if the points are not those of a paper.
+/// Draws a question of each kind. `None` if the questions do not make a paper of [`POINTS`] points.
 ///
 /// The questions are about as many different labs as possible.
 fn chosen<'a>(bank: &'a [Question], labs: usize, random: &mut Random) -> Option<Vec<&'a Question>> {
     let mut chosen: Vec<&Question> = Vec::new();
     for kind in KINDS {
         let of_kind = bank.iter().filter(|question| {
-            // A sum has numbers to draw, so it differs from paper to paper.
+            // A sum must contain numbers to draw, so that it differs from paper to paper.
             question.title.starts_with(kind) && (kind != "A sum" || question.text.contains("<!--"))
         });
         let of_kind: Vec<&Question> = of_kind.collect();
@@ -98,7 +98,7 @@ fn without_hidden(text: &str) -> String {
     shown.collect::<Vec<_>>().join("\n")
 }
 
-/// Replaces the named numbers of a text.
+/// Replaces the named numbers of a text by the numbers in `shown`.
 fn with_named(id: &str, text: &str, shown: &Shown) -> String {
     let mut out = String::new();
     let mut parts = text.split("<!--");
@@ -107,7 +107,7 @@ fn with_named(id: &str, text: &str, shown: &Shown) -> String {
         let (name, after) = part.split_once("-->").unwrap_or_default();
         let value = shown.get(&format!("{id} {name}")).copied().unwrap_or_default();
         out += before.trim_end_matches(is_digit);
-        // Ten digits remove what rounding in binary adds.
+        // Rounding to ten decimals removes the rounding error of binary numbers.
         let number = format!("{value:.10}");
         let number = number.trim_end_matches('0').trim_end_matches('.');
         out += &format!("{}<!--{name}-->", as_in_the_book(number));

@@ -1,4 +1,4 @@
-//! Aligns columns of numbers to the right, so that their digits are below one another.
+//! Aligns columns of numbers to the right, so that their digits line up.
 
 /// Returns the page with its columns of numbers aligned to the right.
 ///

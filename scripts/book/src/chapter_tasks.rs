@@ -11,7 +11,7 @@ use lab_kit::{Kit, Lab};
 /// The names of the three hints of a task.
 const TIERS: [&str; hints::TIERS] = ["a nudge", "the idea", "nearly the answer"];
 
-/// Returns the page `file` of the book with its tasks.
+/// Returns the page `file` of the book with its tasks inserted.
 ///
 /// Below the heading of its section, each task has a line with an anchor, and tables of tasks link
 /// to the anchors. If `with_hints`, each section ends with the hints of its tasks. The lab's facts
@@ -35,7 +35,7 @@ pub(crate) fn placed(kit: &Kit, file: &Path, text: &str, with_hints: bool) -> Re
         open.push(Task { facts: &facts.tasks[&hints.task.to_string()], hints });
     }
     let mut out = String::new();
-    // The hints of the tasks whose section this is.
+    // The hints of the tasks that belong to this section.
     let mut folds = String::new();
     let mut in_code = false;
     for line in text.split_inclusive('\n') {

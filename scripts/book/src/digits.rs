@@ -2,7 +2,7 @@
 
 use lab_kit::table::with_commas;
 
-/// A format of numbers, written in a few characters.
+/// A number format, written in a few characters.
 ///
 /// `3` is three significant digits; `.2`, two decimals; `3.1`, three digits and at most one
 /// decimal; `2%`, per cent; `3M`, millions; `2e`, with a power of ten.

@@ -38,13 +38,13 @@ fn linked(image: &str, file: &str, folder: &Path) -> String {
     format!("<a class=\"figure\"{style} href=\"{file}\">{image}</a>")
 }
 
-/// Returns the path for the form of a chart for phones: `figures/phone/a.svg` for `figures/a.svg`.
+/// Returns the path of a chart's form for phones: `figures/phone/a.svg` for `figures/a.svg`.
 fn for_phones(file: &str) -> Option<String> {
     let (folder, name) = file.rsplit_once('/')?;
     Some(format!("{folder}/phone/{name}"))
 }
 
-/// Returns a `<picture>` with the image on a page and the other file on a phone.
+/// Returns a `<picture>` that shows the image on a page and the file `phone` on a phone.
 fn on_either(image: &str, phone: &str) -> String {
     format!("<picture><source media=\"(max-width: 600px)\" srcset=\"{phone}\">{image}</picture>")
 }
@@ -58,7 +58,7 @@ fn legible(svg: &str) -> Option<f64> {
     Some((LEAST_TEXT * width / least).ceil())
 }
 
-/// Returns the numbers behind a name, in attributes and in style sheets.
+/// Returns the numbers that follow a name in attributes and style sheets.
 fn numbers(svg: &str, name: &'static str) -> impl Iterator<Item = f64> {
     let values = svg.split(name).skip(1).map(|rest| rest.trim_start_matches(['=', ':', '"', ' ']));
     let digits = |value: &str| value.find(|c: char| c != '.' && !c.is_ascii_digit());

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-/// The kinds of figures, by their first tag, and the scripts that they need.
+/// The first tag of each kind of figure, and the scripts that such a figure needs.
 const FIGURES: [(&str, &[&str]); 2] =
     [("<figure class=\"live\"", &BOXES), ("<figure class=\"steps\"", &["pictures", "steps"])];
 
@@ -42,13 +42,13 @@ const LICENCE: &str = "Code, text and figures of this book are licensed under \
      <a href=\"https://opensource.org/license/mit\">MIT</a> or \
      <a href=\"https://www.apache.org/licenses/LICENSE-2.0\">Apache 2.0</a>, as you like.";
 
-/// A page of the book in its order: its name and its file.
+/// Name and file of a page of the book.
 pub(crate) struct Page {
     pub(crate) name: String,
     pub(crate) file: PathBuf,
 }
 
-/// Returns links to the pages before and after this one, by their names.
+/// Returns links to the previous and the next page, with the pages' names.
 pub(crate) fn neighbours(pages: &[Page], file: &Path) -> String {
     let Some(at) = pages.iter().position(|page| page.file == file) else { return String::new() };
     let root = "../".repeat(file.components().count().saturating_sub(1));

@@ -40,9 +40,9 @@ impl<'k> Data<'k> {
         Self { kit, files: BTreeMap::new() }
     }
 
-    /// Returns the entries of a file of book/data, or of `published.toml`.
+    /// Returns the entries in a file of book/data, or in `published.toml`.
     ///
-    /// A name such as `compare-*.json` gives the entries of all files that match.
+    /// A name such as `compare-*.json` gives the entries in all files that match.
     ///
     /// # Errors
     /// A file cannot be read.
@@ -104,8 +104,8 @@ fn collect(value: Value, list: &str, around: Option<&Rc<Entry>>, entries: &mut V
     }
 }
 
-/// Returns the entry of a pair that a report printed: the number `x`, and seconds. The pair's list
-/// determines the name of `x`.
+/// Makes an entry from a pair in a report: the number `x`, and seconds. The name of `x` depends on
+/// the list.
 fn published_run(list: &str, x: &Number, seconds: &Number) -> Value {
     let varied = match list.rsplit('.').next() {
         Some("points") => "n",
@@ -171,7 +171,8 @@ impl Entry {
         }
     }
 
-    /// Returns a field by its full or its last name; `None` if the entry does not have it.
+    /// Returns the field that has this full name or last name; `None` if the entry does not have
+    /// it.
     pub(crate) fn field(&self, name: &str) -> Option<&Value> {
         self.own.get(name).or_else(|| self.around.as_ref()?.field(name))
     }
@@ -186,7 +187,8 @@ impl Entry {
         self.field(name)?.as_str()
     }
 
-    /// Whether a field has this value. For a list, its last names are enough.
+    /// Whether a field has this value. For the field `list`, the last parts of its value are
+    /// enough.
     pub(crate) fn has(&self, name: &str, value: &str) -> bool {
         match self.field(name) {
             Some(Value::String(list)) if name == "list" => {

@@ -1,7 +1,7 @@
 //! Texts about labs, made from their facts.
 //!
-//! They are the opening of a chapter, the table of all labs, and the points of every task and
-//! measurement.
+//! They are the opening of each chapter, the table of labs, and the list of points for tasks and
+//! measurements.
 
 use anyhow::Result;
 
@@ -39,7 +39,7 @@ pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
     Ok(out + "\n</details>\n")
 }
 
-/// Returns a table with a row for each lab: its time, its size and its needs.
+/// Returns a table with each lab's time, size and needed software.
 pub(crate) fn labs(kit: &Kit) -> Result<String> {
     let mut out = String::from(
         "| lab | title | time and needs | tasks | known-wrong answers |\n|---|---|---|---|---|\n",
@@ -54,7 +54,7 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
     Ok(out)
 }
 
-/// Returns the numbers of the labs with such workers, as `5, 6, 8`.
+/// Returns the numbers of the labs with these workers, as `5, 6, 8`.
 pub(crate) fn labs_with(kit: &Kit, workers: &str) -> Result<String> {
     let workers: Workers = serde_json::from_value(workers.into())?;
     let mut numbers = Vec::new();

@@ -13,7 +13,7 @@ use crate::pages::{Table, pages, tables};
 
 const TITLE: &str = "where in the kit";
 
-/// Checks every table with such a column. Returns the faults, one per line.
+/// Checks every table that has a column with this title. Returns the faults, one per line.
 ///
 /// # Errors
 /// A page cannot be read.

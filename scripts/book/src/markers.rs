@@ -13,8 +13,8 @@ use lab_kit::{Kit, quiz};
 /// - `{{#opening 2}}`: the opening of lab 2's chapter, from the lab's facts.
 /// - `{{#table lab2-race.json}}`: fills the [table](printed) that follows with numbers from this
 ///   data file.
-/// - `{{#quiz 2 corner_forgotten}}`: the [quiz](lab_kit::quiz) about a known-wrong program of lab
-///   2. It is empty in a class's kit, which has no known-wrong programs.
+/// - `{{#quiz 2 corner_forgotten}}`: the [quiz](lab_kit::quiz) about a known-wrong program of lab 2;
+///   empty in a class's kit, which has no known-wrong programs.
 /// - `{{#reports}}`: the table of all tables and figures of the course reports.
 /// - `{{#compare soft}}`, `{{#compare hard}}`: tables of all variants of soft or hard discs.
 /// - `{{#labs}}`: the time and the needs of each lab; `{{#labs ranks}}`: the numbers of the labs

@@ -51,7 +51,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 fn mdbook(kit: &Kit, what: &str) -> Result<Command> {
     let this = env::current_exe().context("this program's own file is not known")?;
     let mut mdbook = Command::new("mdbook");
-    // book.toml contains a command that builds the preprocessor first; here it is built already.
+    // The command in book.toml would build the preprocessor first, but it is built already.
     let preprocessor = format!("'{}' book-preprocess", this.display());
     mdbook.arg(what).arg(kit.path("book"));
     mdbook.env("MDBOOK_PREPROCESSOR__CUTOFF__COMMAND", preprocessor);
@@ -71,10 +71,10 @@ fn start(mdbook: &mut Command) -> Result<Child> {
     }
 }
 
-/// Builds the book, with the search index of a book without hints.
+/// Builds the book. Its search index comes from a second book, without hints.
 ///
-/// So a search does not show the answer that a fold hides. The two books are built at the same
-/// time.
+/// So a search does not show an answer that the book hides in a fold. The two books are built at
+/// the same time.
 fn build(kit: &Kit) -> Result<bool> {
     let folder = tempfile::tempdir()?;
     let mut without = mdbook(kit, "build")?;
@@ -90,7 +90,7 @@ fn build(kit: &Kit) -> Result<bool> {
     if !indexed {
         bail!("the book without hints cannot be built");
     }
-    // The name contains a hash of the contents, which only has to be new if the contents are new.
+    // The index's name contains a hash, which has to change only if the contents change.
     fs::copy(index(folder.path())?, index(&kit.path("book/build"))?)?;
     Ok(true)
 }
@@ -131,7 +131,7 @@ fn check(kit: &Kit) -> Result<bool> {
     Ok(links_lead_somewhere(&kit.path("book/build"))? && faults.is_empty())
 }
 
-/// Runs lychee, if it is installed, to check that all links inside the built book lead to a page.
+/// Runs lychee, if it is installed. It checks that all links inside the built book lead to a page.
 fn links_lead_somewhere(build: &Path) -> Result<bool> {
     if !system::on_path("lychee".as_ref()) {
         println!("left out: links, for there is no lychee");

@@ -24,7 +24,7 @@ pub(crate) fn pages(kit: &Kit) -> Result<BTreeMap<String, String>> {
 pub(crate) struct Table<'t> {
     /// Line number of its first row.
     pub(crate) line: usize,
-    /// Its rows of cells: the titles, the line of dashes, and the rows below.
+    /// Its rows of cells: the titles, the line of dashes, and the data.
     pub(crate) rows: Vec<Vec<&'t str>>,
     /// The comment above it, or `None`.
     pub(crate) comment: Option<&'t str>,

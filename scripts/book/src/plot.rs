@@ -1,7 +1,7 @@
 //! A dot plot of the variants' times, on a logarithmic axis.
 //!
 //! Each row is HTML with an SVG of its own, whose positions are percentages, so the plot fits every
-//! width. It needs no script: boxes to check hide rows through the style sheet.
+//! width. It needs no script: check boxes hide rows through the style sheet.
 
 use lab_kit::Lab;
 use lab_kit::facts::Workers;
@@ -73,7 +73,7 @@ pub(crate) fn plot(rows: &[Row]) -> String {
     out + "Point at a row for its numbers. The number before a name is the lab.</figcaption>\n</figure>\n"
 }
 
-/// Returns a box to check for each kind of workers, if there are several.
+/// Returns a check box for each kind of workers, if there are several kinds.
 fn filter(rows: &[&Row]) -> String {
     let kinds = WORKERS.iter().filter(|kind| rows.iter().any(|row| row.workers == kind.0));
     let boxes: Vec<String> = kinds
@@ -127,7 +127,7 @@ struct Axis {
 }
 
 impl Axis {
-    /// Returns the shortest axis with all these numbers; `None` without a number.
+    /// Returns the shortest axis that contains all these numbers; `None` if there are no numbers.
     fn of(numbers: impl Iterator<Item = f64>) -> Option<Self> {
         let powers: Vec<f64> = numbers.map(f64::log10).collect();
         let first = powers.iter().copied().min_by(f64::total_cmp)?.floor();
@@ -145,7 +145,7 @@ impl Axis {
         for power in self.first..=self.last {
             let at = self.at(10f64.powi(power));
             let text = Format::of(".0").unwrap_or_default().print(10f64.powi(power));
-            // On a phone there is no room for thousands.
+            // A phone has no room for the zeros of thousands.
             let text = text.replace(",000", "k");
             ticks += &format!("<text x=\"{at:.1}%\" y=\"75%\">{text}</text>");
         }

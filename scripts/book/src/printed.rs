@@ -10,10 +10,10 @@
 //! | 50,000 | {} | {} | crashes | lab7-n-16-cores.json |
 //! ```
 //!
-//! Each `{}` is replaced by the answer to a [query](crate::query). The query consists of words of
-//! four places: of the marker, of the column (the row below the dashes, which is not printed), of
-//! the row (an additional last cell), and of the braces. If the words of a column end with `=`, its
-//! cells complete them.
+//! Each `{}` is replaced by the answer to a [query](crate::query). The query consists of words from
+//! four places: the marker, the column (the row below the dashes, which is not printed), the row
+//! (an additional last cell), and the braces. If the words of a column end with `=`, its cells
+//! complete them.
 
 use anyhow::{Context, Result, bail, ensure};
 
@@ -23,7 +23,8 @@ use crate::entries::Data;
 use crate::pages::{Table, pages, tables};
 use crate::query::Query;
 
-/// Sections whose tables contain measurements. All tables of a page for the curious do as well.
+/// Sections whose tables contain measurements. On pages for the curious, all tables contain
+/// measurements.
 const MEASURED: [&str; 4] =
     ["## Measure", "## Compare", "## Where it breaks", "## For the curious"];
 

@@ -1,12 +1,12 @@
 //! Queries for a number of the book, written as words: `lab7-n.json; variant=planned; n=5000; ms`.
 //!
-//! - `lab7-n.json`: a file of book/data; `compare-soft-*.json`: all files with such names;
+//! - `lab7-n.json`: a file of book/data; `compare-soft-*.json`: all files that match;
 //!   `published.toml`;
 //! - `n=5000`: an entry must have this field ([`crate::entries`]); `n=`: the field can have any
 //!   value;
 //! - `ms`: the field that is printed. ` / `, ` × ` and ` - ` combine fields, from left to right:
-//!   `counters.candidates / steps`. A field of two parts is printed as its least and its median:
-//!   `5.13 (5.60)`;
+//!   `counters.candidates / steps`. A field with two parts is printed as the least value and the
+//!   median: `5.13 (5.60)`;
 //! - `over n=1000`: divide by the value of the entry that has this field instead;
 //! - `×1000`: multiply by a number;
 //! - `.2`: a [format](Format).

@@ -1,7 +1,7 @@
 //! Checks that every result of the course reports has its place in the kit.
 //!
-//! book/figures.toml lists every table, figure, claim and open question of the reports. Each has
-//! the page that shows it here, and a number of the report with the kit's number.
+//! book/figures.toml lists every table, figure, claim and open question of the reports. Each entry
+//! names the page that shows it here, and a number of the report with the kit's number.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ use crate::entries::Data;
 use crate::pages::section;
 use crate::query::Query;
 
-/// The reports by their names in figures.toml, and their titles.
+/// The reports' names in figures.toml, and their titles.
 const REPORTS: [(&str, &str); 4] = [
     ("cs267", "CS267, Berkeley 2018"),
     ("csc581", "CSC581"),
@@ -41,8 +41,7 @@ struct Figure {
     /// The page in book/src that shows it, with or without a `#section`.
     page: Option<String>,
     numbers: Option<Numbers>,
-    /// The command that makes a page without numbers again; `None` for a drawing that is made by
-    /// hand.
+    /// The command that makes the page again, if it has no numbers; `None` for a drawing by hand.
     command: Option<String>,
     /// The reason why the kit does not reproduce it.
     left_out: Option<String>,
@@ -62,7 +61,7 @@ fn read(kit: &Kit) -> Result<Vec<Figure>> {
     Ok(read_toml::<List>(&kit.path("book/figures.toml"))?.figure)
 }
 
-/// Returns a table of all tables and figures of the reports, and where they are in the kit.
+/// Returns a table that lists all tables and figures of the reports, and their places in the kit.
 ///
 /// # Errors
 /// The list cannot be read, or a number is not in its data file.
@@ -85,9 +84,9 @@ pub(crate) fn table(data: &mut Data) -> Result<String> {
 /// The kit's counterpart of a table or figure of a report.
 #[derive(Default)]
 struct Here {
-    /// The report's number; empty if none is compared.
+    /// The report's number; empty if no numbers are compared.
     theirs: String,
-    /// The kit's number; empty if none is compared.
+    /// The kit's number; empty if no numbers are compared.
     ours: String,
     /// The page that shows it and the command that makes it, or the reason why it is left out.
     shown: String,

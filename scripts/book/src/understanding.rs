@@ -1,7 +1,7 @@
 //! Turns the questions of the section *Test your understanding* into quizzes.
 //!
-//! The section has a numbered list. Below each question are possible answers, as a list of tasks
-//! whose right answer is checked. Below each answer is a quotation, the reply to it:
+//! The section has a numbered list. Below each question are possible answers, as a task list in
+//! which the right answer is checked. Below each answer is the reply, as a quotation:
 //!
 //! ```markdown
 //! 1. Why are bins not narrower than the cutoff?
@@ -56,7 +56,7 @@ pub(crate) fn folded(file: &Path, text: &str, with_answers: bool) -> Result<Stri
 
 /// A part of the section.
 enum Block<'a> {
-    /// Lines of a question: its number, and what is indented below it.
+    /// Lines of a question: the line with its number, and the indented lines below it.
     Question(Vec<&'a str>),
     /// A line of other text.
     Line(&'a str),
@@ -133,9 +133,9 @@ impl Question {
         Ok(())
     }
 
-    /// Returns a fold with the answers. Of the folds with this `name` one is open at a time.
+    /// Returns a fold with the answers. Only one of the folds with this `name` is open at a time.
     fn folded(&self, name: &str) -> String {
-        // The number is no list of one item.
+        // Without the backslash, Markdown would read the number as the beginning of a list.
         let says = self.says.replacen(". ", "\\. ", 1);
         let mut out = format!("<details class=\"quiz\"><summary>\n\n{says}\n\n</summary>\n\n");
         for Answer { says, reply, is_right } in &self.answers {

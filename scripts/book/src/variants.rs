@@ -1,4 +1,4 @@
-//! Tables of all variants of all labs: texts from the facts of the labs, times from the races in
+//! Tables of all variants. Their texts come from the labs' facts, and their times from the races in
 //! book/data.
 
 use std::collections::BTreeSet;
@@ -20,8 +20,7 @@ use crate::query::Query;
 const SIZES: [(&str, [&str; 3]); 2] =
     [("soft", ["1000", "10000", "100000"]), ("hard", ["1000", "4000", "16000"])];
 
-/// Names of the races: `compare` for these tables, and `apart` for variants whose rows have no
-/// times.
+/// Names of the races: `compare` for these tables, `apart` for variants whose rows show no times.
 const RACES: [&str; 2] = ["compare", "apart"];
 
 /// Returns the facts of all variants, lab by lab.
@@ -70,7 +69,7 @@ pub(crate) fn table(data: &mut Data, discs: &str) -> Result<String> {
     Ok(plot(&rows) + &times + &text)
 }
 
-/// Whether a race of such discs has a variant.
+/// Whether a race of these discs has timed a variant.
 fn is_timed(data: &mut Data, lab: Lab, variant: &str, discs: &str) -> Result<bool> {
     for race in RACES {
         let runs = data.entries(&format!("{race}-{discs}-*.json"))?;
@@ -84,7 +83,7 @@ fn is_timed(data: &mut Data, lab: Lab, variant: &str, discs: &str) -> Result<boo
 
 /// Finds variants without a time, and variants that only the program or only `lab.toml` has.
 ///
-/// The programs in the folder `programs` list their variants, if they are built.
+/// Programs that are built in the folder `programs` list their variants.
 ///
 /// # Errors
 /// The facts or a race cannot be read, or a program lists no variants.

@@ -48,7 +48,7 @@ fn main() -> ExitCode {
     })
 }
 
-/// Ends the program with exit code 2 if standard output cannot be written.
+/// Makes the program end with exit code 2 if it cannot write to standard output.
 ///
 /// `println!` would panic, for instance on a full disk. Instead, one line reports the error.
 fn say_when_output_cannot_be_written() {

@@ -1,4 +1,4 @@
-//! Computes points from results. A record gets its points here only.
+//! Computes points from results. No other module writes points into a record.
 
 use anyhow::{Result, ensure};
 
@@ -7,7 +7,7 @@ use crate::timing;
 use lab_kit::Facts;
 use lab_kit::facts::TaskFacts;
 
-/// Sets the record's points by `rubric`, replacing any earlier points.
+/// Computes the record's points from `rubric`, and replaces any earlier points.
 ///
 /// # Errors
 /// If the rubric has a task that the record does not have.
@@ -21,7 +21,7 @@ pub(crate) fn score(record: &mut Record, rubric: &Facts) -> Result<()> {
     }
     marked.measures = timing::judge(found, rubric);
     decide_parts(tasks, marked);
-    // An open measure has no points yet, so no student gains by it.
+    // A measure without a grade gives no points yet, so no student gains by it.
     let measures = &marked.measures;
     marked.points = tasks.iter().map(|task| task.points).sum::<f64>()
         + measures.iter().map(|measure| measure.points).sum::<f64>();
@@ -52,7 +52,7 @@ fn score_task(task: &mut Task, rubric: &Facts) {
     let TaskFacts { points, partial, .. } = rubric.tasks.get(&task.id).cloned().unwrap_or_default();
     task.out_of = points;
     let share = if task.passed { 1.0 } else { partial * task.share };
-    // Two decimals are enough; more would only confuse.
+    // Points have two decimals, because more would only confuse.
     task.points = (100.0 * share * task.out_of).round() / 100.0;
 }
 
@@ -70,7 +70,8 @@ fn decide_parts(tasks: &mut [Task], marked: &mut Marked) {
     }
 }
 
-/// Sets the total: the points that a person decided, or else the points reduced by lateness.
+/// Sets the total: the points that a person decided, or else the points minus the penalty for
+/// lateness.
 fn decide_whole(marked: &mut Marked) {
     let decided = marked.by_hand.iter().rev().filter(|decision| decision.task.is_none());
     match (decided.into_iter().find_map(|decision| decision.points), &marked.late) {

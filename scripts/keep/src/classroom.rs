@@ -27,7 +27,7 @@ pub struct Options {
 /// Classroom 50 allows.
 const BUILD: u64 = 600;
 
-/// Seconds for the tests of a task. Each test that hangs is ended much sooner.
+/// Seconds for the tests of a task. A test that hangs is stopped much sooner.
 const TASK: u64 = 300;
 
 /// Prints the tests.
@@ -60,7 +60,7 @@ fn tests(lab: Lab, facts: &Facts) -> Result<Vec<Value>> {
             "points": points as u64, "run": format!("cargo lab test {id}"),
         }));
     }
-    // The facts are sorted as texts, so 3.10 comes before 3.2.
+    // The facts are sorted as texts, with 3.10 before 3.2.
     tests[1..].sort_by_key(|test| number(&test["run"]));
     Ok(tests)
 }

@@ -1,7 +1,7 @@
 //! `cargo lab starter`: makes labs/ from solutions/.
 //!
-//! A lab is written once, as its solution. [`generate`] makes its starter, and [`Record`] tells
-//! which files may be overwritten.
+//! A lab is written once, as its solution. [`generate`] makes its starter, and [`Record`]
+//! determines which files may be overwritten.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -88,7 +88,7 @@ fn write(kit: &Kit, lab: Lab) -> Result<()> {
     Ok(())
 }
 
-/// Lists the differences between a starter and the result of its solution.
+/// Lists the differences between a starter and the starter that its solution gives.
 fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     let folder = kit.starter(lab);
     let files = generate(kit, lab)?;

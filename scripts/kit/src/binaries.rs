@@ -1,4 +1,4 @@
-//! Compiled programs: how they are started, and how their variants are listed.
+//! Compiled programs: starts them, and lists their variants.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -108,7 +108,7 @@ impl Binaries {
     /// names.
     ///
     /// # Errors
-    /// If the program does not start, does not answer, or has no such variant.
+    /// If the program does not start, prints no list, or does not have the variant.
     pub fn variants(&self, program: &Program) -> Result<Vec<(Program, Known)>> {
         let mut command = self.start(program, 1)?;
         let output = command.args(["--list-variants", "--json"]).stdin(Stdio::null()).output();

@@ -1,4 +1,4 @@
-//! Commands of the kit: the packages that contain them, their start and their exit codes.
+//! Commands of the kit: finds the packages that contain them, starts them, and sets exit codes.
 //!
 //! A package in scripts/ declares its commands in its manifest, so that all commands are known
 //! without building any package:
@@ -50,7 +50,7 @@ pub fn families(kit: &Kit) -> Result<Vec<Family>> {
     let mut families = Vec::new();
     for folder in members {
         let manifest = kit.path(&folder).join("Cargo.toml");
-        // A pattern of folders, such as labs/lab*, has no manifest.
+        // A member may be a pattern of folders, such as labs/lab*, which has no manifest.
         if !manifest.is_file() {
             continue;
         }
@@ -87,11 +87,10 @@ pub fn finish(result: Result<ExitCode>) -> ExitCode {
     })
 }
 
-/// Makes three panics end the program with at most one line.
+/// Makes three kinds of panics end the program with at most one line.
 ///
-/// `head` and `less` close the pipe early, which is not an error, but `println!` would panic. A
-/// full disk behind standard output and a thread that the system refuses are errors, printed in one
-/// line.
+/// `head` and `less` close the pipe early, which is not an error, but `println!` would panic. If
+/// the disk of standard output is full, or the system refuses a thread, one line reports the error.
 pub fn end_in_one_line() {
     let usual = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
@@ -116,7 +115,7 @@ pub fn end_in_one_line() {
 }
 
 /// Asserts that a package's manifest and book/figures.toml agree with its command line. Each
-/// package calls it in a test.
+/// package has a test that calls this function.
 ///
 /// # Panics
 /// If they disagree or cannot be read.

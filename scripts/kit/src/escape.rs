@@ -3,7 +3,7 @@
 //! Students choose the names of submissions and the messages of panics. This text must not become
 //! markup, a spreadsheet formula, or a terminal command.
 
-/// Returns at most `most` characters of a foreign text, which may have megabytes.
+/// Returns the beginning of a foreign text, at most `most` characters. The text may have megabytes.
 pub fn cut(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {
         Some((end, _)) => format!("{}\u{2026}", &text[..end]),

@@ -1,4 +1,4 @@
-//! Excerpts of the kit's sources, as the book shows them. They never show an answer.
+//! Excerpts of the kit's sources for the book. They never show an answer.
 
 use std::ops::RangeInclusive;
 use std::path::Path;

@@ -32,15 +32,16 @@ pub struct Facts {
     pub discs: Discs,
     /// Workers that share the work of the lab's program.
     pub workers: Workers,
-    /// Kinds of the lab's other programs, by the end of their names: `hard` for `lab9-hard`.
+    /// Kinds of the lab's other programs, by the suffix of the name: `hard` for `lab9-hard`.
     #[serde(default)]
     pub programs: BTreeMap<String, Work>,
-    /// Variant that is the kit's best serial program for such discs, which gives t₁; `None` in
-    /// other labs.
+    /// Variant that gives t₁: the kit's best serial program for discs of this kind. `None` in other
+    /// labs.
     pub baseline: Option<String>,
     /// Variant that `scripts/slurm` runs on 1, 2, 4, … ranks or threads.
     pub cluster: Option<String>,
-    /// Variant with threads in each rank, which `scripts/slurm` runs for each division of a node.
+    /// Variant with threads in each rank. `scripts/slurm` runs it for each way to divide a node's
+    /// cores into ranks and threads.
     pub hybrid: Option<String>,
     /// Initial settings of `cargo lab movie`.
     #[serde(default)]
@@ -62,20 +63,20 @@ pub struct Facts {
     pub tasks: BTreeMap<String, TaskFacts>,
     /// Points for the growth of the time with the number of particles; `None` if it is not graded.
     pub complexity: Option<Timed>,
-    /// Points for the speed-up by more workers; `None` if it is not graded.
+    /// Points for the speed-up with more workers; `None` if it is not graded.
     pub scaling: Option<Timed>,
     /// Points for the time relative to the solution's; `None` if it is not graded.
     pub speed: Option<Timed>,
     /// Points for an entry in the contest, in addition to the tasks' points.
     #[serde(default, rename = "goal")]
     pub goals: Vec<Goal>,
-    /// Text about the work that grading does not judge, with advice for the instructor; `None` if
-    /// it judges everything.
+    /// Text about work that is not graded, with advice for the instructor; `None` if all work is
+    /// graded.
     pub ungraded: Option<String>,
     /// Loops that `cargo lab speed` times.
     #[serde(default, rename = "race")]
     pub races: Vec<Race>,
-    /// Facts of the lab's variants, for the comparison of all variants.
+    /// Facts about the lab's variants, for the book's tables that compare all variants.
     #[serde(default, rename = "variant")]
     pub variants: Vec<VariantFacts>,
 }
@@ -87,10 +88,10 @@ pub struct TaskFacts {
     /// Title, such as `launches`.
     #[serde(default)]
     pub title: String,
-    /// Points for the task. They are given if all answers to its questions (tests/labN.rs) are
-    /// right, and not otherwise.
+    /// Points for the task. It earns them if all answers to its questions (tests/labN.rs) are
+    /// right.
     pub points: f64,
-    /// Share of the points that a wrong task can still earn, 0 to 1, in proportion to the right
+    /// Largest share of the points, 0 to 1, that a wrong task can earn, in proportion to its right
     /// answers.
     #[serde(default)]
     pub partial: f64,
@@ -126,11 +127,12 @@ pub struct Timed {
 pub struct Goal {
     /// Program of the engine, which is one of the contest's landmarks.
     pub beats: String,
-    /// Points, in addition to those of other goals.
+    /// Points, which are added to the points of other goals.
     pub points: f64,
 }
 
-/// A task's loop and a reference loop, which is as fast if the task is done as the chapter says.
+/// A task's loop and a reference loop. Both are equally fast if the task is done as the chapter
+/// says.
 ///
 /// Both are programs of the lab, so a student can race them without the solutions.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -146,11 +148,11 @@ pub struct Race {
     pub n: usize,
     /// Message if the loop is slower, with `{}` for the ratio of the times.
     pub slow: String,
-    /// Items that the loop works on, one for each particle: `pairs`.
+    /// Items that the loop works on, such as `pairs`.
     pub of: String,
 }
 
-/// Facts of a variant that no command knows.
+/// Facts about a variant that no command can measure.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct VariantFacts {
@@ -163,7 +165,7 @@ pub struct VariantFacts {
     pub task: Option<String>,
     /// Accuracy of the variant's results, compared with the naive program's.
     pub error: String,
-    /// Whether the variant uses one thread, for any number of workers.
+    /// Whether the variant uses only one thread, whatever the number of workers.
     #[serde(default)]
     pub serial: bool,
     /// Distribution of the variant's work among the workers.
@@ -247,6 +249,6 @@ impl Workers {
 }
 
 impl Facts {
-    /// Name of the facts' file in a lab's folder.
+    /// Name of the facts file in a lab's folder.
     pub const FILE: &str = "lab.toml";
 }

@@ -26,8 +26,8 @@ pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
 
 /// Returns the regular files below a folder, sorted, without files that tools leave there.
 ///
-/// Such tools are editors and merges, for example. A link counts as the file that it leads to.
-/// Broken links, pipes and sockets are left out, because reading them fails or never ends.
+/// Editors and merges, for example, leave files. A link counts as the file that it leads to. Broken
+/// links, pipes and sockets are left out, because reading them fails or never ends.
 pub fn sources_below(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = files_below(folder)?;
     files.retain(|path| {
@@ -41,7 +41,7 @@ pub fn sources_below(folder: &Path) -> Result<Vec<PathBuf>> {
 /// Ends of the names of copies that editors and merges leave beside a file.
 const COPIES: [&str; 8] = ["~", "#", ".bak", ".orig", ".rej", ".swo", ".swp", ".tmp"];
 
-/// Whether a file or a folder of this name is hidden, or a copy that a tool left.
+/// Whether a file or a folder of this name is hidden, or is a copy that a tool left.
 pub fn is_left_by_a_tool(name: &str) -> bool {
     name.starts_with('.') || COPIES.iter().any(|ending| name.ends_with(ending))
 }

@@ -1,9 +1,9 @@
 //! Ensures that builds are made of the present sources.
 //!
 //! Cargo compares times: a package counts as built if no source is newer than the result. This
-//! fails if the sources are different and yet older: after unpacking an archive, after `cp -p`,
-//! after a clock was set back, and in two clones with one build directory. So a hash of a package's
-//! sources is kept beside each file that Cargo made of them.
+//! fails if the sources have changed but are older than the result: after unpacking an archive,
+//! after `cp -p`, after a clock was set back, and in two clones with one build directory. So a hash
+//! of a package's sources is kept beside each file that Cargo made of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -87,9 +87,9 @@ fn is_made_of(made: &Path, hash: &str, folder: &Path, root: &Path) -> bool {
     let noted = fs::read_to_string(beside(made)).unwrap_or_default();
     match noted.split_once(' ') {
         Some((of, identity)) if identity == self::identity(&metadata) => of == hash,
-        // A different program, such as an editor, ran Cargo. In this kit's own build directory it
-        // used these sources, if no source was written since. The time of that write (ctime) cannot
-        // be set to an earlier one.
+        // A different program, such as an editor, ran Cargo. In this kit's own build directory, the
+        // program used these sources if no source was written later. The time of that write (ctime)
+        // cannot be set to an earlier one.
         _ => {
             let is_own = made.canonicalize().is_ok_and(|made| made.starts_with(root));
             is_own && !is_written_since(folder, &metadata)

@@ -1,8 +1,8 @@
 //! Given files belong to the kit: a submission consists of the files with tasks, and of new files.
 //!
 //! A new file is a module, which is often declared in a given file. So the declaration is copied
-//! into the kit's own version of that file. Nothing else that a student wrote there is compiled.
-//! The grader and `cargo lab check` both build the result of [`Given::put`].
+//! into the kit's own version of that file. Nothing else that a student wrote in a given file is
+//! compiled. The grader and `cargo lab check` both build the result of [`Given::put`].
 
 use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
@@ -14,7 +14,7 @@ use crate::lab::Lab;
 use crate::sources::Sources;
 use crate::starter::{self, todo};
 
-/// A lab's files as the kit gives them.
+/// The files that the kit gives for a lab.
 #[derive(Debug, Default)]
 pub struct Given {
     /// Files in src/ without a task.

@@ -1,4 +1,4 @@
-//! Describes this machine and today's date, for records.
+//! Returns descriptions of this machine, and today's date, for records.
 
 use std::fs;
 use std::process::Command;

@@ -1,4 +1,4 @@
-//! Runs processes with a time limit. No process is left behind.
+//! Runs processes with a time limit, and leaves none of them running.
 
 use std::collections::BTreeSet;
 use std::io::{self, Read};
@@ -13,7 +13,7 @@ use rustix::process::{Pid, Signal, kill_process_group};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
 
-/// Bytes kept of each stream of a process: half from its beginning, half from its end.
+/// Bytes that are kept of each stream: half from its beginning, half from its end.
 const KEPT: usize = 1 << 20;
 
 /// Time between asking a process to end and killing it.
@@ -71,7 +71,7 @@ pub fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {
         let _ = wait(&mut started.child, Instant::now() + GRACE);
     }
     drop(started);
-    // A process that left the group may still hold the pipe. It is not waited for.
+    // A process that left the group may still hold the pipe, so the wait has a limit.
     let text = |stream: Receiver<String>| stream.recv_timeout(GRACE).unwrap_or_default();
     Ok(Finished { status: status?, stdout: text(stdout), stderr: text(stderr) })
 }
@@ -102,7 +102,7 @@ fn running<T>(change: impl FnOnce(&mut BTreeSet<i32>) -> T) -> T {
 
 fn kill(group: i32, signal: Signal) {
     if let Some(group) = Pid::from_raw(group) {
-        // It does no harm if the group has already ended.
+        // The group may have ended already, which does no harm.
         let _ = kill_process_group(group, signal);
     }
 }
@@ -174,7 +174,7 @@ mod tests {
         let child = done.stdout.trim();
         assert!(!child.is_empty());
         // A process that ended has disappeared, or is a zombie until its new parent notices. The
-        // system may take a moment to end it.
+        // system may take a moment to end the process.
         let alive = || {
             let state = std::fs::read_to_string(format!("/proc/{child}/stat")).unwrap_or_default();
             !state.is_empty() && !state.contains(") Z ")

@@ -31,7 +31,7 @@ pub struct Program {
     pub discs: Discs,
     /// Workers that share the program's work.
     pub workers: Workers,
-    /// Name of the variant; `None` for the lab's first.
+    /// Name of the variant; `None` for the lab's first variant.
     pub variant: Option<String>,
     /// Threads of the process, or of each rank; `None` if the command decides.
     pub threads: Option<usize>,
@@ -61,7 +61,7 @@ impl Program {
         })
     }
 
-    /// Returns the solutions that simulate such discs with such workers, in order.
+    /// Returns the solutions that simulate these discs with these workers, in order.
     pub fn solutions(kit: &Kit, discs: Discs, workers: Workers) -> Result<Vec<Self>> {
         let programs = kit.solutions().into_iter().map(|lab| Self::new(lab, true));
         let mut programs = programs.collect::<Result<Vec<_>>>()?;

@@ -14,7 +14,7 @@ fn is_clever(terminal: Option<&str>) -> bool {
     terminal.is_none_or(|terminal| terminal != "dumb")
 }
 
-/// Makes a progress bar. Without a terminal it draws nothing, but it counts.
+/// Makes a progress bar. Without a terminal, the bar counts but is not drawn.
 pub fn progress(length: u64) -> ProgressBar {
     if !can_draw(&std::io::stderr()) {
         return ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::hidden());

@@ -46,7 +46,7 @@ pub struct Answer {
     pub refutation: Option<String>,
 }
 
-/// Reads the words of a marker `{{#quiz LAB PROGRAM}}`: the lab and its known-wrong program.
+/// Parses the words of a marker `{{#quiz LAB PROGRAM}}`: a lab and one of its known-wrong programs.
 ///
 /// # Errors
 /// If a word is missing, or if the first word is not a lab.
@@ -60,7 +60,7 @@ pub fn marked(words: &str) -> Result<(Lab, &str)> {
 /// Returns `None` if the kit has no known-wrong programs of this lab. A class's kit has none.
 ///
 /// # Errors
-/// If the lab has no such quiz, or if the quiz does not fit its program.
+/// If the lab has no quiz about this program, or if the quiz does not fit the program.
 pub fn markdown(kit: &Kit, lab: Lab, program: &str) -> Result<Option<String>> {
     let all = wrong::read(kit, lab)?;
     if all.is_empty() {
@@ -123,7 +123,7 @@ fn rendered(quiz: &Quiz, wrong: &Wrong, code: &str) -> String {
 
 /// Returns an answer of a quiz: a fold with the reply to it.
 ///
-/// Of the folds with the same `name` one is open at a time.
+/// Only one of the folds with the same `name` is open at a time.
 pub fn choice(name: &str, says: &str, is_right: bool, reply: &str) -> String {
     let (class, verdict) = if is_right { (" class=\"is-right\"", "Yes") } else { ("", "No") };
     format!(

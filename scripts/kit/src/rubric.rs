@@ -11,7 +11,7 @@ use crate::lab::Lab;
 /// Points of all tasks of a lab together.
 const WHOLE: f64 = 100.0;
 
-/// Most points of a single task or measure. More is a typing error.
+/// Most points of a single task or measure. A larger number is a typing error.
 const MOST: f64 = 1000.0;
 
 impl Facts {

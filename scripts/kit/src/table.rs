@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::terminal::{columns, fold};
 
-/// A table: a header, and rows with as many cells.
+/// A table: a header, and rows with the same number of cells.
 #[derive(Clone, Debug)]
 pub struct Table {
     header: Vec<String>,

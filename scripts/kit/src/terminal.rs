@@ -2,7 +2,7 @@
 
 use std::io::{IsTerminal, stdout};
 
-/// Columns of a page, and of terminals of unknown width.
+/// Number of columns of a page, and of a terminal whose width is unknown.
 pub(crate) const WIDTH: usize = 80;
 
 /// Returns the number of columns of the terminal.

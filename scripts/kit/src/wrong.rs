@@ -20,8 +20,8 @@
 //! replaced by lines with `+`, lines with a blank stay, and an empty line ends a change. The old
 //! lines of a change must occur once in the answer.
 //!
-//! A program loses the marks of its region's task. If a different task cannot be asked without that
-//! task, the line `also loses` names it.
+//! A program loses the marks of its region's task. If the questions of a different task need that
+//! task, the line `also loses` names the different task.
 //!
 //! Unusual programs that are right are kept in `tests/right/labN.md` in the same form, with
 //! `passes` instead of `fails`. They keep all marks.
@@ -48,7 +48,7 @@ pub struct Wrong {
     pub fails: Vec<String>,
     /// Tests that must pass with this answer, if it is right.
     pub passes: Vec<String>,
-    /// Other tasks that cannot be asked without this one, and lose their marks with it.
+    /// Other tasks that lose their marks too, because their questions need this task.
     pub loses: Vec<Task>,
     /// Description of the mistake, or of the unusual idea.
     pub story: String,

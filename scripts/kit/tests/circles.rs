@@ -109,7 +109,7 @@ fn circles(package: &Package) -> BTreeSet<String> {
     let mut imports: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for (module, paths) in package {
         for other in paths.iter().filter_map(|path| target(package, module, path)) {
-            // Both names are cut where the paths diverge.
+            // Shortens both names so that they end with the first part that differs.
             let a: Vec<_> = module.split("::").collect();
             let b: Vec<_> = other.split("::").collect();
             if let Some(k) = (0..a.len().min(b.len())).find(|&k| a[k] != b[k]) {

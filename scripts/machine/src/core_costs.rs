@@ -12,7 +12,7 @@ const LINE: usize = 64;
 
 /// Number of multiplications, and of additions, for each number that [`operation`] loads.
 ///
-/// They are so many that loads and stores cost nothing.
+/// With this number, loads and stores take no additional time.
 const STEPS: usize = 3;
 
 /// Six numbers with different shifts, so that no two can share a vector instruction.
@@ -77,8 +77,8 @@ pub fn misprediction() -> f64 {
     2.0 * (take(black_box(1 << 40)) - take(black_box(0)))
 }
 
-/// Measures the nanoseconds of a load from a random one of `bytes` bytes, if the next load waits
-/// for it.
+/// Measures the nanoseconds of a load from a random place in `bytes` bytes. Each load waits for the
+/// previous load.
 pub fn latency(bytes: usize) -> f64 {
     let lines = (bytes / LINE).max(2);
     let numbers = LINE / size_of::<usize>();
@@ -105,7 +105,7 @@ pub fn latency(bytes: usize) -> f64 {
 /// Measures the nanoseconds of a multiplication or an addition of `f64` at the core's greatest
 /// rate.
 ///
-/// Each instruction has two operations, as on every x86-64 processor.
+/// Each instruction works on two numbers, as on every x86-64 processor.
 pub fn operation() -> f64 {
     let (factor, summand) = black_box((0.999, 0.001));
     let mut numbers = [1.0; 512];

@@ -11,7 +11,7 @@ pub use mpiexec::{Mpiexec, NoMpiexec};
 
 use std::time::Instant;
 
-/// Measures the nanoseconds that `work` takes for each of `count` items: the median of nine takes.
+/// Measures how many nanoseconds `work` takes per item. Returns the median of nine timings.
 pub fn nanoseconds_each(count: usize, mut work: impl FnMut()) -> f64 {
     let mut takes = [0; 9].map(|_| {
         let start = Instant::now();

@@ -31,11 +31,11 @@ pub struct NoMpiexec {
 }
 
 impl Mpiexec {
-    /// Finds the launcher: the one that `MPIEXEC` names, or else one beside the compiler, or else
+    /// Finds the launcher that `MPIEXEC` names, or else a launcher beside the compiler, or else
     /// `mpiexec`.
     ///
     /// `MPICC` names the compiler that the labs were built with. The launcher and the compiler must
-    /// be of the same MPI.
+    /// belong to the same MPI library.
     ///
     /// # Errors
     /// The launcher is missing or does not start.
@@ -56,9 +56,9 @@ impl Mpiexec {
     ///
     /// The job takes at most `usual` if waiting ranks yield their cores.
     ///
-    /// With MPICH as Debian builds it, they do not: a rank polls for messages until the system
-    /// takes its core away, after three or four milliseconds. Each message of a rank without a core
-    /// then takes that long.
+    /// With Debian's MPICH they do not: a rank polls for messages until the system takes its core
+    /// away, after three or four milliseconds. A message to a rank without a core then takes that
+    /// long.
     pub fn limit(&self, usual: Duration, ranks: usize) -> Duration {
         let cores = thread::available_parallelism().map_or(1, usize::from);
         if self.yields || ranks <= cores { usual } else { PATIENCE * usual }
@@ -84,9 +84,9 @@ fn beside(compiler: &Path) -> Option<OsString> {
 
 /// Returns the flags that a launcher with this version text needs.
 ///
-/// Open MPI refuses to run as root and to start more ranks than cores, and it binds each rank to one
-/// core, where two threads of a rank would share it. Version 5 spells its flags differently. MPICH, and
-/// the launchers made from it, need no flags.
+/// Open MPI refuses to run as root and to start more ranks than cores, and it binds each rank to one core, which two
+/// threads of the rank would share. Version 5 spells its flags differently. MPICH, and the launchers made from it, need
+/// no flags.
 fn flags(version: &str) -> &'static [&'static str] {
     if version.contains("OpenRTE") {
         &["--oversubscribe", "--bind-to", "none", "--allow-run-as-root"]

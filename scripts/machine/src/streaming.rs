@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 /// Time step of the sweep. Its value does not matter.
 const DT: f64 = 0.0005;
 
-/// Least time of a take. In a shorter take, the clock and the start of threads would have an
-/// influence.
+/// Least time of one timing (a take). The clock and the start of threads would distort a shorter
+/// take.
 const LEAST: Duration = Duration::from_millis(10);
 
 /// The particles of one thread, as four arrays.
@@ -52,10 +52,10 @@ fn line(n: usize, step: f64) -> Vec<f64> {
     (0..n).map(|i| i as f64 * step).collect()
 }
 
-/// Measures the nanoseconds per particle for reading and writing x, y, vx and vy in place, in one
-/// take.
+/// Times once how long reading and writing x, y, vx and vy in place takes, in nanoseconds per
+/// particle.
 ///
-/// There are `n` particles.
+/// All threads together have `n` particles.
 ///
 /// Each of the `threads` threads has an equal share of the particles.
 pub fn nanoseconds(n: usize, threads: usize) -> f64 {

@@ -18,7 +18,7 @@ pub fn slope(points: &[(f64, f64)]) -> f64 {
     over / under
 }
 
-/// Returns the slope by the shortest takes, and by the medians.
+/// Returns two slopes: one for the shortest takes, and one for the medians.
 pub fn slopes(points: &[(f64, Span)]) -> Span {
     Span::both(|way| slope(&points.iter().map(|(x, y)| (*x, way(y))).collect::<Vec<_>>()))
 }
@@ -33,23 +33,21 @@ pub fn complexity_grade(slope: f64) -> f64 {
     }
 }
 
-/// Returns the strong efficiency: the speed of all workers as a share of `workers` times the speed
-/// of one.
+/// Returns the strong efficiency: the speed-up of all workers divided by their number.
 ///
 /// The arguments are the seconds of one worker and of all workers on the same scene.
 pub fn strong_efficiency(one: f64, workers: usize, all: f64) -> f64 {
     one / (workers as f64 * all)
 }
 
-/// Returns the weak efficiency: one worker's seconds over the seconds of all on a larger scene.
+/// Returns the weak efficiency: one worker's seconds divided by all workers' on a larger scene.
 ///
 /// The scene grows in proportion to the number of workers.
 pub fn weak_efficiency(one: f64, all: f64) -> f64 {
     one / all
 }
 
-/// Returns the mean efficiency over the numbers of workers, by the shortest takes and by the
-/// medians.
+/// Averages efficiencies over the numbers of workers, for the shortest takes and for the medians.
 ///
 /// One worker is included. Returns `None` if there are no efficiencies.
 pub fn averages(efficiencies: &[Span]) -> Option<Span> {
@@ -66,7 +64,7 @@ pub fn efficiency_grade(average: f64) -> f64 {
     }
 }
 
-/// Grades a parallel program: the mean of the grades of its average strong and weak efficiency.
+/// Grades a parallel program. Averages the grades of its mean strong and its mean weak efficiency.
 pub fn scaling_grade(strong: f64, weak: f64) -> f64 {
     0.5 * (efficiency_grade(strong) + efficiency_grade(weak))
 }

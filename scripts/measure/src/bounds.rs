@@ -9,7 +9,7 @@ use crate::cachegrind::{Caches, Counts};
 /// Bytes of a cache line.
 const LINE: f64 = 64.0;
 
-/// Bytes of a particle that the streaming bound reads; it writes as many.
+/// Bytes that the streaming bound reads for each particle. It writes the same number of bytes.
 const STREAMED: f64 = 32.0;
 
 /// Share of a program's time below which a bound explains nothing.
@@ -31,7 +31,7 @@ pub struct Costs {
 /// Nanoseconds per particle and step that the counts of a program allow.
 #[derive(Clone, Copy, Deserialize, Serialize)]
 pub struct Bounds {
-    /// Time of the instructions, if the core runs as many at once as it can.
+    /// Time of the instructions at the core's greatest rate.
     pub instructions: f64,
     /// Time of the branches that a simple predictor mispredicts.
     pub branches: f64,
@@ -54,7 +54,7 @@ impl Costs {
         }
     }
 
-    /// Returns the costs as a text.
+    /// Describes the costs in words.
     pub fn in_words(&self) -> String {
         let Self { instruction, misprediction, second_level, beyond, operation } = self;
         format!(
@@ -78,7 +78,7 @@ impl Costs {
 }
 
 impl Bounds {
-    /// Computes the bounds of counts per particle and step; `streaming` is the streaming bound.
+    /// Computes the bounds from counts per particle and step, and from the streaming bound.
     pub fn new(counts: Counts, costs: &Costs, streaming: f64) -> Self {
         let [instructions, first, last, mispredicted] = counts;
         Self {
@@ -97,7 +97,7 @@ impl Bounds {
     /// Names the bound that limits a program that takes `time`.
     ///
     /// Branches and latency are the costs with a simple predictor and without prefetching. They are
-    /// named only if they explain the time beyond the least.
+    /// named only if they explain why the program takes longer than the least time.
     pub fn holding(&self, time: f64) -> &'static str {
         let least = self.least();
         let rest = time - least;

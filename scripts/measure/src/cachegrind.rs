@@ -62,12 +62,13 @@ impl Caches {
         1024 * self.last_level as usize
     }
 
-    /// Returns the words that precede a program's command line, so that its events are counted.
+    /// Returns the words before a program's command line that make valgrind count the program's
+    /// events.
     ///
     /// The counts are in files named `counts.…` in `folder`.
     ///
     /// # Errors
-    /// Valgrind is not installed, or the caches are not possible.
+    /// Valgrind is not installed, or it cannot simulate the caches.
     pub fn tool(&self, folder: &Path) -> Result<Vec<String>> {
         let Self { first_level, last_level } = self;
         ensure!(first_level <= last_level, "the last level cannot be smaller than the first");
@@ -86,9 +87,9 @@ impl Caches {
     }
 }
 
-/// Returns the words that give a program the same addresses in each run.
+/// Returns the words before a command line that give the program the same addresses in each run.
 ///
-/// There are none if the system cannot do that.
+/// The result is empty if the system cannot fix addresses.
 ///
 /// Misses and mispredictions depend on the addresses.
 fn same_addresses() -> &'static [&'static str] {
@@ -119,7 +120,7 @@ impl Profile {
     /// Adds the contents of a file of cachegrind.
     ///
     /// It lists the names of events, then files (`fl`, or `fi` and `fe` for inlined code) and
-    /// functions (`fn`). For each of them it has lines with a line number of the source and the
+    /// functions (`fn`). Below each function are lines with a line number of the source and its
     /// counts.
     fn read(&mut self, text: &str, by: By) -> Option<()> {
         let mut events: Vec<Option<usize>> = Vec::new();
@@ -155,7 +156,7 @@ impl Profile {
         from_fn(|at| self.0.values().map(|counts| counts[at]).sum())
     }
 
-    /// Subtracts the counts of a run that had the same beginning and was shorter.
+    /// Subtracts the counts of a shorter run with the same beginning.
     pub fn beyond(&self, shorter: &Self) -> Self {
         let mut beyond = Self::default();
         for (location, counts) in &self.0 {

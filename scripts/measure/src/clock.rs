@@ -1,4 +1,4 @@
-//! Repeated takes of the same run, and the rule that decides whether two programs differ.
+//! Repeated timings (takes) of the same run, and the rule that decides whether two programs differ.
 
 use lab_kit::table::three_digits;
 use serde::{Deserialize, Serialize};
@@ -92,18 +92,17 @@ impl Span {
     }
 }
 
-/// Least seconds of a shortest take for a grade.
+/// Number of seconds that the shortest take must last for a grade.
 const SHORTEST: f64 = 0.01;
 
 /// Message in place of a grade.
 pub const TOO_SHORT: &str =
     "Too short to grade: take more particles or --steps, and two --rounds or more.";
 
-/// Difference between the grades by the shortest takes and by the medians above which the grade is
-/// noisy.
+/// Largest difference between the grades for shortest takes and for medians that is not noisy.
 const NOISE: f64 = 5.0;
 
-/// Whether the times vary too much for this grade, of 100.
+/// Whether the times vary too much for this grade out of 100.
 pub fn is_noisy(grade: Span) -> bool {
     (grade.min - grade.median).abs() > NOISE
 }
@@ -170,7 +169,7 @@ mod tests {
         assert!(quick.over(span(&[1.3, 1.4, 1.5])).decided);
         assert!(!span(&[1.05, 1.4, 1.5]).over(quick).decided);
         assert!(!quick.over(quick).decided);
-        // One bad take of three does not change a clear result.
+        // One disturbed take out of three does not change a clear result.
         assert!(span(&[2.0, 2.1, 9.0]).over(span(&[1.0, 1.1, 5.0])).decided);
     }
 

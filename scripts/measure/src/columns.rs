@@ -51,14 +51,14 @@ impl<'c, R> Columns<'c, R> {
         self
     }
 
-    /// Adds the shortest take and the median.
+    /// Adds columns for the shortest take and the median.
     pub fn times(self, unit: &str, times: impl Fn(&R) -> Span + Copy + 'c) -> Self {
         self.number(format!("{unit}min"), move |row| Some(times(row).min))
             .number("median", move |row| Some(times(row).median))
     }
 
-    /// Adds the spread of the times, and their ratio to another run. The row without a ratio is the
-    /// other run itself.
+    /// Adds columns for the spread of the times, and for their ratio to another run. The other run
+    /// itself has no ratio.
     pub fn compared(
         self,
         spread: impl Fn(&R) -> f64 + 'c,

@@ -2,7 +2,8 @@
 //!
 //! A machine's speed changes with its clock, its temperature and its other programs. So jobs take
 //! turns: each round runs every job once, and a bad minute affects all jobs. Every other round goes
-//! backwards, so that no job always follows the same one. The streaming bound takes part.
+//! backwards, so that no job always follows the same job. The streaming bound is measured in turn,
+//! too.
 
 use std::collections::BTreeMap;
 
@@ -53,7 +54,7 @@ pub struct Bound {
 pub struct Timings {
     /// Timings in the order of the jobs.
     pub timings: Vec<Timing>,
-    /// Streaming bounds by ascending n, each with one thread and with all threads.
+    /// Streaming bounds in ascending order of n, each with one thread and with all threads.
     pub bounds: Vec<Bound>,
     /// Jobs that were not measured, and the reasons.
     pub left_out: LeftOut,

@@ -33,8 +33,8 @@ pub struct Effort {
 /// The way to choose the numbers of steps, if the user does not set them.
 #[derive(Clone, Copy)]
 pub enum Fit {
-    /// All jobs have the same number of steps. It suits the slowest program, which is tried in the
-    /// first of its jobs.
+    /// All jobs have the same number of steps. The first job of each program is tried, and the
+    /// number suits the slowest program.
     Alike,
     /// Each job has as many steps as its share of the time allows, at most `most`.
     Each {
@@ -119,8 +119,8 @@ impl Effort {
         Ok(Fitted { jobs: tried.into_iter().map(|tried| tried.job).collect(), left_out })
     }
 
-    /// Tries a job, even if its steps are given, because a device shows a refusal only when it
-    /// runs.
+    /// Tries a job, even if its number of steps is given, because a device refuses a job only when
+    /// it runs.
     fn try_out(&self, runner: &Runner, job: Job, share: f64, most: u64) -> Result<TriedOut> {
         let Some(steps) = self.steps else { return calibrated(runner, job, share, most) };
         if job.program.workers == Workers::Device {
@@ -138,7 +138,7 @@ fn calibrated(runner: &Runner, mut job: Job, seconds: f64, most: u64) -> Result<
         let took = runner.run(&job)?.seconds.max(1e-9);
         let step = took / job.steps as f64;
         let fitting = (seconds / step) as u64;
-        // A run of a few milliseconds says little, because the first steps find cold caches.
+        // A run of a few milliseconds is not typical, because the first steps find cold caches.
         if took > 0.2 * seconds || job.steps == most {
             job.steps = fitting.clamp(1, most);
             return Ok(TriedOut { job, step });

@@ -18,7 +18,7 @@ pub(crate) const FRAMES: &str = "frames.txt";
 /// Name of the file that a program writes its events to.
 pub(crate) const EVENTS: &str = "events.txt";
 
-/// A program and its task.
+/// A program, its scene, and the settings of its run.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Job {
     /// The program.
@@ -27,8 +27,8 @@ pub struct Job {
     pub scene: Scene,
     /// Number of time steps.
     pub steps: u64,
-    /// Number of threads, or of ranks if the program has ranks, unless the program's name contains
-    /// the number.
+    /// Number of threads, or of ranks if the program has ranks. A number in the program's name has
+    /// priority.
     #[serde(skip)]
     pub workers: usize,
     /// Whether the program collects statistics, which costs time.
@@ -46,7 +46,7 @@ pub struct Job {
 /// The numbers that a run prints or writes.
 #[derive(Clone, Debug, Deserialize)]
 pub struct RunOutput {
-    /// Seconds of the steps, without start, scene and output.
+    /// Seconds that the steps take, without start, scene and output.
     pub seconds: f64,
     /// Seconds of the engine's `load`.
     #[serde(default)]
@@ -112,7 +112,7 @@ impl Job {
             && self.all_workers() == other.all_workers()
     }
 
-    /// Whether the job is the same run with any number of steps.
+    /// Whether the two jobs differ at most in their numbers of steps.
     pub(crate) fn is_but_for_steps(&self, other: &Self) -> bool {
         Self { steps: other.steps, ..self.clone() } == *other
     }

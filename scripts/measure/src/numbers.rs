@@ -49,7 +49,7 @@ impl Files {
     /// Writes the files that the user has named; `draw` makes the figure from the written numbers.
     ///
     /// # Errors
-    /// The same as those of [`Self::again`], or a file cannot be written.
+    /// The errors of [`Self::again`], or a file cannot be written.
     pub fn write<R: DeserializeOwned>(
         &self,
         results: impl Serialize,

@@ -23,7 +23,7 @@ pub enum Varied {
     Neighbours,
     /// Number of threads of the process, or of each rank.
     Threads,
-    /// Number of processes of a lab with messages.
+    /// Number of ranks of a lab with messages.
     Ranks,
     /// Value of a parameter of the variants, as for `--param`.
     Parameter(String),
@@ -100,7 +100,7 @@ impl Over {
 }
 
 impl Varied {
-    /// Makes a job for each value and, in turn, each program.
+    /// Makes a job for each value and each program.
     pub fn jobs(&self, values: &[f64], programs: &[Program], like: &Job) -> Vec<Job> {
         let mut jobs = Vec::new();
         for &value in values {
@@ -144,7 +144,7 @@ impl Varied {
         job
     }
 
-    /// Returns the value in the job; NaN if the job has no such quantity.
+    /// Returns the value in the job; NaN if the job does not have the quantity.
     pub fn of(&self, job: &Job) -> f64 {
         match (self, &job.scene) {
             (Self::N, scene) => scene.n() as f64,

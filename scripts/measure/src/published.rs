@@ -55,7 +55,7 @@ pub struct Scaling {
     weak: Vec<(usize, f64)>,
 }
 
-/// CS3210's measurements of a program of hard discs, in addition to its growth and its scaling.
+/// The CS3210 report's measurements of a program, in addition to its growth and its scaling.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Swept {
@@ -196,7 +196,8 @@ mod tests {
         }
     }
 
-    /// CSC367 prints no slope. It says «linear», which its Table 1 must be by this rubric.
+    /// CSC367 prints no slope. Its text says «linear», so by this rubric its Table 1 must be
+    /// linear.
     #[test]
     fn csc367_is_linear() {
         let slope = slope(&growth("csc367-serial").points);

@@ -92,8 +92,8 @@ impl Runner {
     /// Runs a command to its end and returns its output.
     ///
     /// # Errors
-    /// The command does not start, takes too long, or fails. If it fails, the error is its own
-    /// message.
+    /// The command does not start, takes too long, or fails. If it fails, the error is the
+    /// command's own message.
     pub fn words(&self, command: &mut Command, name: &str) -> Result<String> {
         let done = process::run(command, self.limit);
         let done = done.with_context(|| format!("{name} did not start"))?;
@@ -105,8 +105,8 @@ impl Runner {
     }
 }
 
-/// Refuses a lab that is still as it was given. It would compile for minutes and end at its first
-/// `todo!`.
+/// Refuses a lab that is still as it was given. The lab would compile for minutes and end at its
+/// first `todo!`.
 fn expect_begun(kit: &Kit, program: &Program) -> Result<()> {
     if program.solution {
         return Ok(());
@@ -114,7 +114,7 @@ fn expect_begun(kit: &Kit, program: &Program) -> Result<()> {
     let folder = kit.starter(program.lab);
     let record = Record::read(&folder)?;
     let source: Vec<&Path> = record.paths().filter(|path| path.starts_with("src")).collect();
-    // The starter of an open lab has no `todo!`, and is a program.
+    // The starter of an open lab has no `todo!`, and is a complete program.
     let has_todo = |path: &&Path| {
         fs::read_to_string(folder.join(path)).is_ok_and(|text| text.contains("todo!("))
     };

@@ -1,4 +1,4 @@
-//! Scenes, as a command line describes them and as programs read them.
+//! Scenes: what a command line describes, and the options and files that programs read.
 
 use std::f64::consts::PI;
 use std::path::Path;

@@ -48,10 +48,10 @@ pub struct SoftPrograms {
 }
 
 impl Programs {
-    /// Returns the programs, which are all of soft or all of hard discs.
+    /// Returns the programs. All of them simulate soft discs, or all simulate hard discs.
     ///
     /// # Errors
-    /// Some programs are of soft and some are of hard discs.
+    /// Some programs simulate soft discs, and some simulate hard discs.
     pub fn of_one_kind(&self) -> Result<Vec<Program>> {
         let mut programs = self.programs.clone();
         programs.iter_mut().for_each(|program| program.solution |= self.solution);

@@ -18,7 +18,7 @@ both. Behind a call stand its file and line.
 
 /// A call, as `labs/common-mpi` records it.
 struct Call {
-    /// Number of a collective call, equal on all ranks; 0 for a call of this rank alone.
+    /// Number of a collective call, equal on all ranks; 0 for a call that is not collective.
     number: u64,
     name: String,
     /// The other rank; negative if there is none, or if it is any rank.
@@ -106,7 +106,7 @@ fn rows(calls: &[Vec<Call>]) -> Vec<Vec<String>> {
     }
 }
 
-/// Counts the consecutive equal calls from this one on that involve no other rank, such as waiting.
+/// Counts equal calls in a row, from this call on, if they involve no other rank, such as waiting.
 fn alike(calls: &[Call], at: usize) -> usize {
     let first = &calls[at];
     let alone = first.number == 0 && !first.sends() && !first.receives();

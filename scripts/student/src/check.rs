@@ -80,7 +80,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Seen {
     source: String,
-    /// Troubles that the check found.
+    /// Problems that the check found.
     pub(crate) troubles: Vec<String>,
 }
 
@@ -97,12 +97,12 @@ fn name(lab: Lab) -> String {
     format!("checks/lab{lab}.json")
 }
 
-/// Troubles found so far.
+/// Problems found so far.
 #[derive(Default)]
 struct Troubles(Vec<String>);
 
 impl Troubles {
-    /// Prints a line about a check, and records its trouble if it has one.
+    /// Prints a line about a check, and records the problem if there is one.
     fn say(&mut self, name: &str, verdict: Result<String, String>) {
         match verdict {
             Ok(well) => print!("{}", folded(&format!("{name:8} well: "), &well)),
@@ -157,7 +157,7 @@ fn tests(kit: &Kit, lab: Lab, judge: Judge) -> Result<Result<String, String>> {
     Ok(run.map_or_else(|| Err("it does not compile".into()), |run| judge(lab, &run)))
 }
 
-/// Tests the lab as it would be handed in and graded.
+/// Tests the files that would be handed in, built as the grader builds them.
 fn graded(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     let collected = sources::collect(&kit.starter(lab))?;
     let graded = Graded::lay(kit, lab, &collected)?;

@@ -52,7 +52,7 @@ fn print(hints: &Hints, tier: usize) {
     print!("{}", folded("", next));
 }
 
-/// Returns the tier after the last one shown.
+/// Returns the tier after the last tier that was shown.
 fn next(kit: &Kit, task: Task) -> Result<usize> {
     const SHOWN: &str = "hints.json";
     // If the record cannot be read, the first hint is shown again, which does little harm.

@@ -17,7 +17,7 @@ struct Report {
     lab: Lab,
     /// Whether every test has run and passes.
     passes: bool,
-    /// Errors of the compiler as it shows them. If there are any, no test has run.
+    /// Errors of the compiler, in the compiler's words. If there are any errors, no test has run.
     compile_errors: Vec<String>,
     /// Tasks with the outcomes of their tests.
     tasks: Vec<Progress>,

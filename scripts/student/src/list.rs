@@ -55,7 +55,7 @@ impl Overview {
         tasks::done(&self.tasks)
     }
 
-    /// Counts the core tasks that are done, if the lab has other tasks too.
+    /// Returns the count of finished core tasks as text; empty if the lab has only core tasks.
     fn core(&self) -> String {
         let core: Vec<_> = self.tasks.iter().filter(|task| !task.optional).cloned().collect();
         if core.len() == self.tasks.len() {

@@ -29,7 +29,7 @@ fn lines(kit: &Kit, lab: Lab) -> Result<String> {
 }
 
 /// Returns the program to measure: the solution's. A class's kit lacks the solution of its newest
-/// lab, so there it is the student's own.
+/// lab, so there it returns the student's own program.
 fn program(kit: &Kit, lab: Lab) -> String {
     let own = if kit.solutions().contains(&lab) { "solution" } else { "lab" };
     format!("{own}{lab}")

@@ -10,7 +10,7 @@ use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::terminal::folded;
 use lab_kit::{Kit, Lab};
 
-/// Maximal number of lines shown of a test's message.
+/// Maximal number of lines of a test's message that are shown.
 const LINES: usize = 40;
 
 /// Prints the state of a lab or a task, and the next step.

@@ -37,7 +37,7 @@ pub(crate) struct Options {
 /// Builds and runs the lab, and returns its exit code.
 pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let lab = options.lab;
-    // The flag is also accepted after the number, because no lab's program has such a flag.
+    // The flag is also accepted after the number, because no lab's program has a flag of this name.
     if options.arguments.first().is_some_and(|argument| argument == "--solution") {
         options.arguments.remove(0);
         options.solution = true;
@@ -83,7 +83,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     Ok(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)))
 }
 
-/// Folds a line of the list of variants below the beginning of its text.
+/// Folds a line in the list of variants, and indents further lines to the line's text.
 ///
 /// Such a line is `sorted       a counting sort`.
 fn below_its_text(line: &str) -> String {

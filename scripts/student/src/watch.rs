@@ -17,8 +17,8 @@ use lab_kit::process;
 use lab_kit::progress::can_draw;
 use lab_kit::{Kit, Lab};
 
-/// Interval between two looks at the source. An editor writes a file in several steps, which count
-/// as one change within this time.
+/// Interval between two checks of the source. Within this time, the several steps in which an
+/// editor writes a file count as one change.
 const TOGETHER: Duration = Duration::from_millis(300);
 
 /// Test a lab again whenever you save a file
@@ -52,7 +52,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
 }
 
-/// Runs the tests of the task that was open the last time, which are quick, and then all tests.
+/// Runs the tests of the task that was not done in the last run, which are quick, and then all
+/// tests.
 ///
 /// All tests run, because the change may have broken any task. `None` if the lab does not compile.
 fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Option<Run>> {

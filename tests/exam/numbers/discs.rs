@@ -15,7 +15,8 @@ fn collisions() -> Vec<Numbers> {
     let (textbook, other) =
         ((10.0 - root) / 100.0, three_digits(0.0004 / three_digits(10.0 + root)));
 
-    // Candidates in their order. Walls are not listed, because only discs matter.
+    // The discs of each candidate collision, in order of time. A collision with a wall has one
+    // disc.
     let candidates: [&[usize]; 6] = [&[1, 2], &[0, 1], &[4], &[2, 3], &[3, 4], &[0]];
     let (mut free, mut taken) = ([true; 5], 0);
     for discs in candidates {

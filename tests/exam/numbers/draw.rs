@@ -1,6 +1,6 @@
 //! Numbers that a paper may change.
 //!
-//! In a question the name of such a number follows it: `5<!--share--> %`.
+//! In a question, a comment behind such a number contains its name: `5<!--share--> %`.
 
 use std::collections::BTreeMap;
 

@@ -65,7 +65,8 @@ fn methods(inputs: &mut Inputs) -> Vec<Numbers> {
     ]
 }
 
-/// Returns the first three chords, and the third without the rule. The low end, at 0, never moves.
+/// Returns the times of the first three chords, and of the third without Illinois's halving. The
+/// low end stays at 0.
 fn illinois() -> Vec<f64> {
     let f = |t: f64| 1.0 / (t + 0.25) - 2.0;
     let chord = |low: f64, high: f64| high * low / (low - f(high));

@@ -1,5 +1,4 @@
-//! Computed numbers of the exam questions' answers: for each question the numbers in bold, in their
-//! order.
+//! Computes the numbers in bold in the answers to the exam questions.
 
 mod discs;
 pub mod draw;
@@ -28,7 +27,7 @@ pub fn all(inputs: &mut Inputs) -> BTreeMap<&'static str, Vec<f64>> {
     .collect()
 }
 
-/// Returns for each number the sum of all numbers before it.
+/// Returns, for each number, the sum of the numbers before it.
 fn starts(counts: &[usize]) -> Vec<usize> {
     let sum = |sum: &mut usize, count: &usize| Some(std::mem::replace(sum, *sum + count));
     counts.iter().scan(0, sum).collect()

@@ -93,7 +93,7 @@ fn buffers(inputs: &mut Inputs) -> Vec<Numbers> {
     let [four, eight] = [("3.10 four", [3.2, 3.0, 2.5]), ("3.10 eight", [4.8, 4.2, 4.0])]
         .map(|(name, choices)| inputs.one(name, &choices));
     let serial = |speed_up: f64, p: f64| (1.0 / speed_up - 1.0 / p) / (1.0 - 1.0 / p);
-    // Each order determines which thread acts next: a thread first reads, then writes.
+    // Bit k of an order is the thread that acts at turn k. Each thread first reads, then writes.
     let orders: Vec<_> = (0..16_u32).filter(|turns| turns.count_ones() == 2).collect();
     let total = |turns: u32| {
         let (mut total, mut read) = (5, [None; 2]);

@@ -1,4 +1,4 @@
-//! Asks a submission the questions of its lab and has its answers judged.
+//! Asks a submission the questions of its lab, and has the judging program judge the answers.
 //!
 //! The program that runs a submission writes answers to a file and contains no right answer. The
 //! grader's own program, which is built from the solution, judges the file.
@@ -26,9 +26,9 @@ use question_list::Question;
 /// Message for a program that was killed, by the grader or by the system.
 const KILLED: &str = "it was ended, because it needed more memory than a submission is allowed";
 
-/// Number of printed bytes above which a program has no answer because it spent its time printing.
+/// Number of printed bytes above which a missing answer is blamed on the printing.
 const MUCH: usize = 1 << 19;
-/// Message about a program that printed so much.
+/// Message about a program that printed so many bytes that it did not answer.
 const PRINTS: &str = "it prints too much: remove the output for each particle or pair";
 
 /// Message for a task whose questions all need another task that is wrong.
@@ -81,7 +81,7 @@ pub(crate) struct TaskResult {
 }
 
 impl Questions {
-    /// Asks the solution in `folder` all questions. Every answer must be right.
+    /// Asks the solution in `folder` all questions, which it must answer correctly.
     pub(crate) fn of(sandbox: &Sandbox, folder: &Path, judge: Judge, seed: u64) -> Result<Self> {
         let all = question_list::read(&judge.program)?;
         let mut questions = Self { judge, solution: folder.to_owned(), all: Vec::new() };
@@ -111,8 +111,7 @@ impl Questions {
 
     /// Asks the submission in `folder` about each of these tasks.
     ///
-    /// A question is skipped if it needs another task that is wrong, so that a mistake costs one
-    /// task only.
+    /// A question that needs another, wrong task is skipped, so that a mistake costs only one task.
     pub(crate) fn ask<'a>(
         &self,
         sandbox: &Sandbox,

@@ -1,5 +1,4 @@
-//! Tests that the program that runs a submission contains no right answer, by its symbols and
-//! strings.
+//! Tests that the symbols and strings of the program that runs a submission reveal no right answer.
 
 use std::fs;
 use std::process::Command;
@@ -10,7 +9,7 @@ use crate::asking::{ANSWER, JUDGE};
 use crate::sandbox::{Limits, Sandbox};
 use lab_kit::Kit;
 
-/// Texts that reveal knowledge of right answers in a program.
+/// Texts that occur only in a program that contains right answers.
 ///
 /// They are parts of symbols of code that compares or computes answers, and texts that only a
 /// verdict contains.
@@ -29,7 +28,7 @@ const KNOWING: [&str; 7] = [
 fn the_program_that_runs_a_submission_knows_no_answer() {
     let kit = Kit::find().unwrap();
     let limit = Duration::from_secs(900);
-    // No foreign code runs here.
+    // This test runs no foreign code.
     let sandbox =
         Sandbox::find(&kit, true, Limits { run: limit, build: limit, loopback: false }).unwrap();
     let tree = Tree::lay(&kit, "1".parse().unwrap(), &sandbox).unwrap();

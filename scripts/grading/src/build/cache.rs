@@ -14,8 +14,8 @@ use anyhow::{Context, Result, ensure};
 use lab_kit::files::{digest, read_bytes};
 use lab_kit::{Kit, files_below};
 
-/// Returns the folder of the cache. It holds the last lab only, because one lab takes some hundred
-/// megabytes.
+/// Returns the folder of the cache. It contains only the last lab, because each lab takes hundreds
+/// of megabytes.
 pub(crate) fn of(kit: &Kit) -> PathBuf {
     kit.memory().join("compiled/probe")
 }
@@ -33,7 +33,7 @@ pub(crate) fn put_into(kept: &Path, tree: &Path) -> Result<()> {
 
 /// Copies the build of a tree into the cache, unless the cache has it already.
 ///
-/// If the grader is killed half-way, it leaves a folder that is never used.
+/// If the grader is killed while it copies, it leaves a folder that is never used.
 pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
     let sources = sources(tree)?;
     if fs::read_to_string(kept.join("sources")).is_ok_and(|kept| kept == sources) {
@@ -46,7 +46,7 @@ pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
     copy(&tree.join("target"), &new.path().join("target")).with_context(unkept)?;
     fs::write(new.path().join("sources"), sources).with_context(unkept)?;
     let old = tempfile::tempdir_in(folder).with_context(unkept)?;
-    // A different grading may do the same now. Its copy is as good.
+    // Another grading may write the cache at the same time. Either copy can be kept.
     let _ = fs::rename(kept, old.path().join("old"));
     let _ = fs::rename(new.path(), kept);
     Ok(())
@@ -61,7 +61,7 @@ pub(crate) fn copy(from: &Path, to: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Returns the SHA-256 of the sources of the cache: versions and given code.
+/// Returns the SHA-256 of the sources that the cache depends on: manifests and given code.
 fn sources(tree: &Path) -> Result<String> {
     let files = ["Cargo.lock", "Cargo.toml", "rust-toolchain.toml"].map(|file| tree.join(file));
     let mut all = Vec::new();

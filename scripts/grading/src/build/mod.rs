@@ -45,7 +45,7 @@ pub(crate) struct Tree {
     solution: Sources,
 }
 
-/// Order for a build: sources, names of programs, time limit, and limit of a file in bytes.
+/// Order for a build: sources, names of programs, time limit, and size limit of a file in bytes.
 #[derive(Clone, Copy)]
 struct Order<'a> {
     sources: &'a Sources,
@@ -60,7 +60,7 @@ impl<'a> Order<'a> {
     }
 }
 
-/// Folder of the programs that were built, or the compiler's errors or the message about the limit.
+/// Folder of the built programs; otherwise the compiler's errors, or the message about the limit.
 type Built = std::result::Result<TempDir, String>;
 
 impl Tree {
@@ -97,7 +97,7 @@ impl Tree {
     /// procedural macro.
     ///
     /// # Errors
-    /// If the solution cannot be built now either. The submission is not the cause.
+    /// If the solution cannot be built now either, so that the submission is not the cause.
     pub(crate) fn build_some(
         &self,
         sandbox: &Sandbox,
@@ -125,7 +125,8 @@ impl Tree {
         }
     }
 
-    /// Builds in two passes, so that neither side can read the other's sources.
+    /// Builds in two passes: the submission and the grader's programs cannot read each other's
+    /// sources.
     ///
     /// ```text
     ///          submission in the tree    grader's programs in the tree    result
@@ -180,10 +181,11 @@ impl Tree {
         let built = built.map_err(|why| anyhow!("{}:\n{why}", unbuilt()))?;
         // The judge contains right answers, so no submission may read it.
         fs::set_permissions(built.path().join(asking::JUDGE), Permissions::from_mode(0o700))?;
-        // Nothing of the solution is kept.
+        // The tree keeps nothing of the solution.
         put(self.folder.path(), self.lab, &Sources::new(), sandbox)?;
         cache::keep(&cache::of(kit), self.folder.path())?;
-        // The oracle is compiled now. Emptying its sources keeps a submission from including them.
+        // The oracle is compiled now. Its sources are emptied, so that no submission can include
+        // them.
         for path in files_below(&self.folder.path().join("tests"))? {
             if path.extension().is_some_and(|extension| extension == "rs") {
                 File::create(&path)?.set_modified(SystemTime::UNIX_EPOCH)?;
@@ -222,7 +224,7 @@ fn compile(
 
 /// Whether a failed build is the fault of the sources.
 ///
-/// It is if the build took too long, or if an error has a location in a source.
+/// The sources are at fault if the build took too long, or if an error has a location in a source.
 fn is_of_a_source(why: &str) -> bool {
     is_late(why) || why.lines().any(names_a_place)
 }
@@ -232,7 +234,7 @@ fn is_late(why: &str) -> bool {
     why.lines().any(|line| line.starts_with(LATE))
 }
 
-/// Whether a line of the compiler is `--> src/lib.rs:3:5` or `src/lib.rs:3:5: error`.
+/// Whether a line of the compiler's output is `--> src/lib.rs:3:5` or `src/lib.rs:3:5: error`.
 fn names_a_place(line: &str) -> bool {
     let mut parts = line.split(": error").next().unwrap_or_default().rsplit(':');
     let mut is_number = || parts.next().is_some_and(|part| part.parse::<u32>().is_ok());
@@ -296,7 +298,7 @@ fn strip(root: &Path, lab: Lab) -> Result<()> {
             fs::remove_file(path)?;
         }
     }
-    // The package has this target while a submission's sources are replaced.
+    // While a submission's sources are replaced, the package has only this target.
     write_file(&root.join(format!("labs/lab{lab}/tests/none.rs")), "")
 }
 

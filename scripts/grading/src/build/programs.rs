@@ -79,7 +79,7 @@ fn questions(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     Ok(sources)
 }
 
-/// Writes the module that runs an order, with the lab's program of that name or the serial one.
+/// Writes the module that runs an order: the lab's program of that name, or the serial program.
 fn scene(lab: Lab, rubric: &Facts) -> String {
     let mut modules = String::new();
     let mut run = String::from("None");
@@ -94,8 +94,8 @@ fn scene(lab: Lab, rubric: &Facts) -> String {
     format!("{modules}\npub fn run(order: &crate::Order) -> Option<Vec<f64>> {{\n    {run}\n}}\n")
 }
 
-/// Writes the manifest. The package depends on the lab, on the lab's dependencies, because their
-/// types are arguments and results, and on the dependencies of the questions.
+/// Writes the manifest. The package depends on the lab and on the dependencies of the questions. It
+/// also depends on the lab's dependencies, because their types are arguments and results.
 fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
     let text = fs::read_to_string(folder.join("Cargo.toml"))?;
     let section = |name: &str| {

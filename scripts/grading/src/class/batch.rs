@@ -94,7 +94,7 @@ fn record_of(into: &Path, name: &str) -> PathBuf {
     into.join(format!("{name}.json"))
 }
 
-/// Builds and judges open submissions and times untimed ones. Returns whether all could be timed.
+/// Builds, judges and times the submissions that are left. Returns whether all could be timed.
 fn work(grader: &Grader<'_>, left: &Left<'_>, all: usize, into: &Path) -> Result<bool> {
     let mut jobs = cores().min(left.open.len()).max(1);
     let _guard = Guard::set(jobs);
@@ -128,8 +128,8 @@ fn fitting(sandbox: &Sandbox, first: &Tree) -> Result<usize> {
     Ok(1 + ((room::free(sandbox.scratch())? - BUILD_QUOTA) / each) as usize)
 }
 
-/// Judges the tasks of submissions, in all trees at once. Returns the programs that were built, by
-/// the submissions' names.
+/// Judges the tasks of submissions, in all trees at once. Returns the built programs by submission
+/// name.
 fn judge(
     grader: &Grader<'_>,
     reference: &Reference,
@@ -149,7 +149,7 @@ fn judge(
     on_all_cores(open, work).into_iter().filter_map(Result::transpose).collect()
 }
 
-/// Takes one of the trees. There are as many trees as workers.
+/// Takes one of the trees. A tree is always free, because there are as many trees as workers.
 fn taken(trees: &Mutex<Vec<Tree>>) -> Tree {
     trees.lock().expect("popping does not panic").pop().expect("a tree for each worker")
 }

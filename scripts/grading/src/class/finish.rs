@@ -1,4 +1,4 @@
-//! Finishes a class whose tasks are judged: times, points, pages.
+//! Finishes a class whose tasks are judged: takes times, computes points and writes pages.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -38,7 +38,7 @@ pub(crate) fn time(
         let program = programs.remove(name);
         let taken = time_one(grader, reference, tree, path, program, &mut record.found);
         if taken.is_err() {
-            // The times are open, and the next grading takes them.
+            // The next grading times this submission again.
             record.found.timed = false;
             record.found.runs.clear();
             all = false;
@@ -51,7 +51,7 @@ pub(crate) fn time(
     Ok(all)
 }
 
-/// Times a submission, whose program is built if it is not there.
+/// Times a submission. If `program` is `None`, its programs are built first.
 fn time_one(
     grader: &Grader<'_>,
     reference: &Reference,
@@ -72,8 +72,8 @@ fn time_one(
 
 /// Computes points, writes the pages, and prints a line for each submission.
 ///
-/// Returns failure if a submission could not be graded, or if the marks of one of the kit's
-/// known-wrong solutions differ from its manifest.
+/// Returns failure if a submission could not be graded, or if a known-wrong solution of the kit has
+/// unexpected marks.
 pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<ExitCode> {
     let mut records = record::read_all(into)?;
     for (name, path) in submissions {

@@ -22,10 +22,10 @@ use lab_kit::rubric;
 use lab_kit::sources::Sources;
 use lab_kit::{Given, Kit, Lab};
 
-/// Maximal number of characters kept of a message about a submission or a task.
+/// Maximal number of characters that are kept of a message about a submission or a task.
 const MESSAGE_LENGTH: usize = 4000;
 
-/// Maximal number of characters kept of the output of a task.
+/// Maximal number of characters that are kept of a task's output.
 const PRINTED: usize = 1 << 16;
 
 /// Settings and files for grading all submissions of a lab.
@@ -34,7 +34,7 @@ pub(crate) struct Grader<'a> {
     pub(crate) lab: Lab,
     pub(crate) rubric: Facts,
     pub(crate) sandbox: &'a Sandbox,
-    /// Seed of every submission; `None` if each submission gets a random seed.
+    /// Common seed of all submissions; `None` if each submission gets a random seed.
     seed: Option<u64>,
     given: Given,
     /// Folder that keeps the output of programs for the staff.
@@ -69,7 +69,7 @@ impl<'a> Grader<'a> {
         submission::take(self.kit, self.lab, &self.given, path)
     }
 
-    /// Returns a random seed, so that knowing one submission's questions does not help another.
+    /// Returns a random seed, so that one student's questions do not help another student.
     fn seed(&self) -> u64 {
         self.seed.unwrap_or_else(|| RandomState::new().hash_one(()))
     }
@@ -79,7 +79,7 @@ impl<'a> Grader<'a> {
         cut(&self.shown(&format!("{error:#}"), path), MESSAGE_LENGTH)
     }
 
-    /// Removes the folders of this machine from a text, because students read it.
+    /// Removes the names of this machine's folders from a text, because students read it.
     fn shown(&self, text: &str, path: &Path) -> String {
         let class = path.parent().unwrap_or(path);
         let own = self.sandbox.folders().into_iter().chain([self.kit.root(), class]);
@@ -92,7 +92,7 @@ impl<'a> Grader<'a> {
         })
     }
 
-    /// Returns a record of a submission that was not read yet.
+    /// Makes the record of a submission that has not been read yet.
     fn blank(&self, name: &str) -> Record {
         let found = Findings {
             format: FORMAT,

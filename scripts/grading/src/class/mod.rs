@@ -1,8 +1,8 @@
 //! `cargo lab grade`: grades a class by running its programs.
 //!
 //! [`grader`] judges the tasks of one submission. [`batch`] judges all submissions, several at a
-//! time, and continues after an interruption. Then [`finish`] takes times, alone on the machine,
-//! and writes the pages.
+//! time, and continues after an interruption. Then [`finish`] times the submissions while nothing
+//! else runs, and writes the pages.
 
 mod batch;
 mod finish;
@@ -104,14 +104,14 @@ fn grade_one_lab(
     grade(kit, lab, submissions, &into, options)
 }
 
-/// Grades every lab that was handed in. Labs that cannot be graded here are named.
+/// Grades every lab that was handed in. Prints the names of labs that cannot be graded here.
 fn grade_all_labs(kit: &Kit, submissions: &[Named], options: &Options) -> Result<ExitCode> {
     let top = options.into.clone().unwrap_or_else(|| kit.memory().join("grade"));
     let mut graded = false;
     let mut all_well = true;
     for lab in rubric::all(kit)?.into_keys() {
         let mut of_lab = submissions.to_vec();
-        // A submission that cannot be read may be for any lab. It appears in the first.
+        // A submission that cannot be read may be for any lab. It is graded with the first lab.
         of_lab.retain(|(_, path)| submission::holds(kit, lab, path).unwrap_or(!graded));
         if of_lab.is_empty() {
             continue;

@@ -20,7 +20,7 @@ pub(crate) struct Decision {
     pub(crate) task: Option<String>,
     /// Points that replace the grader's; `None` if the decision is only a comment.
     pub(crate) points: Option<f64>,
-    /// Days late that replace the days by the clock.
+    /// Days late, which replace the days that the clock gives.
     #[serde(default, skip_serializing)]
     pub(crate) days: Option<u32>,
     /// Reason that the student reads.
@@ -32,7 +32,7 @@ pub(crate) struct Decision {
 const MOST: f64 = 1000.0;
 
 impl Decision {
-    /// Checks that the task exists and is worth that many points.
+    /// Checks that the task exists and is worth at least the decided points.
     pub(crate) fn check(&self, rubric: &Facts) -> Result<()> {
         ensure!(!self.reason.trim().is_empty(), "it has no reason");
         ensure!(!self.student.is_empty(), "it names no student");
@@ -101,7 +101,7 @@ impl Record {
         self.marked.by_hand.iter().filter(move |decision| decision.task.as_deref() == task)
     }
 
-    /// Whether the submission has a mark: there was anything to mark, or a person gave points.
+    /// Whether the grader could mark the submission, or a person gave points for it.
     pub(crate) fn has_mark(&self) -> bool {
         let nothing =
             matches!(self.found.status, Status::Unreadable | Status::Empty | Status::Failed);

@@ -22,24 +22,23 @@ pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 /// Number of the format of records. A record with another number is refused.
 pub(crate) const FORMAT: u8 = 1;
 
-/// Record of one graded submission, in a JSON file whose fields are those of all parts.
+/// Record of one graded submission. Its JSON file has the fields of all parts in one object.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub(crate) struct Record {
     /// Findings of the grading, which are final.
     #[serde(flatten)]
     pub(crate) found: Findings,
-    /// Results of the tasks, with their points; in a record with points, in the order of their
-    /// numbers.
+    /// Results of the tasks, with their points. They are sorted by number when points are computed.
     pub(crate) tasks: Vec<Task>,
     /// Marks, which are computed from the other parts, and can be computed again.
     #[serde(flatten)]
     pub(crate) marked: Marked,
 }
 
-/// Findings about a submission: its files, what its programs were asked, and its times.
+/// Findings about a submission: its files, the settings of its grading, and its times.
 ///
-/// Only asking and timing write them.
+/// They are written only when the submission is asked and timed.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub(crate) struct Findings {
@@ -51,13 +50,13 @@ pub(crate) struct Findings {
     pub(crate) lab: Lab,
     /// Stage that grading reached.
     pub(crate) status: Status,
-    /// Reason why grading stopped, from the compiler or the unpacking; empty if it did not stop.
+    /// Reason why grading stopped, such as a compiler error; empty if it did not stop.
     pub(crate) message: String,
-    /// SHA-256 of all sources taken, with their paths.
+    /// SHA-256 of all accepted sources, with their paths.
     pub(crate) hash: String,
-    /// SHA-256 of each source taken, by its path below the lab's folder.
+    /// SHA-256 of each accepted source, by its path below the lab's folder.
     pub(crate) files: BTreeMap<String, String>,
-    /// Files that were not taken, with the reasons.
+    /// Files that were not accepted, with the reasons.
     pub(crate) left_out: Vec<LeftOut>,
     /// Given files that the student changed. The kit's own versions were compiled.
     pub(crate) changed: Vec<String>,
@@ -79,11 +78,11 @@ pub(crate) struct Findings {
 
 /// Marks of a submission, and the decisions that they depend on.
 ///
-/// The decisions come from the class's roster, its clock and its graders.
+/// The decisions come from the class's roster, the clock and people.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub(crate) struct Marked {
-    /// Grades of the times.
+    /// Measures of the times, with their grades.
     pub(crate) measures: Vec<Measure>,
     /// Time of the hand-in, from the file.
     pub(crate) handed_in: Option<Timestamp>,
@@ -91,15 +90,15 @@ pub(crate) struct Marked {
     pub(crate) late: Option<Lateness>,
     /// Decisions by a person.
     pub(crate) by_hand: Vec<Decision>,
-    /// Whether this submission counts, if its student handed in several.
+    /// Whether this submission determines its student's mark.
     pub(crate) attempt: Attempt,
-    /// Name of the student in the roster; `None` without a roster.
+    /// Name of the student in the roster; `None` if there is no roster.
     pub(crate) student: Option<String>,
     /// Pseudonym that graders see instead of names.
     pub(crate) pseudonym: Option<String>,
     /// Points of all tasks and all measures.
     pub(crate) points: f64,
-    /// Largest possible number of points, including points that are still open.
+    /// Largest possible number of points, including the points of measures without a grade.
     pub(crate) out_of: f64,
 }
 
@@ -122,16 +121,16 @@ pub(crate) enum Status {
     Graded,
 }
 
-/// A file that was not taken.
+/// A file that was not accepted.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub(crate) struct LeftOut {
-    /// Path of the file, as far as it can be written.
+    /// Path of the file, with replacements for bytes that are not UTF-8.
     pub(crate) path: String,
-    /// Reason why it was not taken.
+    /// Reason why the file was not accepted.
     pub(crate) reason: String,
 }
 
-/// Result of a task. It depends on the answers to the task's questions only.
+/// Result of a task. It depends only on the answers to the task's questions.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Task {
     /// Number of the task, such as `1.3`.
@@ -240,7 +239,8 @@ impl Record {
         shown
     }
 
-    /// Returns the points that the tasks are worth, plus those of the measures that are `among`.
+    /// Returns the points that the tasks are worth, plus the points of the measures that are
+    /// `among`.
     pub(crate) fn worth(&self, among: impl Fn(&Measure) -> bool) -> f64 {
         let measures = self.marked.measures.iter().filter(|measure| among(measure));
         let measures: f64 = measures.map(|measure| measure.out_of).sum();
@@ -257,7 +257,7 @@ impl Record {
     }
 }
 
-/// Returns the points that a whole class is marked out of, including open points.
+/// Returns the points that a class is marked out of. Timed measures without a grade are included.
 pub(crate) fn scale(records: &[Record]) -> f64 {
     let mut most: f64 = 0.0;
     for record in records {
@@ -274,7 +274,7 @@ pub(crate) fn points(points: f64) -> String {
 
 #[cfg(test)]
 impl Record {
-    /// Returns the record of Ada, who has one of two tasks of lab 1.
+    /// Returns the record of Ada, who has solved one of two tasks of lab 1.
     pub(crate) fn sample() -> Self {
         serde_json::from_str(include_str!("../../tests/record.json")).unwrap()
     }

@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The takes of one program on scenes of one size.
+/// The repeated timings (takes) of one program on scenes of one size.
 ///
-/// The grader's clock times a take from the moment when the program receives the scene until its
-/// last particle has come back.
+/// A take lasts, by the grader's clock, from the sending of the scene until the program's last
+/// particle has arrived.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Run {
     /// Owner of the program.
@@ -91,7 +91,8 @@ pub(crate) struct Measure {
     pub(crate) grade: Option<f64>,
     /// Points of the submission.
     pub(crate) points: f64,
-    /// Points that the measure is worth. They are open until the measure is graded.
+    /// Points that the measure is worth. Until the measure is graded, they are open: neither earned
+    /// nor lost.
     pub(crate) out_of: f64,
 }
 
@@ -101,7 +102,7 @@ pub(crate) struct Measure {
 pub(crate) enum Kind {
     /// Growth of the time with the number of particles.
     Complexity,
-    /// Speedup by more workers.
+    /// Speedup with more workers.
     Scaling,
     /// Time relative to the solution's.
     Speed,
@@ -115,14 +116,14 @@ pub(crate) enum Verdict {
     Graded,
     /// The program's result was wrong, so its time gives no points.
     Wrong,
-    /// The takes differ too much from each other.
+    /// The repeated timings differ too much from each other.
     TooNoisy,
     /// The program was not timed.
     NotTimed,
 }
 
 impl Measure {
-    /// Whether the measure is graded. If not, its points are open.
+    /// Whether the measure is graded. If not, its points are neither earned nor lost.
     pub(crate) fn counts(&self) -> bool {
         matches!(self.verdict, Verdict::Graded | Verdict::Wrong)
     }

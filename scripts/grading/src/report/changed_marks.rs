@@ -8,7 +8,7 @@ use lab_kit::escape::line;
 
 /// Describes the differences; `None` if nothing that matters changed.
 ///
-/// They are the points before and after, and the changed lines of the letter.
+/// The description has the points before and after, and the changed lines of the letter.
 pub(crate) fn changes(before: &Record, after: &Record) -> Option<String> {
     let measures = |record: &Record| -> Vec<_> {
         let all = record.marked.measures.iter();

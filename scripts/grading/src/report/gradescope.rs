@@ -26,7 +26,7 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
         })
     });
     let measures = record.marked.measures.iter().map(|measure| {
-        // An open measure must not lower the total.
+        // A measure without a grade must not lower the total.
         let (score, most) =
             if measure.counts() { (measure.points, measure.out_of) } else { (0.0, 0.0) };
         json!({

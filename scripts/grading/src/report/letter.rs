@@ -72,7 +72,7 @@ fn file(path: &str) -> String {
     if path.contains('`') { markdown(path) } else { format!("`{}`", line(path)) }
 }
 
-/// Says how many points there are, and whether they are the student's mark.
+/// Describes how many points the submission has, and whether they are the student's mark.
 fn standing(record: &Record, words: &Words) -> String {
     let given =
         format!("{} of {} points.", points(record.marked.points), points(words.full(record)));

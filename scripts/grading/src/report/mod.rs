@@ -32,14 +32,14 @@ struct Words {
     titles: BTreeMap<String, String>,
     /// Path of the lab's chapter; `None` if there is no chapter yet.
     chapter: Option<String>,
-    /// Facts about the lab, among them its kind of workers and the sections of the chapter.
+    /// Facts about the lab, such as its kind of workers and the sections of its chapter.
     facts: Facts,
 }
 
 /// Writes all reports into `folder`.
 ///
-/// These are `index.html`, `class.csv`, `feedback/NAME.md`, `gradescope/NAME.json`, with a roster
-/// `marks.csv`, and after an export from Moodle `moodle-feedback.zip`.
+/// These are `index.html`, `class.csv`, `feedback/NAME.md` and `gradescope/NAME.json`. A roster
+/// adds `marks.csv`, and an export from Moodle adds `moodle-feedback.zip`.
 pub(crate) fn write(
     kit: &Kit,
     lab: Lab,

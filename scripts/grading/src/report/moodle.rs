@@ -1,7 +1,8 @@
-//! All letters in one archive, which Moodle takes as feedback files of an assignment.
+//! All letters in one archive, which can be uploaded to Moodle as the feedback files of an
+//! assignment.
 //!
-//! Moodle finds the student in the name of a folder, which is the name that its own export gave to
-//! the submission: `Ada Lovelace_4711_assignsubmission_file`.
+//! Moodle finds the student by the folder's name, which must be the name in Moodle's export: `Ada
+//! Lovelace_4711_assignsubmission_file`.
 
 use std::io::{Cursor, Write};
 
@@ -9,9 +10,10 @@ use anyhow::Result;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
-/// Packs the letters of those submissions that Moodle exported, given as names and letters.
+/// Packs the letters of the submissions that Moodle exported.
 ///
-/// The result is `None` if there is no such submission.
+/// `letters` contains pairs of a submission's name and its letter. The result is `None` if Moodle
+/// exported no submission.
 pub(super) fn archive(letters: &[(&str, String)]) -> Result<Option<Vec<u8>>> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let mut packed = 0;

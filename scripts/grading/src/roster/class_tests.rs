@@ -282,7 +282,7 @@ fn accents_count_however_they_are_written() {
     let class_toml = "roster = \"r.csv\"\n[names]\n\"ka\u{308}fer\" = \"9\"";
     let files = [("class.toml", class_toml), ("r.csv", roster)];
     // The accented letter is one character in one name. In the other name it is two characters, as
-    // macOS writes it.
+    // in file names of macOS.
     let names =
         ["Jos\u{e9} Ruiz_1", "Jose\u{301} Ruiz_2", "JOSE\u{301} RUIZ", "Jose Ruiz", "k\u{e4}fer"];
     let (records, ..) = marked(&files, &names);

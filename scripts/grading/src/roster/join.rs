@@ -107,8 +107,8 @@ pub(super) struct Join<'a> {
 }
 
 impl<'a> Join<'a> {
-    /// Joins by name, number or e-mail address. Entries of `names` have priority over Gradescope's
-    /// export.
+    /// Joins submissions and students by name, number or e-mail address. Entries of `names` have
+    /// priority over Gradescope's export.
     pub(super) fn new(
         roster: Option<&'a Roster>,
         names: &BTreeMap<String, Members>,
@@ -146,7 +146,7 @@ impl<'a> Join<'a> {
         submissions.chain(unknown).collect()
     }
 
-    /// Finds the submission whose name, student or pseudonym is `who`.
+    /// Finds the submission that has the name, the student or the pseudonym `who`.
     pub(super) fn find(&self, who: &str, records: &[Record]) -> Option<usize> {
         let name = composed(who);
         let called = |record: &Record| {
@@ -158,7 +158,7 @@ impl<'a> Join<'a> {
         })
     }
 
-    /// Returns the names of a submission's students in the roster; `None` if it has none.
+    /// Returns the names of a submission's students; `None` if no student of the roster has it.
     pub(super) fn student(&self, submission: usize) -> Option<String> {
         let names = self.whose[submission].iter().map(|at| self.students[*at].name.as_str());
         Some(names.collect::<Vec<_>>().join(" and ")).filter(|names| !names.is_empty())
@@ -208,7 +208,8 @@ impl<'a> Join<'a> {
         if several { format!("{name} ({address})") } else { name.clone() }
     }
 
-    /// Returns whether a submission counts. It counts if it is the mark of one of its students.
+    /// Returns whether a submission counts. It counts if it determines the mark of one of its
+    /// students.
     pub(super) fn attempt(&self, at: usize, all: &Attendance, records: &[Record]) -> Attempt {
         let students = self.whose[at].iter().map(|student| self.students[*student].row);
         let counts: Vec<_> = students.map(|row| all.present.get(&row).copied()).collect();
@@ -224,7 +225,7 @@ impl<'a> Join<'a> {
     }
 }
 
-/// Finds the student of the roster for a student of Gradescope's file.
+/// Finds the roster's entry for a student in Gradescope's file.
 fn the_member(students: &[Student], member: &Member) -> Option<usize> {
     member.keys.iter().find_map(|key| the_one(students, key))
 }

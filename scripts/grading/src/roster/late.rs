@@ -31,8 +31,8 @@ pub(super) struct Late {
     /// Number of days after which a submission gets no points; unlimited if it is not given.
     #[serde(default = "no_end")]
     days: u32,
-    /// Path of a CSV file with students and times. Without it, the times of the submitted files
-    /// count.
+    /// Path of a CSV file with students and hand-in times. Without it, the modification times of
+    /// the submitted files count.
     times: Option<PathBuf>,
     /// Students and times of that file.
     #[serde(skip)]
@@ -65,7 +65,7 @@ impl Late {
         Ok(())
     }
 
-    /// Returns the students or submissions, and times, of the file of times.
+    /// Returns the rows of the file of times: a student or submission, and a time.
     pub(super) fn listed(&self) -> impl Iterator<Item = (&str, Timestamp)> {
         self.listed.iter().map(|(who, time)| (who.as_str(), *time))
     }
@@ -78,7 +78,7 @@ impl Late {
     }
 
     /// Computes the lateness of a hand-in time; `None` if it is in time. `days` replaces the days
-    /// of the clock.
+    /// that the clock gives.
     pub(super) fn lateness(&self, time: Option<Timestamp>, days: Option<u32>) -> Option<Lateness> {
         let begun = time.zip(self.due.as_ref()).map_or(0, |(time, due)| self.begun(time, due));
         let days = days.unwrap_or(begun);
@@ -163,8 +163,8 @@ impl<'de> Deserialize<'de> for Moment {
     }
 }
 
-/// Returns the hand-in time of a submission by the times of its files; of a folder, the latest.
-/// `None` if there is no time.
+/// Returns the modification time of an archive, or the latest time of the files in a folder. `None`
+/// if there is no time.
 pub(crate) fn file_time(path: &Path, lab: Lab) -> Option<Timestamp> {
     let metadata = fs::symlink_metadata(path).ok()?;
     if !metadata.is_dir() {

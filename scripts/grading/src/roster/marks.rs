@@ -12,7 +12,7 @@ use crate::record::points;
 const POSSIBLE: &str = "Points Possible";
 
 impl Roster {
-    /// Returns the file with marks added. `shares` has the share of all points, 0 to 1, by row.
+    /// Returns the file with marks added. `shares` contains each row's share of all points, 0 to 1.
     ///
     /// Marks are scaled to the possible points of the file, or to `full` points if the file does
     /// not contain them.

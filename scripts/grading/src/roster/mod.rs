@@ -1,9 +1,9 @@
 //! `class.toml` in the folder of records: an instructor's information about a class.
 //!
-//! It contains the students ([`students`], joined with submissions by [`join`], written with marks by
-//! [`marks`]), the penalties for lateness ([`late`]), and a person's decisions ([`Decision`]).
-//! [`ClassFile::tell`] writes this information into the records. Points are computed from the records
-//! alone, so it is kept when marks are computed again.
+//! It contains the students ([`students`], joined with submissions by [`join`], written with marks by [`marks`]), the
+//! penalties for lateness ([`late`]), and a person's decisions ([`Decision`]). [`ClassFile::tell`] writes this
+//! information into the records. Points are computed only from the records, so marks can be computed again without
+//! losing this information.
 
 pub(crate) mod export;
 mod join;
@@ -64,7 +64,7 @@ pub(crate) struct ClassFile {
 /// Names of the two files about submissions: the instructor's and Gradescope's.
 pub(crate) const FILES: [&str; 2] = [FILE, export::FILE];
 
-/// Links one of [`FILES`] beside the submissions into a folder of records.
+/// Makes a link in a folder of records to one of the [`FILES`] beside the submissions.
 ///
 /// # Errors
 /// If the folder has a different file of that name.
@@ -170,7 +170,7 @@ impl ClassFile {
     /// Marks a class: writes its decisions into the records, and computes their points.
     ///
     /// # Errors
-    /// If the rubric has a task that a record does not have.
+    /// If a task of the rubric is missing in a record.
     pub(crate) fn mark(&self, records: &mut [Record], rubric: &Facts) -> Result<Attendance> {
         let rubric = self.rubric(rubric);
         self.tell(records);
@@ -196,7 +196,7 @@ impl ClassFile {
         attendance
     }
 
-    /// Returns the deadline with its time zone; `None` without a deadline.
+    /// Returns the deadline with its time zone; `None` if there is no deadline.
     pub(crate) fn deadline(&self) -> Option<String> {
         self.late.as_ref().and_then(Late::words)
     }

@@ -11,7 +11,7 @@ use unicode_normalization::char::is_combining_mark;
 use crate::submission::names::composed;
 use lab_kit::files::read_bytes;
 
-/// Columns that identify a student, in different ways.
+/// Columns with a student's whole name.
 const NAMES: [&str; 2] = ["Student", "Full name"];
 const NAME_PARTS: [(&str, &str); 4] = [
     ("First name", "Last name"),
@@ -118,7 +118,7 @@ impl Roster {
                 NAME_PARTS.iter().find_map(|(first, last)| Some([cell(first)?, cell(last)?]));
             let name = parts.map_or(full_name, |parts| parts.join(" "));
             let own = cell(id).unwrap_or_default();
-            // Canvas has rows about the columns.
+            // Canvas adds rows that describe the columns.
             if self.form == Form::Canvas && (own.is_empty() || name == TEST_STUDENT) {
                 continue;
             }
@@ -136,7 +136,7 @@ impl Roster {
             keys.extend(parts.map(|[first, last]| key(&format!("{last}{first}"))));
             for id in IDS.iter().filter_map(|name| cell(name)) {
                 keys.push(key(id));
-                // The name before an @, the number of `Participant 4711`.
+                // Adds the name before an @, and the number in `Participant 4711`.
                 keys.extend(id.split_once('@').map(|(own, _)| key(own)));
                 keys.extend(id.strip_prefix("Participant ").map(key));
             }
@@ -150,7 +150,7 @@ impl Roster {
     }
 }
 
-/// Reduces a name for comparisons to its letters, with their accents, and digits, in lower case.
+/// Reduces a name to lower-case letters (with their accents) and digits, for comparisons.
 pub(super) fn key(name: &str) -> String {
     let lower = composed(&composed(name).to_lowercase());
     lower.chars().filter(|c| c.is_alphanumeric() || is_combining_mark(*c)).collect()

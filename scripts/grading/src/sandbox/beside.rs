@@ -15,8 +15,7 @@ const FILE: u64 = 1280;
 /// Largest number of bytes of memory that one unread byte in a connection takes.
 const SPREAD: u64 = 2;
 
-/// Returns the bytes of memory that a process's sandbox holds outside processes; 0 without a
-/// sandbox.
+/// Returns the bytes that a process's sandbox holds outside processes; 0 if there is no sandbox.
 pub(super) fn held(number: u32) -> u64 {
     in_files(number) + in_connections(number)
 }
@@ -54,8 +53,8 @@ fn network(process: &str) -> Option<PathBuf> {
     fs::read_link(format!("/proc/{process}/ns/net")).ok()
 }
 
-/// Returns the unread bytes in a connection table of the system: its fifth column, sent and
-/// received.
+/// Sums the unread bytes, sent and received, in the fifth column of a connection table of the
+/// system.
 fn waiting(table: &str) -> u64 {
     let bytes = table.lines().skip(1).filter_map(|line| {
         let (sent, received) = line.split_whitespace().nth(4)?.split_once(':')?;
@@ -100,7 +99,7 @@ mod tests {
             let all = all();
             family(&all, started.child.id()).last().map_or(0, |(number, _)| held(number))
         };
-        // Making the files takes a moment.
+        // The program takes a moment to make the files.
         for _ in 0..600 {
             if of_youngest() >= 5000 * FILE {
                 return;

@@ -1,10 +1,10 @@
 //! Distinguishes a fault of the machine from a mistake of a submission.
 //!
-//! A full disk or a missing process stops a right program just as a mistake would. The error
+//! A full disk or a lack of processes stops a right program in the same way as a mistake. The error
 //! messages of a program prove nothing, because a submission can print the same text. So each run
-//! that a fault could have stopped is followed by a control, which succeeds on a machine that
-//! works. The failure of a run counts only if it occurs [`RUNS`] times and the control succeeds
-//! each time. If the control fails, the submission is not graded.
+//! that a fault could have stopped is followed by a control run, which succeeds on a machine that
+//! works. A failure counts only if it occurs in [`RUNS`] runs and the control succeeds after each
+//! of them. If a control fails, the submission is not graded.
 
 use std::os::unix::process::ExitStatusExt;
 use std::thread::sleep;
@@ -14,10 +14,10 @@ use anyhow::{Context, Result};
 
 use lab_kit::process::Finished;
 
-/// Number of doubtful runs after which the last run counts.
+/// Number of doubtful runs in a row after which the result of the last run counts.
 const RUNS: usize = 3;
 
-/// Number of attempts at a control. A busy machine may lack a process for a moment.
+/// Number of attempts at a control. On a busy machine, starting a process may fail for a moment.
 const ATTEMPTS: usize = 4;
 /// Pause between two attempts.
 const PAUSE: Duration = Duration::from_secs(2);
@@ -45,8 +45,7 @@ const SIGNS: [&str; 11] = [
 /// Exit codes of a shell that cannot start a program, and of a sandbox whose program was killed.
 const CODES: [i32; 3] = [126, 127, 137];
 
-/// Runs `once`, and repeats it while it `is_doubtful` whether the machine or the submission ended
-/// it.
+/// Calls `once`, and repeats it while its result `is_doubtful`: the machine may have ended the run.
 ///
 /// # Errors
 /// If the control fails, which is a fault of the machine.

@@ -10,7 +10,7 @@
 //! - No program may change or watch a running process: neither its own memory through the kernel,
 //!   nor another process.
 //!
-//! A refused call fails as if this kernel did not have it.
+//! A refused call fails as if this kernel did not support it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -40,7 +40,7 @@ fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
     use seccompiler::SeccompCmpOp::{Eq, MaskedEq, Ne};
     use seccompiler::{SeccompCmpArgLen, SeccompCondition, SeccompFilter, SeccompRule};
 
-    // From this number on, x86-64 has a second set of calls, with shorter pointers.
+    // Calls from this number on are the second set of x86-64's calls, with shorter pointers.
     const X32: libc::c_long = 0x4000_0000;
     let refused = [
         SYS_io_uring_setup,
@@ -66,7 +66,7 @@ fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
         // `clone`.
         SYS_clone3,
     ];
-    // Refuses a call if the comparison of one argument, counted from 0, with the number holds.
+    // Refuses a call if the comparison of argument `at`, counted from 0, with the number is true.
     let if_argument = |at, comparison, number| -> Result<_> {
         let condition = SeccompCondition::new(at, SeccompCmpArgLen::Dword, comparison, number)?;
         Ok(vec![SeccompRule::new(vec![condition])?])

@@ -2,10 +2,10 @@
 //!
 //! The system's memory limits count each process separately, and a submission may have many. So the
 //! grader watches each of its child processes together with all descendants, and kills the whole
-//! group when it holds too much. Three kinds of memory count: resident memory, the buffers of
-//! sockets, and memory of the sandbox outside processes ([`super::beside`]). Other memory is small
-//! or cannot be allocated: pipes have the system's limit (64 MiB for a user, beyond that a page or
-//! two each), and [`super::filter`] refuses the rest.
+//! group when it holds too much memory. Three kinds of memory count: resident memory, the buffers
+//! of sockets, and memory of the sandbox outside processes ([`super::beside`]). Other memory is
+//! small or cannot be allocated: pipes have a limit of the system (64 MiB for a user, then one or
+//! two pages each), and [`super::filter`] refuses the calls that allocate other memory.
 //!
 //! A control group with `memory.max` would count all of this memory. It needs a group that was
 //! delegated to the user who grades. Containers have no such group, and with systemd each program
@@ -29,7 +29,7 @@ const MEMORY_IN_ALL: u64 = 8 << 30;
 /// Interval between two checks.
 const GLANCE: Duration = Duration::from_millis(200);
 
-/// Guard that kills programs with too much memory, until it is dropped.
+/// Guard that kills programs that hold too much memory, until the guard is dropped.
 pub(crate) struct Guard {
     over: Arc<AtomicBool>,
     watcher: Option<JoinHandle<()>>,
@@ -60,14 +60,13 @@ impl Drop for Guard {
     fn drop(&mut self) {
         self.over.store(true, Ordering::Relaxed);
         if let Some(watcher) = self.watcher.take() {
-            // The watcher does not panic. A panic would lose nothing here.
+            // If the watcher has panicked, nothing is lost here.
             let _ = watcher.join();
         }
     }
 }
 
-/// Whether a process can hold more than `limit` bytes, judged by the memory of all processes
-/// together.
+/// Whether some process might hold more than `limit` bytes, judging by the machine's memory in use.
 ///
 /// Reading the memory of each process would take milliseconds of processor time, which would
 /// disturb the timed programs.
@@ -128,7 +127,8 @@ mod tests {
         let mut child = command.spawn().unwrap();
         let own = std::process::id();
         let number = child.id();
-        // Another test's child may hold as little, so only this child is passed on.
+        // The child of another test may hold equally little memory, so only this child is passed
+        // on.
         let offered = || {
             let mut all = all();
             all.retain(|it, process| *it == number || process.parent == number);
@@ -136,7 +136,7 @@ mod tests {
         };
         end_the_greedy(&offered(), own, u64::MAX);
         assert!(child.try_wait().unwrap().is_none(), "it holds little");
-        // A process that has just started may hold no memory that counts, so several checks are
+        // A process that has just started may hold no counted memory yet, so several checks are
         // needed.
         for _ in 0..50 {
             end_the_greedy(&offered(), own, 0);

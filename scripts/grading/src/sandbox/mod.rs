@@ -1,9 +1,9 @@
 //! Sandbox in which submissions are built and run.
 //!
-//! A submission in it has no network, no home folder, nothing to write to, and limits on its
-//! resources. Bubblewrap makes the sandbox from namespaces. Of the machine it shows only the files
-//! that a compiler and a program need, read-only. Root ignores limits on processes, so a program
-//! never runs as root.
+//! In the sandbox, a submission has no network, no home folder, no file to write to, and limited
+//! resources. Bubblewrap makes the sandbox from namespaces. It shows only those files of the
+//! machine that a compiler and a program need, and makes them read-only. Root ignores limits on
+//! processes, so a program never runs as root.
 
 mod beside;
 pub(crate) mod faults;
@@ -31,15 +31,15 @@ use scratch::Scratch;
 /// Limits of a submission.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
-    /// Longest time of a program.
+    /// Time limit of a program.
     pub(crate) run: Duration,
-    /// Longest time of the compiler, for one submission.
+    /// Time limit of the compiler for one submission.
     pub(crate) build: Duration,
     /// Whether programs may connect to each other through the loopback network, as ranks do.
     pub(crate) loopback: bool,
 }
 
-/// Limits of each process of a program, as arguments of `prlimit`.
+/// Limits for each process of a program, as arguments of `prlimit`.
 const PROGRAM: [&str; 5] =
     ["--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256", "--as=4294967296"];
 
@@ -51,8 +51,8 @@ pub(crate) const GIVEN_FILE: u64 = 1 << 30;
 
 /// Bytes that the build of a submission may write.
 ///
-/// This is enough for its sixteen objects, its library, and two programs, each with an object and a
-/// file that describes it.
+/// This is enough for sixteen objects, a library, and two programs. Each program has an object and
+/// a file that describes it.
 pub(crate) const BUILD_QUOTA: u64 = 24 * BUILT_FILE;
 
 /// Size limit of a program's temporary files, in bytes.
@@ -103,14 +103,14 @@ const ENVIRONMENT: [(&str, &str); 8] = [
     ("NODEVICE_SELECT", "1"),
     ("MESA_SHADER_CACHE_DISABLE", "true"),
     ("HWLOC_HIDE_ERRORS", "2"),
-    // The component `x86` would move to each processor to query it, and no program may change its
+    // The component `x86` would query each processor by moving there, but no program may change its
     // processors.
     ("HWLOC_COMPONENTS", "-x86"),
     // Reading another rank's memory needs a right that no rank has here.
     ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),
 ];
 
-/// Sandbox for submissions, or its replacement on a machine where no sandbox can be made.
+/// Sandbox for submissions, or a replacement where the machine allows no sandbox.
 #[derive(Debug)]
 pub(crate) struct Sandbox {
     /// Folder of the compiler.
@@ -180,12 +180,12 @@ impl Sandbox {
     /// Checks that programs can be started in the sandbox now.
     ///
     /// # Errors
-    /// If they cannot. The message gives the reason.
+    /// If programs cannot be started. The message gives the reason.
     pub(crate) fn works(&self) -> Result<()> {
         if self.keeps { self_test::check(self) } else { Ok(()) }
     }
 
-    /// Returns the folder of the temporary folders.
+    /// Returns the folder that contains the temporary folders.
     pub(crate) fn scratch(&self) -> &Path {
         self.scratch.path()
     }
@@ -256,12 +256,11 @@ impl Sandbox {
         command
     }
 
-    /// Returns a sandbox command, with `folder` as `/kit`; append the program and its arguments.
-    /// The program may write only the file `written`.
+    /// Returns a command that starts the sandbox, with `folder` as `/kit`. The caller appends a
+    /// program and its arguments. The program may write only the file `written`.
     fn inside(&self, folder: &Path, written: Option<&Path>) -> Command {
-        // Processes are counted by user. The limit is set inside, where only this sandbox's
-        // processes count. If the limit were set outside, one fork bomb would keep every other
-        // submission from starting.
+        // Processes are counted by user. The limit is set inside the sandbox, so that only its own
+        // processes count. Otherwise one fork bomb would keep every other submission from starting.
         let mut command = if getuid().is_root() {
             let mut command = launcher("setpriv");
             command.args(["--reuid", NOBODY, "--regid", NOBODY, "--clear-groups", SHELL]);

@@ -1,7 +1,8 @@
-//! Second line of defence where no sandbox can be made: submissions run as nobody, with limits.
+//! Replacement where no sandbox can be made: submissions run as the user nobody, with limits.
 //!
-//! Only root can become nobody, and nobody must be able to run the compiler. `scripts/gradescope`
-//! provides both. A submission then reads and writes only files that are open to every user.
+//! Only root can become nobody, and the user nobody must be able to run the compiler.
+//! `scripts/gradescope` provides both. A submission then reads and writes only files that are open
+//! to every user.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -10,10 +11,10 @@ use rustix::process::getuid;
 
 use super::{ENVIRONMENT, NOBODY, PATH, PROGRAM, launcher};
 
-/// Shell script that gives a tree to nobody and then runs the remaining arguments.
+/// Shell script that gives a tree to the user nobody and then runs the remaining arguments.
 const OWN: &str = "chown -R \"$1:$1\" \"$2\" && shift 2 && exec \"$@\"";
 
-/// Whether nobody can run the compiler in `sysroot` and read the sources in `cargo_home`.
+/// Whether the user nobody can run the compiler in `sysroot` and read the sources in `cargo_home`.
 pub(super) fn can_build(sysroot: &Path, cargo_home: &Path) -> bool {
     let well = |command: &mut Command| {
         command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|it| it.success())
@@ -30,7 +31,7 @@ pub(super) fn program(path: &Path) -> Command {
     command
 }
 
-/// Returns a command that gives `tree` to nobody and runs Cargo there as nobody.
+/// Returns a command that gives `tree` to the user nobody and runs Cargo there as this user.
 pub(super) fn cargo(sysroot: &Path, cargo_home: &Path, tree: &Path) -> Command {
     let programs = sysroot.join("bin");
     let mut command = launcher("sh");

@@ -41,8 +41,8 @@ pub(crate) fn family(
     family.into_iter().filter_map(|number| Some((number, all.get(&number)?)))
 }
 
-/// Returns the bytes that the buffers of a process's sockets may hold. No resident memory contains
-/// them.
+/// Returns the bytes that the buffers of a process's sockets may hold. They are not part of the
+/// resident memory.
 pub(super) fn in_sockets(number: u32) -> u64 {
     let files = fs::read_dir(format!("/proc/{number}/fd")).into_iter().flatten().flatten();
     let sockets = files.filter(|file| {

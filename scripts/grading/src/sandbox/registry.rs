@@ -1,7 +1,6 @@
-//! Settings from the user's Cargo configuration that builds in the sandbox need to reach the
-//! registry.
+//! Settings of the user's Cargo configuration with which builds in the sandbox reach the registry.
 //!
-//! The other settings are for the user's own work. A missing compiler wrapper, or a different
+//! The other settings concern only the user's own work. A missing compiler wrapper, or a different
 //! target or build folder, would make every build fail.
 
 use std::fs;

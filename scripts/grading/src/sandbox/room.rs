@@ -1,4 +1,4 @@
-//! Free space on disks. It is checked before the grader builds.
+//! Free space on disks, which the grader checks before it builds.
 
 use std::fs;
 use std::path::Path;
@@ -29,7 +29,7 @@ pub(crate) fn make_for_records(folder: &Path) -> Result<()> {
 /// Checks that a folder has `bytes` bytes of free space.
 ///
 /// # Errors
-/// If it has less. The message says where space is needed.
+/// If the folder has less space. The message names the folder.
 pub(crate) fn expect(folder: &Path, bytes: u64) -> Result<()> {
     let left = free(folder)?;
     ensure!(

@@ -1,9 +1,9 @@
 //! Temporary folders that are removed when grading ends. If grading is killed, the next grading
 //! removes them.
 //!
-//! All of them are in one folder, which is locked. The system releases a lock when its process
-//! ends, for whatever reason. So a folder that can be locked belongs to no running process, unless
-//! it was just made and is empty.
+//! All these folders are in one folder, which is locked. The system releases a lock when its
+//! process ends, for whatever reason. So a folder that can be locked belongs to no running process,
+//! unless it was just made and is empty.
 
 use std::fs::{self, File, Permissions};
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
@@ -41,7 +41,7 @@ impl Scratch {
         self.folder.path()
     }
 
-    /// Makes a folder inside that every user can read.
+    /// Makes a folder inside it that every user can read.
     pub(crate) fn folder(&self) -> Result<TempDir> {
         let unmade = || format!("cannot make a folder in {}", self.folder.path().display());
         let folder = tempfile::tempdir_in(self.folder.path()).with_context(unmade)?;

@@ -12,8 +12,8 @@ use lzma_rust2::XzReader;
 
 use super::HandedIn;
 
-/// Maximal number of bytes read from an archive. Skipped entries take little time, but they take
-/// some.
+/// Maximal number of bytes read from an archive. Skipped entries count too, because they also take
+/// time.
 const UNPACKED: u64 = 256 << 20;
 const TOO_LARGE: &str =
     "it is larger than 256 MiB: a submission is a lab's src, without the folder target";
@@ -130,7 +130,7 @@ fn zip(packed: impl Read) -> Result<HandedIn> {
     ensure!(bytes.len() as u64 <= UNPACKED, TOO_LARGE);
     let mut archive = zip::ZipArchive::new(Cursor::new(&bytes))?;
     ensure!(archive.len() <= ENTRIES, "there are more than {ENTRIES} files in it");
-    // With two entries of the same name, only the last would be taken.
+    // Of two entries with the same name, only the last would be read.
     let alone = entries(&bytes).is_none_or(|count| count == archive.len());
     ensure!(alone, "two files in it have the same name");
     let mut handed_in = HandedIn::default();

@@ -15,7 +15,7 @@ use super::{HandedIn, NAMED, archive};
 /// files.
 ///
 /// # Errors
-/// If it is neither, is damaged, or is larger than any submission.
+/// If the file is neither, is damaged, or is too large for a submission.
 pub(crate) fn read(path: &Path) -> Result<HandedIn> {
     let metadata = fs::symlink_metadata(path);
     let metadata = metadata.with_context(|| format!("cannot read {}", path.display()))?;
@@ -34,7 +34,7 @@ pub(crate) fn read(path: &Path) -> Result<HandedIn> {
 
 type Unpack = fn(File) -> Result<HandedIn>;
 
-/// Returns the function that unpacks a file, if its content or name marks it as an archive.
+/// Returns the function that unpacks a file; `None` if the file is no archive by content or name.
 pub(super) fn unpacker(path: &Path) -> Option<Unpack> {
     let is_file = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file());
     let head = is_file.then(|| archive::head(File::open(path).ok()?).ok()).flatten();

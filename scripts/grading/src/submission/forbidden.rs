@@ -14,7 +14,7 @@ use lab_kit::sources::Sources;
 const NAMES: [&str; 6] =
     ["no_mangle", "export_name", "link_section", "link_name", "naked_asm", "global_asm"];
 
-/// How an unsafe attribute is shown.
+/// Text that messages show for an unsafe attribute.
 const UNSAFE: &str = "unsafe(\u{2026})";
 
 /// Finds the first forbidden code, and formats it with its location.

@@ -1,8 +1,8 @@
 //! Known-wrong programs of the kit as submissions: `cargo lab grade tests/wrong/lab2.md --lab 2`.
 //!
-//! Each is the solution with one answer replaced. It must lose the marks of its task and of the
-//! tasks that its section names, and no others. This shows when a question misses a mistake or
-//! blames the wrong task. The unusual right programs of `tests/right` must lose no marks.
+//! Each program is the solution with one answer replaced. It must lose exactly the marks of its
+//! task and of the tasks that its section names. Otherwise a question misses a mistake or blames
+//! the wrong task. The unusual right programs of `tests/right` must lose no marks.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -13,8 +13,7 @@ use crate::record::{Record, Status};
 use lab_kit::wrong::{self, Wrong};
 use lab_kit::{Kit, Lab};
 
-/// Lists the programs on a page of the kit, as paths `PAGE/NAME`; empty if `path` is not such a
-/// page.
+/// Lists the programs on the kit's page at `path`, as paths `PAGE/NAME`; empty for other files.
 pub(crate) fn on_page(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     let Some((_, programs)) = page_at(kit, path)? else { return Ok(Vec::new()) };
     Ok(programs.into_iter().map(|wrong| path.join(wrong.name)).collect())

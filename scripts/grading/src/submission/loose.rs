@@ -46,8 +46,8 @@ fn is_of_another(lab: Lab, path: &Path) -> bool {
     parts.iter().filter_map(|part| lab_of(part)).any(|of| of != lab)
 }
 
-/// Finds folders `src` that contain a file with a task. If there are several, only those in the
-/// lab's own folder count.
+/// Finds folders `src` that contain a file with a task. If there are several, only folders `src` of
+/// the lab count.
 fn source_folders(lab: Lab, tasks: &BTreeSet<String>, loose: &[&Loose]) -> Vec<String> {
     let mut folders: BTreeMap<String, bool> = BTreeMap::new();
     for (path, _) in loose {
@@ -86,7 +86,7 @@ impl Found {
         }
     }
 
-    /// Adds files with the names of files with tasks, and the files beside them.
+    /// Adds files that have the name of a file with a task, and the files beside them.
     fn by_name(&mut self, tasks: &BTreeSet<String>, loose: &[&Loose]) {
         for task in tasks {
             let name = Path::new(task).file_name();

@@ -24,10 +24,10 @@ use lab_kit::{Given, Kit, Lab};
 use loose::Loose;
 use names::{ELSEWHERE, is_called_archive, is_macos, resolve};
 
-/// Beginning of the reason for leaving out a file with a task that is in the wrong folder.
+/// Beginning of the reason for omitting a file that has a task but is in the wrong folder.
 const MISPLACED: &str = "it is not in";
 
-/// Maximal number of names shown of files that are left out.
+/// Maximal number of omitted files whose names are shown.
 pub(crate) const NAMED: usize = 100;
 
 /// Contents of a submission.
@@ -40,7 +40,7 @@ pub(crate) struct HandedIn {
     /// Files in other folders that may be sources. They are left out too, unless they are the lab's
     /// only files.
     loose: Vec<Loose>,
-    /// Archives within this one.
+    /// Archives inside this archive.
     archives: Vec<Vec<u8>>,
 }
 
@@ -112,7 +112,7 @@ pub(crate) struct Submission {
     pub(crate) changed: Vec<String>,
 }
 
-/// Maximal number of characters shown of the path of a file that is left out.
+/// Maximal number of characters that are shown of an omitted file's path.
 const SHOWN: usize = 200;
 
 /// Lists the submissions at a path, which is a submission or a folder of submissions.
@@ -224,7 +224,7 @@ pub(crate) fn holds(kit: &Kit, lab: Lab, path: &Path) -> Result<bool> {
     Ok(read(path)?.labs.contains_key(&lab))
 }
 
-/// Returns the message about a submission without any file with a task, which names a similar file.
+/// Returns the message about a submission that has no file with a task. It names a similar file.
 pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
     let other = left_out
         .iter()

@@ -7,7 +7,7 @@ use unicode_normalization::UnicodeNormalization;
 use lab_kit::Lab;
 use lab_kit::sources::{NOT_UTF8, refused};
 
-/// Maximal number of bytes of a name, because files have it in their names and pages show it.
+/// Maximal number of bytes of a submission's name, which file names contain and pages show.
 const MOST: usize = 150;
 
 /// Extensions of archives.
@@ -70,13 +70,13 @@ fn full(path: &Path) -> String {
 
 /// Returns a name with each accented letter as one character.
 ///
-/// Most systems write it so. macOS writes the accent as a separate character, so names are composed
-/// before they are compared.
+/// Most systems write names in this form. macOS writes the accent as a separate character, so names
+/// are composed before they are compared.
 pub(crate) fn composed(name: &str) -> String {
     name.nfc().collect()
 }
 
-/// Whether a file was made by the packer of macOS, for file properties of macOS only.
+/// Whether the packer of macOS made a file only to keep file properties of macOS.
 pub(super) fn is_macos(path: &Path) -> bool {
     path.iter().any(|part| part == "__MACOSX")
 }

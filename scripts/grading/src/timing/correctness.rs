@@ -35,7 +35,7 @@ pub(crate) fn difference(right: &[f64], given: &[f64], stray: f64) -> Option<Str
     })
 }
 
-/// Whether a program that should sum as the solution does has the serial program's last digits
+/// Whether a program that should sum like the solution has the serial program's last digits
 /// instead.
 ///
 /// Then it is the serial program, or a parallel program of another lab that sums in the same order.
@@ -54,7 +54,7 @@ mod tests {
         let right: Vec<f64> = (0..4000).map(|i| f64::from(i) * 1e-3).collect();
         let mut given: Vec<f64> = right.iter().map(|x| x + 1e-13).collect();
         assert_eq!(difference(&right, &given, STRAY), None);
-        // One particle in a thousand may have met chaos; two may not.
+        // Chaos may explain one wrong particle in a thousand, but not two.
         given[8] += 1.0;
         assert_eq!(difference(&right, &given, STRAY), None);
         assert!(difference(&right, &given, 0.0).is_some(), "chaos needs many steps");

@@ -8,19 +8,19 @@ use oracle::Random;
 /// Name of the best serial program, which is lab 2's.
 pub(crate) const SERIAL: &str = "sorted";
 
-/// Returns the sizes of a complexity measure, doubled up to `most`, over a factor of 64.
+/// Returns the seven sizes of a complexity measure, each twice the previous size, up to `most`.
 pub(crate) fn sizes(most: usize) -> Vec<usize> {
     (0..7).rev().map(|halvings| (most >> halvings).max(1)).collect()
 }
 
-/// Returns the numbers of workers: 2, 4, … and all cores. One worker does not scale.
+/// Returns the numbers of workers: 2, 4, … and all cores. A single worker shows no scaling.
 pub(crate) fn workers(cores: usize) -> Vec<usize> {
     doubled_up_to(cores).into_iter().filter(|p| *p > 1).collect()
 }
 
 /// Returns a rubric with up to a tenth more particles in each measure, in steps of a hundred.
 ///
-/// The seed of a record determines the number, so a program cannot be written for one number alone.
+/// The seed of a record determines the number, so a program cannot be written for one fixed number.
 pub(crate) fn drawn(rubric: &Facts, seed: u64) -> Facts {
     let mut rubric = rubric.clone();
     let more = Random::new(seed).between(1.0, 1.1);
@@ -33,9 +33,9 @@ pub(crate) fn drawn(rubric: &Facts, seed: u64) -> Facts {
 
 /// Returns all runs of a lab's measures, each once.
 ///
-/// Every size has a run of a trusted program, whose result is right by definition, and a run
-/// without steps, which shows the time for making and sending a scene. With ranks, that time also
-/// depends on the number of ranks, so each number of ranks has its own run without steps.
+/// Every size has a run of a trusted program, whose result is right by definition. It also has a
+/// run without steps, which shows the time for making and sending a scene. That time depends on the
+/// number of ranks, so each number of ranks has its own run without steps.
 pub(crate) fn plan(rubric: &Facts, seed: u64, cores: usize) -> Vec<Run> {
     let rubric = drawn(rubric, seed);
     let steps = 40 + seed % 21;
@@ -58,7 +58,7 @@ pub(crate) fn plan(rubric: &Facts, seed: u64, cores: usize) -> Vec<Run> {
             add(Whose::Serial, SERIAL, each, 1, steps);
             for n in [timed.n, each * p] {
                 add(Whose::Serial, SERIAL, n, 1, steps);
-                // The solution's times beside the submission's show whose the noise is.
+                // If the solution's times are noisy too, the machine causes the noise.
                 add(Whose::Solution, &timed.variant, n, p, steps);
                 add(Whose::Own, &timed.variant, n, p, steps);
             }

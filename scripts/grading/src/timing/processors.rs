@@ -8,7 +8,7 @@ use crate::sandbox::processes::{all, family};
 #[cfg(target_os = "linux")]
 pub(crate) fn confined<T>(count: usize, start: impl FnOnce() -> io::Result<T>) -> io::Result<T> {
     use rustix::thread::{CpuSet, sched_getaffinity, sched_setaffinity};
-    // A child process inherits its parent's processors when it is made.
+    // A new child process inherits the processors of its parent.
     let all = sched_getaffinity(None)?;
     let mut few = CpuSet::new();
     (0..CpuSet::MAX_CPU).filter(|cpu| all.is_set(*cpu)).take(count).for_each(|cpu| few.set(cpu));

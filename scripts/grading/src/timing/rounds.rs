@@ -15,7 +15,7 @@ use lab_measure::experiment::turns;
 
 /// Constant part of the time limit of a run.
 const ALLOWANCE: Duration = Duration::from_secs(8);
-/// Multiple of the solution's time that the time limit of a run contains in addition.
+/// Multiple of the solution's time that is added to the constant part of the time limit.
 const TIMES: f64 = 10.0;
 
 /// Result of a trusted program on a scene.

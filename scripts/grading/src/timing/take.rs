@@ -61,8 +61,8 @@ enum Reply {
 
 /// Runs a program in `folder` on `processors` processors, in a new process.
 ///
-/// The process has ended when this function returns. A process that is left behind would disturb
-/// the next run.
+/// The process has ended when this function returns, because otherwise it would disturb the next
+/// run.
 pub(crate) fn take(
     sandbox: &Sandbox,
     folder: &Path,
@@ -96,7 +96,7 @@ pub(crate) fn take(
     let whose = if run.whose == Whose::Serial { "serial" } else { "lab" };
     let Run { variant, workers, n, steps, .. } = run;
     let start = Instant::now();
-    // A program that has closed its stdin will not answer either.
+    // If the program has closed its stdin, the missing answer is reported later.
     let _ = writeln!(stdin, "{whose} {variant} {workers} {n} {seed} {steps}");
     let (end, state) = match receive.recv_timeout(limit) {
         Ok(Reply::State(end, state)) => (end, state),
@@ -116,7 +116,7 @@ pub(crate) fn take(
     }))
 }
 
-/// Returns the trouble with a program that breaks the rules of a timed run.
+/// Returns the trouble of a program that breaks the rules of a timed run.
 fn wrong(why: &str) -> Result<Taken, Trouble> {
     Err((Outcome::Wrong, why.into()))
 }
@@ -139,7 +139,7 @@ fn nonce() -> String {
     format!("{:016x}", RandomState::new().hash_one(()))
 }
 
-/// Sends on the program's messages to the grader and ignores the rest of its output.
+/// Forwards the program's messages to the grader and ignores its other output.
 fn listen(stdout: ChildStdout, nonce: &str, most: usize, send: &Sender<Reply>) -> Result<()> {
     let mut reader = BufReader::with_capacity(1 << 18, stdout.take(MOST));
     let mark = format!("@{nonce} ");

@@ -1,7 +1,7 @@
 //! Checks whole programs: runs each program of a lab once on a new scene, without timing it.
 //!
-//! A submission whose functions answer every question may still be a wrong program, because it
-//! recognises the questions or because its functions do not fit together.
+//! Even if all functions of a submission answer correctly, the whole program may be wrong: it may
+//! recognise the questions, or its functions may not fit together.
 
 use std::path::Path;
 

@@ -21,7 +21,7 @@ pub(super) struct Line {
     pub(super) text: String,
     /// Task whose `todo!` the line replaces; `None` in the student's own functions.
     pub(super) task: Option<Task>,
-    /// Whether the line before it ends a statement or begins a block.
+    /// Whether the previous line ends a statement or begins a block.
     pub(super) begins: bool,
 }
 
@@ -86,8 +86,8 @@ pub(super) fn is_head(line: &str) -> bool {
     line.split_whitespace().take(3).any(|word| word == "fn")
 }
 
-/// Returns all changes of a student's lines: known mistakes if the answer's line is theirs, and
-/// mutations.
+/// Returns all changes of a student's lines: mutations, and known mistakes where a line equals the
+/// solution's.
 pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>> {
     let files = answers::read_solution(kit, lab)?;
     let mut changes = Vec::new();
@@ -118,8 +118,8 @@ pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>
     Ok(changes)
 }
 
-/// Returns the only line that differs: the number of equal lines before it, the line, and its new
-/// text. `None` if several lines differ.
+/// Finds the only line that differs. Returns the number of equal lines before the line, the line,
+/// and its new text; `None` if several lines differ.
 fn only_change<'a>(old: &'a str, new: &'a str) -> Option<(usize, &'a str, &'a str)> {
     let [old, new] = [old, new].map(|text| {
         let code = text.lines().map(str::trim);
@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(sources["src/a.rs"], b"a\nx\nc\n");
     }
 
-    /// The sources of questions are those of a whole sheet, so no program is built here.
+    /// The test reads the changes from which sheets are made, so it builds no program.
     #[test]
     fn each_outcome_has_an_oral_question_about_a_core_task() {
         let kit = Kit::find().unwrap();

@@ -147,7 +147,7 @@ impl Examiner<'_> {
             tries += 1;
             let mut changed = sources.clone();
             change.apply(&mut changed);
-            // A change shows in the tests of its task. Questions to all tasks would take longer.
+            // A change shows in the tests of its task. Questions about all tasks would take longer.
             let task = change.line.task.map(|task| task.to_string());
             let tasks = task.as_ref().map_or(tasks.clone(), |task| vec![task]);
             let Ok(failures) = self.failures(&changed, &tasks, seed)? else { continue };
@@ -184,7 +184,7 @@ impl Examiner<'_> {
         Ok(Ok(all.filter(|(_, result)| result.wrong.is_some()).collect()))
     }
 
-    /// Asks how often a line runs with one worker more, and which lines run at the same time.
+    /// Asks how often a line runs with one more worker, and which lines run at the same time.
     fn ask_about_runs(
         &self,
         sources: &Sources,
@@ -208,7 +208,8 @@ impl Examiner<'_> {
         let two = trace(2)?;
         let again = trace(2)?;
         let three = trace(3)?;
-        // A count that differs from run to run, such as of repeated attempts, has no key.
+        // A count that differs from run to run, such as the number of repeated attempts, has no
+        // key.
         let steady = two.counts.iter().filter(|(line, n)| again.counts.get(line) == Some(n));
         let more = steady.filter_map(|(line, n)| Some((*line, *n, *three.counts.get(line)?)));
         let counts: Vec<_> = more.filter(|(_, count, more)| count != more).collect();

@@ -11,7 +11,8 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    /// Adds a question about a line. The function around it shows `new` in its place.
+    /// Adds a question about a line. The sheet shows the function around it, with `new` in its
+    /// place.
     pub(super) fn ask(
         &mut self,
         sources: &Sources,

@@ -35,7 +35,7 @@ const LIMIT: Duration = Duration::from_secs(60);
 pub(super) struct Trace {
     /// Number of executions of each line.
     pub(super) counts: BTreeMap<usize, usize>,
-    /// Lines that different workers began while one worker was at a line.
+    /// For each line, the lines that other workers began while one worker was at it.
     pub(super) together: BTreeMap<usize, BTreeSet<usize>>,
 }
 

@@ -1,4 +1,4 @@
-//! Archives as students hand them in. `src/submission/archive_tests.rs` tests damaged and unusual archives.
+//! Archives that students hand in. `src/submission/archive_tests.rs` tests damaged and unusual archives.
 
 use std::io::{Cursor, Write};
 

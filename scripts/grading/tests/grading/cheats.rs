@@ -1,7 +1,7 @@
 //! Cheats, and their expected results.
 //!
-//! Every cheat is the solution with an addition. So a cheat without full marks lost them by its
-//! addition, and a cheat with full marks gained nothing.
+//! Every cheat is the solution with an addition. So a cheat without full marks lost marks because
+//! of its addition, and a cheat with full marks gained nothing.
 
 use crate::code::{
     BEFORE_MAIN, DEADLOCK, EARLY_ANSWER, ENDLESS_LOOP, ENDLESS_OUTPUT, EXIT, FORGED, FORK_BOMB,
@@ -153,7 +153,7 @@ fn early() -> Cheat {
 
 /// Returns programs that answer every question correctly but cheat when they are timed.
 ///
-/// If the whole program is wrong, it loses its last task.
+/// A cheat whose whole program is wrong loses the program's last task.
 pub(crate) fn timed() -> Vec<Cheat> {
     let cheats: [(&str, &str, &str, &[&str], Times); 9] = [
         ("prints-its-own-time", "3.9", SLOW_AND_BOASTS, &[], Times::Slow(75.0)),

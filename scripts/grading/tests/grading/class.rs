@@ -61,7 +61,7 @@ impl Class {
         class
     }
 
-    /// Makes a class of every cheat that is not about times, and every unusual archive.
+    /// Makes a class of all cheats that are not about times, and of all unusual archives.
     pub(crate) fn of_cheats() -> Self {
         let mut class = Self::empty(QUICK);
         class.attacks();

@@ -1,4 +1,4 @@
-//! Runs `cargo lab grade` as an instructor does.
+//! Runs `cargo lab grade` like an instructor.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -36,8 +36,7 @@ pub(crate) fn grade(class: &Class, into: &Path, options: &[&str]) -> Command {
     grade_as_it_is(class, into, options)
 }
 
-/// Compiles the dependencies of the quick tests' lab once, so that tests do not do it at the same
-/// time.
+/// Compiles the dependencies of the quick tests' lab once, because the tests run at the same time.
 pub(crate) fn compile_what_all_need() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
@@ -56,7 +55,7 @@ fn grade_as_it_is(class: &Class, into: &Path, options: &[&str]) -> Command {
         .args(options)
         .arg(class.folder())
         .env(SECRET.0, SECRET.1)
-        // A killed command leaves its files here, and they are removed with the class.
+        // A killed command leaves its files in this folder, which is removed with the class.
         .env("TMPDIR", class.temporary())
         .process_group(0);
     command
@@ -98,8 +97,8 @@ pub(crate) fn complaints(class: &Class, into: &Path) -> Vec<String> {
     complaints.collect()
 }
 
-/// Runs the command, and kills only this command as soon as `enough` is true. Returns false without
-/// a sandbox.
+/// Runs the command, and kills only this command as soon as `enough` is true. Returns false if
+/// there is no sandbox.
 pub(crate) fn kill_when(mut command: Command, enough: impl Fn() -> bool) -> bool {
     let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
     while !enough() {
@@ -117,7 +116,7 @@ pub(crate) fn kill_when(mut command: Command, enough: impl Fn() -> bool) -> bool
     true
 }
 
-/// Runs the command, which must succeed. Returns false without a sandbox.
+/// Runs the command, which must succeed. Returns false if there is no sandbox.
 pub(crate) fn run(mut command: Command) -> bool {
     let output = command.output().unwrap();
     let message = String::from_utf8_lossy(&output.stderr);

@@ -9,10 +9,10 @@ use std::process::Command;
 use crate::class::Class;
 use crate::grade_command::{NO_SANDBOX, TASKS, grade, program, record, script};
 
-/// Faults: a phase, and the shell commands that run instead.
+/// Faults: a phase of grading, and the shell commands that run instead of it.
 ///
-/// The fault affects builds from the third on, because the first two are the solution's, or
-/// questions to a program of these builds.
+/// The first two builds are the solution's, so a fault affects only later builds, or the questions
+/// after them.
 const FAULTS: [(&str, &str); 2] = [
     ("building", "echo 'error: failed to write x: No space left on device' >&2; exit 101"),
     ("asking", "echo '/bin/sh: 1: exec: bwrap: not found' >&2; exit 127"),

@@ -1,5 +1,5 @@
-//! Grades a whole class with times and kills the grader while it takes them. It is run by hand and
-//! prints a line for each submission.
+//! Grades a whole class with times, and kills the grader while it takes times. It is run by hand
+//! and prints a line for each submission.
 
 use std::fs;
 use std::time::Instant;

@@ -71,7 +71,7 @@ fn sockets() {
     must_fail("a connection to itself", TcpListener::bind("127.0.0.1:0"));
 }
 
-/// Checks that the processes of the grader's user are not visible, nor their data.
+/// Checks that neither the processes of the grader's user nor their data are visible.
 fn parents() {
     let processes = fs::read_dir("/proc").into_iter().flatten().flatten();
     for process in processes {
@@ -172,7 +172,7 @@ fn memories() {
     call("syscall(312, 1, 1, 1, 0, 0)");
 }
 
-/// Checks that the judging program is not here, and that this program contains no right answer.
+/// Checks that the judging program is not visible, and that this program contains no right answer.
 fn answers() {
     must_fail("the program that judges", fs::read("/kit/judge"));
     let own = fs::read("/proc/self/exe").unwrap_or_default();

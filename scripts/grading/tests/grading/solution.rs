@@ -29,7 +29,7 @@ pub(crate) fn solution(lab: u8) -> Files {
     texts(of_solution(&Kit::at(kit()), number(lab)).unwrap())
 }
 
-/// Returns the lab as students get it, independently of the folder labs/ here.
+/// Returns the starter that students get, independently of this kit's folder labs/.
 pub(crate) fn starter(lab: u8) -> Files {
     let given = generate(&Kit::at(kit()), number(lab)).unwrap().into_iter();
     let given = given.filter(|(path, _)| path.starts_with("src"));

@@ -1,4 +1,4 @@
-//! `cargo lab figures`: the book's charts, of the model and of the numbers in book/data.
+//! `cargo lab figures`: draws the book's charts of the model and of the numbers in book/data.
 //!
 //! Drawings are edited by hand and are in the same folder.
 

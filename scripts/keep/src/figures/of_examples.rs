@@ -107,7 +107,7 @@ fn model(file: &Path) -> Result<Sheet> {
     ]])
 }
 
-/// Makes a line of the network in the middle, with a band over all networks.
+/// Makes a line for the second network, and a band that covers all three networks.
 fn banded(name: &str, values: impl Iterator<Item = (f64, [f64; 3])>) -> Series {
     let mut line = Vec::new();
     let mut band = Vec::new();

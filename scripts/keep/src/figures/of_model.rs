@@ -14,7 +14,7 @@ type Figure = (&'static str, fn() -> Result<Chart>);
 pub(super) const CHARTS: [Figure; 3] =
     [("force.svg", force), ("potential.svg", potential), ("energy.svg", time_steps)];
 
-/// Draws the change of a particle's velocity by one neighbour in one step, against its distance.
+/// Draws how much one neighbour changes a particle's velocity in a step, against the distance.
 fn force() -> Result<Chart> {
     // Points are evenly spaced on a logarithmic axis, and denser close to the cutoff, where the
     // force ends.
@@ -36,7 +36,8 @@ fn force() -> Result<Chart> {
     .with(Series::new(Kind::Guide, "velocity 1, as fast as most particles are", speed)))
 }
 
-/// Draws the potential of a pair against its distance, and the energies that pairs have.
+/// Draws the potential of a pair against its distance. Lines show the energies of an average and of
+/// the fastest pair.
 fn potential() -> Result<Chart> {
     let points: Vec<(f64, f64)> = (0..=150)
         .map(|k| 0.75 + f64::from(k) * 0.002)

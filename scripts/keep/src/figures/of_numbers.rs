@@ -28,7 +28,7 @@ pub(super) fn all(kit: &Kit) -> Result<Vec<(String, Sheet)>> {
     let mut figures = Vec::new();
     for path in files {
         let file = DataFile::read(&path)?;
-        // Other commands may have changed since; their numbers are still valid, and need no figure.
+        // A command without a figure may have changed since. Its numbers are still valid.
         if file.words().iter().any(|word| word == "--svg") {
             let figure = redraw(&file);
             figures.extend(figure.with_context(|| format!("cannot draw {}", path.display()))?);

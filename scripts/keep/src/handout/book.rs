@@ -12,10 +12,10 @@ use lab_kit::files::read_text;
 use lab_kit::starter::Files;
 use lab_kit::{Kit, Lab, files_below, quiz};
 
-/// Pages about all labs at once. They contain measurements of labs that a handout does not have.
+/// Pages about all labs, which contain measurements of labs that a handout does not have.
 const ABOUT_ALL: [&str; 2] = ["compare.md", "reports.md"];
 
-/// The title of the last part of the table of contents, which is not for students.
+/// The title of the part for instructors, the last part of the table of contents.
 const INSTRUCTORS: &str = "# For instructors";
 
 /// The text of a page that the handout lacks, below its title.
@@ -58,7 +58,7 @@ pub(super) fn add_pages(
         all.push_str(&text);
         files.insert(Path::new("book/src").join(name), text.into_bytes());
     }
-    // Only the pictures and the data files that its pages name are added.
+    // Only the pictures and data files that the handout's pages name are added.
     for folder in ["book/src/figures", "book/data"] {
         for path in files_below(&kit.path(folder))? {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -82,7 +82,7 @@ fn is_for(page: &str, labs: &[Lab]) -> bool {
 
 /// Returns the text with its quizzes written out, because the handout has no known-wrong programs.
 ///
-/// A quiz shows much of an answer, so only the quizzes of labs that were `collected` are kept.
+/// A quiz reveals much of an answer, so only quizzes about `collected` labs are kept.
 fn with_quizzes(kit: &Kit, collected: &[Lab], text: &str) -> Result<String> {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {

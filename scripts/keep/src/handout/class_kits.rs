@@ -123,7 +123,7 @@ fn a_lab_builds_on_the_students_own_labs_while_late_days_last() {
     assert_eq!(kit.solutions(), [lab("1")]);
 }
 
-/// Returns the lines of a text that are so long that equal lines are copies.
+/// Returns the lines of a text that are long enough that equal lines must be copies.
 ///
 /// Shorter lines, such as `let result = work();`, are written twice without being copied.
 fn lines(text: &str) -> impl Iterator<Item = &str> {
@@ -135,7 +135,7 @@ const LONG: usize = 30;
 /// No line of the answers to lab 3 and later labs may be in the tree of labs 1 to 3, its book or
 /// its history.
 ///
-/// Lines that are given in some file, or that were in an earlier answer, do not count.
+/// Lines that some given file or an earlier answer contains do not count.
 #[test]
 fn no_line_of_an_answer_is_in_a_class_s_tree() {
     let whole = Kit::find().unwrap();

@@ -32,7 +32,7 @@ const TOP: [&str; 14] = [
     "rustfmt.toml",
 ];
 
-/// Returns all files of a tree with these labs, in order, by their path.
+/// Returns all files of a tree with these labs, by path.
 pub(super) fn gather(kit: &Kit, labs: &[Lab], earlier: Earlier) -> Result<Files> {
     let mut files = Files::new();
     for path in TOP {
@@ -56,9 +56,9 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab], earlier: Earlier) -> Result<Files>
     // The lock file is copied as a whole; cargo removes the packages that the handout does not
     // need.
     add(kit, &mut files, &kit.path("Cargo.lock"))?;
-    // The measuring commands show its numbers with their measurements.
+    // The measuring commands show the published numbers beside their measurements.
     add(kit, &mut files, &kit.path("book/published.toml"))?;
-    // `cargo lab contest` shows the kit's engines.
+    // `cargo lab contest` shows these measurements of the kit's engines.
     add(kit, &mut files, &kit.path("book/data/lab14-landmarks.json"))?;
     add_all(kit, &mut files, &kit.path("scripts/slurm"))?;
     // This script grades a class.
@@ -85,7 +85,7 @@ fn have_ranks(kit: &Kit, labs: &[Lab]) -> Result<bool> {
     Ok(false)
 }
 
-/// Adds a lab as it is given, whatever is in the instructor's folder of the lab.
+/// Adds a lab's starter, even if the instructor has changed the lab's folder.
 fn starter(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
     let folder = PathBuf::from(format!("labs/lab{lab}"));
     let given = generate(kit, lab)?;

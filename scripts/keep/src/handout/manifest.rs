@@ -60,8 +60,8 @@ pub(super) fn with_own_labs(text: &str, labs: &[Lab]) -> Result<String> {
     Ok(manifest.to_string())
 }
 
-/// Removes packages whose folders do not exist from a table. Returns whether the table is then
-/// empty.
+/// Removes from a table the packages whose folders do not exist. Returns whether the table is empty
+/// then.
 fn without_lost_paths(table: Option<&mut Item>, there: impl Fn(&str) -> bool) -> bool {
     let Some(table) = table.and_then(Item::as_table_like_mut) else { return false };
     let path = |item: &Item| Some(item.as_table_like()?.get("path")?.as_str()?.to_owned());
@@ -103,7 +103,7 @@ opt-level = 0
 opt-level = 0
 ";
 
-    /// Returns the manifest fitted to all packages that it names, except those in these folders.
+    /// Returns the manifest without the packages in these folders.
     fn without(gone: &[&str]) -> String {
         let all = [
             "labs/common",

@@ -3,8 +3,8 @@
 //! [`lay`] adds a lab to a tree: its starter, its tests, its chapter, and the answers of earlier
 //! labs that it builds on. The tree contains neither the lab's solution nor a later one, and
 //! nothing from `tests/wrong`. So a grader can build foreign code in such a tree without revealing
-//! answers. A [`Record`] lists the files that are as the command wrote them; files that somebody
-//! has edited stay as they are. The tree is a git repository, with a commit for each lab.
+//! answers. A [`Record`] lists the files that nobody has changed since the command wrote them.
+//! Edited files stay as they are. The tree is a git repository, with a commit for each lab.
 
 mod book;
 mod contents;
@@ -77,7 +77,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 pub struct Laid {
     /// The files that were written or removed.
     pub changed: Vec<PathBuf>,
-    /// The files that somebody has edited, which were left alone.
+    /// The files that the command did not change, because somebody has edited them.
     pub edited: Vec<PathBuf>,
 }
 
@@ -87,7 +87,8 @@ pub struct Laid {
 /// files behind.
 ///
 /// # Errors
-/// There is no such lab, `into` contains something else, or a file cannot be read or written.
+/// There is no such lab, `into` contains something other than such a tree, or a file cannot be read
+/// or written.
 pub fn lay(kit: &Kit, lab: Lab, into: &Path, earlier: Earlier) -> Result<Laid> {
     kit.chosen_solutions(Some(lab))?;
     let before = Record::read(into)?;
@@ -110,8 +111,8 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path, earlier: Earlier) -> Result<Laid> {
         let target = into.join(path);
         fs::remove_file(&target).with_context(|| format!("cannot remove {}", target.display()))?;
     }
-    // Cargo removes the packages that only the kit needs from the lock file, and keeps every
-    // version. If it fails here, it does so at the first build.
+    // Cargo removes from the lock file the packages that only the kit needs, and leaves the other
+    // packages at their versions. If that fails here, Cargo removes them at the first build.
     let _ = Kit::at(into).cargo().args(["update", "--workspace", "--offline"]).output();
     files.insert(LOCK.into(), read_bytes(&into.join(LOCK))?);
     let after = Record::of(&files);

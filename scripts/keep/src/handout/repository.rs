@@ -38,7 +38,7 @@ fn git(folder: &Path, arguments: &[&str], paths: &[PathBuf]) -> Result<()> {
     let mut git = git.spawn().context("git did not start: is it installed?")?;
     let names = paths.iter().map(|path| path.display().to_string() + "\0");
     let mut input = git.stdin.take().context("git has no input")?;
-    // If git ends before it has read the input, its output says why.
+    // If git ends before it has read the input, git's output gives the reason.
     let _ = input.write_all(names.collect::<String>().as_bytes());
     drop(input);
     let output = git.wait_with_output()?;

@@ -57,9 +57,9 @@ impl Copy {
             copy.put(relative, &read_bytes(path)?)?;
         }
         let paths = files.keys().map(PathBuf::as_path);
-        // The copy has a different version. Otherwise Cargo would confuse its packages with the
-        // kit's own, which are in the same folders of their workspace, and the kit's tests would
-        // run programs that the last proof left.
+        // The copy has a different version, because its packages are in the same folders of a
+        // workspace as the kit's. Otherwise Cargo would confuse them, and the kit's tests would run
+        // programs that the last proof left.
         let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, paths)?.replacen(
             "[workspace.package]\nversion = \"",
             "[workspace.package]\nversion = \"0.0.0-",

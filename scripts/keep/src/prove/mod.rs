@@ -103,7 +103,7 @@ impl Bench<'_> {
         self.bar.set_message(what);
     }
 
-    /// Makes a row about `what`. Without faults, its result is `how`.
+    /// Makes a row of the table about `what`. If there are no faults, its result is `how`.
     fn row(&self, what: &str, how: &'static str, tests: usize, faults: Vec<String>) -> Row {
         let result = if faults.is_empty() { Proof::Proven(how) } else { Proof::Faulty };
         Row { lab: self.lab, what: what.into(), tests, result, faults }

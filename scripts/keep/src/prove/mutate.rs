@@ -12,7 +12,8 @@ use lab_kit::Lab;
 use lab_kit::answers::{MarkedFile, Part, Region};
 use lab_kit::wrong::Wrong;
 
-/// Returns the files of a solution, by their path in its folder, with all wrong answers built in.
+/// Returns the files of a solution with all wrong answers built in, by path in the solution's
+/// folder.
 pub(crate) fn mutate(
     lab: Lab,
     files: &[MarkedFile],
@@ -74,8 +75,8 @@ pub(super) fn environment(lab: Lab, index: usize) -> (String, String) {
     (variable(lab), (index + 1).to_string())
 }
 
-/// Returns the name of a lab's variable. Each lab has its own, because a lab may depend on another
-/// lab's code.
+/// Returns the name of a lab's variable. Each lab has its own variable, because a lab may depend on
+/// another lab's code.
 fn variable(lab: Lab) -> String {
     format!("CUTOFF_WRONG_{lab}")
 }
@@ -94,7 +95,8 @@ fn choosing_sources(text: &str) -> String {
         .collect()
 }
 
-/// Writes the module that the chains call. The innermost loops call it, so it is a single load.
+/// Writes the module that the chains call. Innermost loops call it too, so it only loads one
+/// number.
 fn chooser(lab: Lab) -> String {
     let variable = variable(lab);
     format!(

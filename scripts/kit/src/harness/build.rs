@@ -57,8 +57,8 @@ pub struct Build<'a> {
     pub colour: bool,
 }
 
-/// Settings for comparing snapshots, which override a file `insta.yaml`. Nothing is written or
-/// hidden.
+/// Settings for comparing snapshots, which override a file `insta.yaml`. With them, insta writes no
+/// files and hides no differences.
 const SNAPSHOTS: [(&str, &str); 4] = [
     ("INSTA_UPDATE", "no"),
     ("INSTA_FORCE_PASS", "0"),
@@ -196,7 +196,7 @@ mod tests {
         let config = Kit::find().unwrap().path(".cargo/config.toml");
         let set: BTreeMap<String, Value> = read_toml_at(&config, "/env").unwrap().unwrap();
         let ours: Vec<_> = set.iter().filter(|(name, _)| name.starts_with("INSTA_")).collect();
-        // insta reads these 13 variables without its features for files and for its own command.
+        // Without its features for files and for its command, insta reads these 13 variables.
         assert_eq!(ours.len(), 13);
         assert!(ours.iter().all(|(_, value)| value["force"] == true), "{ours:?}");
         for (name, value) in SNAPSHOTS {

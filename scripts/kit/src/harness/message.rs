@@ -1,11 +1,11 @@
-//! Orders the output of a test for a student.
+//! Arranges the output of a test for a student.
 //!
 //! The reason and the location of the failure come first. The output of the lab's own code follows.
 
 use super::words;
 use crate::process::{Finished, panic_in};
 
-/// Maximal number of lines kept of the output of the lab's own code.
+/// Maximal number of lines that are kept of the lab's own output.
 const PRINTED: usize = 20;
 
 /// Beginning of a line with the location of a panic in a lab's own code.
@@ -43,7 +43,7 @@ pub(super) fn message(test: &str, done: &Finished) -> String {
 fn of_stdout(test: &str, stdout: &str) -> (Vec<String>, Vec<String>) {
     let begun = stdout.lines().skip_while(|line| line.is_empty() || line.starts_with("running "));
     let own = begun.take_while(|line| *line != "failures:" && !line.starts_with("test result: "));
-    // The name comes first and its verdict last, with the test's output between them.
+    // The line begins with the name and ends with the verdict. The test's output is between them.
     let name = format!("test {test} ... ");
     let bare = |line: &str| {
         let line = line.strip_prefix(&*name).unwrap_or(line);
@@ -55,7 +55,7 @@ fn of_stdout(test: &str, stdout: &str) -> (Vec<String>, Vec<String>) {
     (lines, table)
 }
 
-/// Splits stderr into the lines before the first panic and the lines from there on.
+/// Splits stderr into the lines before the first panic, and the panic with the lines after it.
 fn of_stderr(stderr: &str) -> (Vec<String>, Vec<String>) {
     let is_harness = |line: &&str| {
         line.starts_with("note: run with `RUST_BACKTRACE") || line.starts_with("error: test failed")
@@ -66,7 +66,7 @@ fn of_stderr(stderr: &str) -> (Vec<String>, Vec<String>) {
     let mut why = Vec::new();
     for (index, line) in printed.iter().enumerate() {
         match panicked_at(line) {
-            // A `todo!` is found by its task, so its location is left out.
+            // Students find a `todo!` by its task, so its location is left out.
             Some(_) if printed.get(index + 1).is_some_and(|next| next.starts_with(TODO)) => {}
             Some(location) => why.extend(in_a_lab(location)),
             None => why.push((*line).to_owned()),

@@ -1,7 +1,7 @@
 //! Rewrites the output of a failed test in a student's words.
 //!
-//! `assert_eq!` writes left and right, insta old and new. The graders put the lab's result on the
-//! left and the expected result on the right.
+//! `assert_eq!` writes *left* and *right*, and insta writes *old* and *new*. The graders put the
+//! lab's result on the left and the expected result on the right.
 
 /// Beginnings of lines that do not help a student.
 const FOR_AUTHORS: [&str; 6] = [

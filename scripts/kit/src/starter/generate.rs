@@ -30,8 +30,7 @@ pub fn own_paths(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
 }
 
-/// Returns the starter as it was given: the copy that the kit keeps, or else made from the
-/// solution.
+/// Returns the starter as it was given: the copy in the kit, or else a new one from the solution.
 pub fn given(kit: &Kit, lab: Lab) -> Result<Files> {
     let kept = kit.starter(lab).join(GIVEN);
     if kept.is_dir() {
@@ -61,15 +60,15 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
         })?;
         files.insert(file.path, text);
     }
-    // Other files than Rust and shaders are copied unchanged.
+    // Files other than Rust sources and shaders are copied unchanged.
     for (path, bytes) in read_below(&folder.join("src"))? {
         files.entry(Path::new("src").join(path)).or_insert_with(|| with_unix_lines(bytes));
     }
     let manifest = manifest(kit, lab).with_context(|| format!("solutions/lab{lab}/Cargo.toml"))?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
     // An editor's analysis loads no files outside a package, so the tests are copied into it. The
-    // crate's documentation is added to their root, because a file that a solution includes cannot
-    // have it.
+    // crate's documentation is added to the root file, because a file that a solution includes
+    // cannot have such documentation.
     let root = PathBuf::from(format!("tests/lab{lab}.rs"));
     for path in kit.test_sources(lab)? {
         let (path, mut bytes) =

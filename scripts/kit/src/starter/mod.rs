@@ -1,4 +1,4 @@
-//! Starters of labs: how they are made, and which of their files are unchanged.
+//! Starters of labs: makes them, and finds their unchanged files.
 //!
 //! [`generate`] makes the starter of a lab, and [`Record`] compares its files.
 

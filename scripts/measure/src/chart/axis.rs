@@ -13,7 +13,7 @@ pub struct Axis {
     from: Option<f64>,
 }
 
-/// The way from a value to its position.
+/// Rule that maps a value to its position.
 #[derive(Clone, Debug, PartialEq)]
 enum Scale {
     Linear,

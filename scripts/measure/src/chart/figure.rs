@@ -43,13 +43,13 @@ pub struct Series {
 pub enum Kind {
     /// Measurements: a full line with filled marks.
     Measured,
-    /// Measurements without an order: filled marks alone.
+    /// Measurements without an order: filled marks only.
     Apart,
     /// Measurements that are shown only for comparison: grey marks.
     Behind,
     /// One of many similar lines, of which only one is named: thin and grey, without marks.
     Crowd,
-    /// Numbers of a course report, whose name comes first: dashes with hollow marks.
+    /// Numbers of a course report, named after the report: dashes with hollow marks.
     Published,
     /// Values of a formula: a full line without marks, with a band.
     Model,

@@ -20,7 +20,7 @@ pub(super) struct Layout {
     pub(super) legend: u32,
 }
 
-/// Sizes of text, 1.24 times its height in pixels.
+/// Text sizes. A size is 1.24 times the height of the text in pixels.
 ///
 /// No text is displayed less than 12 pixels high. A page scales a figure by 0.91.
 pub(super) struct Sizes {
@@ -38,7 +38,7 @@ impl Form {
         }
     }
 
-    /// Returns the height of the plot of a chart in a row of `charts` charts.
+    /// Returns the height of a plot in a row of `charts` charts.
     fn plot(self, charts: usize) -> u32 {
         match self {
             Self::Page if charts == 1 => 460,

@@ -15,8 +15,8 @@ const GREY: RGBColor = RGBColor(130, 130, 130);
 
 /// Colours of measurements.
 ///
-/// They are Okabe and Ito's darker colours, which differ for every kind of colour vision, and three
-/// more. Lines with these three also differ in their marks.
+/// The first three are Okabe and Ito's darker colours, which differ for every kind of colour
+/// vision. Lines with the other three colours also differ in their marks.
 const COLOURS: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),

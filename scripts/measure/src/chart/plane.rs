@@ -86,7 +86,7 @@ fn plane<'p, 'b>(
     Ok(plane)
 }
 
-/// Shades the area that the chart has chosen, and writes the reason in it.
+/// Draws the chart's shaded area with its text, if the chart has one.
 fn shade(
     chart: &Chart,
     layout: Layout,
@@ -105,7 +105,7 @@ fn shade(
     }
     let corners = [(left, rows.start), (columns.end, rows.end)];
     page.draw(&Rectangle::new(corners, BLACK.mix(0.07).filled()))?;
-    // The reason is at the bottom, unless a line ends there.
+    // The text is at the bottom, unless a line ends there.
     let there = points.into_iter().map(|point| plane.backend_coord(point));
     let lowest = there.filter(|(x, _)| *x >= left).map(|(_, y)| y).max();
     let (y, side) = match lowest > Some(rows.end - 40) {

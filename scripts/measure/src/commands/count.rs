@@ -147,7 +147,7 @@ fn jobs(options: &Options, runner: &Runner, named: &[Program]) -> Result<Vec<Job
     })
 }
 
-/// Counts the last steps of a run: the steps of the job, after `after` earlier steps.
+/// Counts the events of the job's steps, which follow after `after` earlier steps.
 pub(super) fn profile(runner: &Runner, job: &Job, after: u64, by: By) -> Result<Profile> {
     runner.run(&Job { steps: after, ..job.clone() })?;
     let shorter = Profile::take(runner.folder(), by)?;

@@ -45,7 +45,7 @@ const EFFORT: Effort = Effort { steps: None, rounds: 7, seconds: 1.4 };
 /// Greatest number of passes through a loop. A tenth of a second never needs more.
 const MOST_PASSES: u64 = 1_000_000;
 
-/// Number of passes that are counted, and number of passes before.
+/// Number of passes that are counted, and number of passes before them.
 const COUNTED: u64 = 10;
 
 /// Times the loops and prints the reason for each slow one.

@@ -161,8 +161,8 @@ impl Timeline {
     }
 }
 
-/// Finds the step nearest to the medians of all steps, by the milliseconds of each rank and
-/// activity.
+/// Finds the step whose times are nearest to the medians over all steps. All ranks and activities
+/// count.
 fn typical(ms: &[Vec<[f64; 3]>]) -> Option<u32> {
     let numbers = ms.first()?.as_flattened().len();
     let mut away = vec![0.0; ms.len()];

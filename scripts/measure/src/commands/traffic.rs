@@ -65,7 +65,7 @@ struct Point {
     counters: BTreeMap<String, f64>,
 }
 
-/// A program's exponent of n on a number of ranks; `None` if no bytes are sent.
+/// Exponent of n in the growth of a program's bytes, on a number of ranks; `None` if it sends none.
 #[derive(Deserialize, Serialize)]
 struct Slope {
     program: Program,

@@ -6,8 +6,8 @@ use oracle::potential_of_pair;
 
 /// Largest encoded number.
 ///
-/// Positions are integers from 0 to this number across the box. For velocities, half of it means 0,
-/// and all of it the largest component in all frames.
+/// Positions are integers from 0 to this number across the box. For velocities, half of this number
+/// means 0, and the whole number means the largest component in all frames.
 const WHOLE: f64 = 65_534.0;
 
 /// A run in the form that a page needs.
@@ -60,8 +60,7 @@ pub(super) fn soft(text: &str) -> Result<Movie> {
     Ok(movie)
 }
 
-/// Reads the output of a lab of hard discs in a square of side `size`, and keeps every `every`-th
-/// step.
+/// Reads the output of a lab of hard discs in a square of side `size`. Keeps one of `every` steps.
 ///
 /// The output consists of lines `t i x y vx vy`, and at the end of lines with counts.
 pub(super) fn hard(text: &str, size: f64, every: u32) -> Result<Movie> {

@@ -28,7 +28,7 @@ const RADIUS: f64 = 1.0;
 const SPEEDS: &str = "0.3,2";
 /// Area of the square for each hard disc, which is large enough for the disc to move about.
 const ROOM: f64 = 36.0;
-/// Number of owners shown for a run without ranks, unless the user chooses threads.
+/// Number of owners that are shown for a run without ranks, unless the user sets the threads.
 const OWNERS: u16 = 4;
 
 /// Show a run as a web page that plays
@@ -115,7 +115,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         discs,
         radius: if is_hard { RADIUS } else { CUTOFF / 2.0 },
         dt: if is_hard { 1.0 } else { DT },
-        // The first frame of soft discs is that after their first step.
+        // The first frame of soft discs shows them after their first step.
         first: u32::from(!is_hard),
         between: every,
         workers: if has_ranks { ranks } else { options.threads.unwrap_or(OWNERS) },

@@ -8,7 +8,7 @@ use crate::record::Record;
 use crate::report::Words;
 use lab_kit::escape::{cut, line};
 
-/// Maximal number of characters shown of a message.
+/// Maximal number of characters of a message that are shown.
 const SHOWN: usize = 200;
 
 /// Number of bars in the histogram.
@@ -40,7 +40,7 @@ pub(crate) fn histogram(records: &[Record], full: f64) -> Markup {
     }
 }
 
-/// Draws how many submissions have each task, with the most frequent message of the others.
+/// Draws how many submissions solve each task, with the most frequent message to the others.
 pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
     let tasks = records.first().map_or(&[][..], |first| &first.tasks);
     html! {
@@ -67,8 +67,8 @@ fn having(records: &[Record], id: &str) -> usize {
     tasks.filter(|task| task.id == id && task.passed).count()
 }
 
-/// Returns the most frequent message about a task, and its number; `None` if no message occurs
-/// twice.
+/// Returns the most frequent message about a task, and how often it occurs. `None` if no message
+/// occurs twice.
 ///
 /// Numbers in a message come from each submission's own inputs, so they are ignored.
 fn commonest(records: &[Record], id: &str) -> Option<(String, usize)> {

@@ -48,7 +48,7 @@ pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> 
     page.into_string()
 }
 
-/// Writes the numbers of a class. Only submissions that count contribute points.
+/// Writes the statistics of a class. Only submissions that count contribute points.
 fn facts(records: &[Record], counting: &[Record]) -> Markup {
     let mut given: Vec<f64> = counting.iter().map(|record| record.marked.points).collect();
     given.sort_by(f64::total_cmp);
@@ -84,7 +84,8 @@ fn quantile(sorted: &[f64], part: f64) -> f64 {
     below + (above - below) * at.fract()
 }
 
-/// Writes each student's letter, folded. Text that is not the grader's own is escaped for Markdown.
+/// Writes each student's letter in a collapsed section. Text that is not the grader's own is
+/// escaped for Markdown.
 fn details(records: &[Record], words: &Words) -> Markup {
     let full = points(scale(records));
     html! {
@@ -112,7 +113,7 @@ fn distinct(records: &[Record], of: fn(&Record) -> &str) -> String {
     line(&all.into_iter().collect::<Vec<_>>().join("; "))
 }
 
-/// Writes the machine, the compiler and the grader that the marks depend on.
+/// Writes on which machines and compilers the marks depend, and whether there was a sandbox.
 fn provenance(records: &[Record]) -> Markup {
     html! {
         p.soft {

@@ -65,7 +65,7 @@ fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
     }
 }
 
-/// Writes the points, the open points, and the days late.
+/// Writes the points, the points that are still open, and the days late.
 fn given(record: &Record, full: f64) -> Markup {
     let open = full - record.worth(Measure::counts);
     html! {
@@ -80,7 +80,7 @@ fn given(record: &Record, full: f64) -> Markup {
     }
 }
 
-/// Writes points that a person gave, with the reason; `None` if no person did.
+/// Writes points that a person gave, with the reason; `None` if no person gave points.
 fn hand(record: &Record, task: &str, given: f64) -> Option<Markup> {
     let why = sentences::by_hand(record, Some(task)).join(" ");
     record.is_by_hand(task).then(|| html! { span.hand title=(line(&why)) { (points(given)) } })

@@ -9,9 +9,9 @@ use lab_measure::clock::Span;
 
 /// Ratio of times on the largest scene that makes the grader suspect a program of waiting.
 ///
-/// A program that waits on small scenes appears to scale well. If it takes this multiple of the
-/// solution's time on the largest scene, its line begins at the solution's time on the smallest
-/// scene.
+/// A program that waits on small scenes appears to scale well. If such a program takes this
+/// multiple of the solution's time on the largest scene, its slope is computed from the solution's
+/// time on the smallest scene.
 const DAWDLE: f64 = 10.0;
 
 pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {

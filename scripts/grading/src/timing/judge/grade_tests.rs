@@ -7,7 +7,7 @@ use crate::timing::plan::plan;
 use lab_kit::Facts;
 use lab_kit::facts::Timed;
 
-/// Returns a record whose runs took the times of `seconds`, a function of program, n and workers.
+/// Returns a record of runs that take `seconds`, a function of program, n and workers.
 fn record(rubric: &Facts, cores: usize, seconds: impl Fn(Whose, f64, f64) -> Vec<f64>) -> Record {
     let sample = include_str!("../../../tests/record.json");
     let mut record: Record = serde_json::from_str(sample).unwrap();
@@ -57,8 +57,8 @@ fn the_slope_decides() {
 
 #[test]
 fn to_dawdle_on_small_scenes_makes_no_line_flat() {
-    // The program computes all pairs. On small scenes it waits until it has taken as long as on the
-    // largest scene.
+    // The program computes all pairs. On small scenes it waits until it has taken four seconds, as
+    // on the largest scene.
     let (grade, words) = complexity(|n| (1e-9 * n * n).max(4.0));
     assert!(grade.unwrap() < 30.0 && words.contains("begins at the solution's"), "{words}");
     let (grade, _) = complexity(|n| 2e-6 * n + 1.0);
@@ -68,7 +68,7 @@ fn to_dawdle_on_small_scenes_makes_no_line_flat() {
 #[test]
 fn to_sleep_on_small_scenes_makes_no_line_flat() {
     // The program is quadratic. On the largest scene it is five times as slow as the solution. On
-    // smaller scenes it sleeps until it is as slow as that.
+    // smaller scenes it sleeps until it is five times as slow, too.
     let rubric = Facts { complexity: timed(64_000), ..Facts::default() };
     let work = |n: f64| 1.5e-10 * n * n;
     let mut record = record(&rubric, 2, |whose, n, _| {
@@ -134,7 +134,7 @@ fn one_worker_at_work_does_not_scale() {
         run.processors = Some(1.05 * run.seconds.iter().sum::<f64>());
     }
     assert_eq!(grade_of_scaling(&record).1, Some(0.0));
-    // Other work on the machine: the solution's workers got little more than one processor.
+    // The machine does other work, so the solution's workers get little more than one processor.
     for run in record.found.runs.iter_mut().filter(|run| run.whose == Whose::Solution) {
         run.processors = Some(1.15 * run.seconds.iter().sum::<f64>());
     }

@@ -32,7 +32,7 @@ pub(crate) fn judge(findings: &Findings, rubric: &Facts) -> Vec<Measure> {
     found.map(|(kind, timed, found)| measure(&findings.runs, kind, timed, found)).collect()
 }
 
-/// Whether further takes may improve a grade, whatever the source of the noise.
+/// Whether further takes may improve a grade, because some times are noisy.
 pub(crate) fn is_noisy(findings: &Findings, rubric: &Facts) -> bool {
     all(findings, &drawn(rubric, findings.seed)).iter().any(|(_, _, found)| match found {
         Ok(found) => clock::is_noisy(found.grade),
@@ -96,8 +96,8 @@ fn speed(runs: &Runs<'_>) -> Result<Found, Without> {
 
 /// Makes a measure from a grade.
 ///
-/// If the times are noisy and the solution's times are quiet, the noise is the submission's and its
-/// medians count. If the solution's times are noisy too, there is no grade.
+/// If the times are noisy and the solution's times are quiet, the submission causes the noise, and
+/// its medians count. If the solution's times are noisy too, there is no grade.
 fn measure(runs: &[Run], kind: Kind, timed: &Timed, found: Result<Found, Without>) -> Measure {
     let (verdict, grade, message) = match found {
         Ok(Found { grade, words }) if clock::is_noisy(grade) => {

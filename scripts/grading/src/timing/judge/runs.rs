@@ -9,11 +9,11 @@ use lab_measure::clock::{Span, Times};
 /// change a grade.
 const QUIET: f64 = 1.06;
 
-/// Greatest possible ratio of the speeds of two programs on as many processors. The kit's fastest
-/// program is 25 times as fast as the slowest program that is timed.
+/// Greatest possible ratio of the speeds of two programs on equally many processors. The kit's
+/// fastest program is 25 times as fast as the slowest program that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// Share of its time that a program with a processor works, unless it waits.
+/// Smallest share of its time that a program on a free processor computes, unless it waits.
 const MOSTLY: f64 = 0.7;
 /// Seconds in a take above which a pause counts as waiting. Shorter pauses are errors of the clock.
 const LONG: f64 = 0.01;
@@ -53,7 +53,7 @@ impl<'r> Runs<'r> {
         let same = |r: &&Run| r.whose != Whose::Own && (r.n, r.steps) == (run.n, run.steps);
         for trusted in self.all.iter().filter(same) {
             let shortest = span(run).map_or(f64::INFINITY, |span| span.min);
-            // The time for making the scene is subtracted, so this much work is certain.
+            // The time for making the scene is subtracted, so the program needs at least this work.
             let work = net(self.all, trusted)?.min * trusted.workers as f64;
             if shortest * run.workers as f64 * IMPOSSIBLE < work {
                 let why = format!(
@@ -67,7 +67,7 @@ impl<'r> Runs<'r> {
         Ok(run)
     }
 
-    /// Returns a program's seconds.
+    /// Returns the seconds of the run with this program, size and number of workers.
     pub(crate) fn time(&self, whose: Whose, n: usize, workers: usize) -> Result<Span, Without> {
         self.seconds(self.find(whose, n, workers)?)
     }
@@ -95,7 +95,7 @@ pub(crate) fn busy(run: &Run) -> f64 {
     run.processors.filter(|busy| *busy > 0.0).map_or(f64::INFINITY, |busy| busy / wall)
 }
 
-/// Returns the share of its time that a run of one worker computed; `None` unless it waited.
+/// Returns the share of the time in which a run of one worker computed; `None` if it did not wait.
 pub(crate) fn waited(run: &Run) -> Option<f64> {
     let takes = run.seconds.len() as f64;
     let wall = run.seconds.iter().sum::<f64>();
@@ -104,13 +104,14 @@ pub(crate) fn waited(run: &Run) -> Option<f64> {
     (run.outcome == Outcome::Timed && waits).then_some(share)
 }
 
-/// Returns the seconds of a run's shortest take, without start and result; `None` without a take.
+/// Returns the seconds of a run's shortest take, without start and result. `None` if the run is not
+/// valid.
 pub(crate) fn seconds_of(findings: &Findings, run: &Run) -> Option<f64> {
     let timed = run.outcome == Outcome::Timed;
     timed.then(|| net(&findings.runs, run).ok())?.map(|span| span.min)
 }
 
-/// Returns the measured seconds of a run; `None` without a take.
+/// Returns the measured seconds of a run; `None` if it has no take.
 fn span(run: &Run) -> Option<Span> {
     Times::of(run.seconds.clone()).map(|times| times.span(1.0))
 }
@@ -136,7 +137,7 @@ fn idle<'r>(runs: &'r [Run], run: &Run) -> Option<&'r Run> {
     all.find(|r| (&r.variant, r.workers) == (&run.variant, run.workers)).or(first)
 }
 
-/// Subtracts one time from another. The result is always positive.
+/// Subtracts one time from another. A difference below a microsecond becomes a microsecond.
 fn less(all: Span, part: Span) -> Span {
     Span::both(|way| (way(&all) - way(&part)).max(1e-6))
 }

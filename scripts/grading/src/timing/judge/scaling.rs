@@ -1,4 +1,4 @@
-//! Grade of scaling: how much faster more workers are.
+//! Grade of scaling: how much faster a program is with more workers.
 
 use super::runs::{Runs, busy};
 use super::{Found, Without};

@@ -45,7 +45,7 @@ fn shown(runs: impl Iterator<Item = (f64, f64)>, steps: Option<f64>) -> Vec<(f64
     runs.map(|(n, seconds)| (n, value(n, seconds))).collect()
 }
 
-/// Names the tables of the course reports that the chart includes.
+/// Returns the names of the course reports' tables that the chart includes.
 fn beside(hard: bool, parallel: bool) -> &'static [&'static str] {
     match (hard, parallel) {
         (true, _) => &["cs3210-openmp-growth", "cs3210-cuda-growth", "cs3210-mpi-growth"],

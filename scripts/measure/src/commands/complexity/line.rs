@@ -58,7 +58,7 @@ impl Line {
         })
     }
 
-    /// Returns its name in tables and in the chart.
+    /// Returns the program's name in tables and in the chart.
     pub(super) fn name(&self) -> String {
         match self.workers {
             1 => self.program.to_string(),
@@ -94,8 +94,8 @@ impl Line {
             .table(&self.points)
     }
 
-    /// Returns the slope of `y` from the scene before; `None` for the first scene, or if a scene
-    /// has no `y`.
+    /// Returns the slope of `y` from the previous scene to this one; `None` if one of them has no
+    /// `y`.
     fn slope_to(&self, point: &Point, y: fn(&Point) -> Option<f64>) -> Option<String> {
         let at = self.points.iter().position(|other| std::ptr::eq(other, point))?;
         let before = self.points.get(at.checked_sub(1)?)?;

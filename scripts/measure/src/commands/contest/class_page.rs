@@ -27,7 +27,7 @@ struct Student {
     points: f64,
 }
 
-/// Writes the page of the files `NAME.json` in `folder`, the plane, and the points.
+/// Writes the page, the plane and the points of the entries in the files `NAME.json` in `folder`.
 ///
 /// The page names nobody: each entry has a number. `points.csv` lists names, numbers and points.
 pub(super) fn write(kit: &Kit, folder: &Path) -> Result<()> {
@@ -97,7 +97,7 @@ fn read(folder: &Path) -> Result<Vec<(String, Vec<Entry>)>> {
     Ok(files.into_iter().map(|(_, name, entries)| (name, entries)).collect())
 }
 
-/// Returns a student's entry with the most points, and the fastest of several such entries.
+/// Returns a student's entry with the most points. Among equals, the fastest entry is chosen.
 fn best(
     name: String,
     entries: Vec<Entry>,
@@ -118,7 +118,7 @@ fn best(
     Ok(best)
 }
 
-/// Returns an entry's points: those of each landmark that it beats in one of the rankings.
+/// Adds up the points for the landmarks that an entry beats in at least one ranking.
 fn earned(entry: &Entry, goals: &[Goal], landmarks: &[Entry]) -> Result<f64> {
     let mut sum = 0.0;
     for Goal { beats, points } in goals {
@@ -176,7 +176,7 @@ mod tests {
         let landmarks = [sorted, planned];
         for (entry, points) in [
             (entry(&[(0.1, 1.0)]), 100.0),
-            // The rounds do not decide.
+            // The rounds do not decide which of the two is faster.
             (entry(&[(0.9, 1.0), (1.0, 1.0), (1.2, 1.0)]), 0.0),
             (entry(&[(0.5, 1.0)]), 20.0),
             (entry(&[(0.9, 0.1)]), 100.0),

@@ -18,10 +18,9 @@ pub(crate) struct Entry {
     pub(super) alias: Option<String>,
     /// Rounds of each kind of scene, by its name.
     pub(super) kinds: BTreeMap<String, Vec<Round>>,
-    /// Time for all kinds: the geometric mean of each round, the least and the median of the rounds.
-    /// `None` if a kind is missing.
+    /// Time for all kinds: the least and the median of the rounds' geometric means. `None` if a kind is missing.
     pub(super) time: Option<Span>,
-    /// Error for all kinds, like the time.
+    /// Error for all kinds, computed like the time.
     pub(super) error: Option<Span>,
     /// Instructions per particle and step of the official scene; `None` if they were not counted.
     pub(super) instructions: Option<f64>,
@@ -66,7 +65,8 @@ impl Entry {
         self.faults.push(format!("{}, seed {}: {why}", drawn.kind.name(), drawn.seed));
     }
 
-    /// Whether the entry had a fault on a scene of this kind, so that it runs no other.
+    /// Whether the entry had a fault on a scene of this kind. It then runs no further scenes of the
+    /// kind.
     pub(super) fn gave_up(&self, kind: Kind) -> bool {
         self.faults.iter().any(|fault| fault.starts_with(kind.name()))
     }

@@ -1,8 +1,8 @@
 //! `cargo lab contest`: an entry's place in the plane of run time and error.
 //!
 //! In each round, a seed draws a scene of each kind ([`oracle::contest`]). The reference engine and
-//! all entries run it in turns, and the run that is timed is also the run whose error is measured.
-//! So a program that is fast when timed and exact when checked gains nothing.
+//! all entries run it in turns. Time and error come from the same run, so a program gains nothing
+//! if it is fast only when timed and exact only when checked.
 
 mod class_page;
 mod entry;

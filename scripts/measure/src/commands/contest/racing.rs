@@ -1,4 +1,4 @@
-//! The runs of the contest: races on drawn scenes, a second run, a long run, and a counted run.
+//! The runs of the contest: races on random scenes, a second run, a long run, and a counted run.
 
 use anyhow::Result;
 use common::soft::CUTOFF;
@@ -17,7 +17,8 @@ use crate::job::Job;
 use crate::runner::Runner;
 use crate::scene;
 
-/// Error below which no difference counts: a ten-millionth of a cutoff. It is added to all errors.
+/// Error below which no difference counts: a ten-millionth of a cutoff. This error is added to all
+/// errors.
 const LEAST: f64 = 1e-7 * CUTOFF;
 
 /// Greatest distance (rms) between the ends of two runs, as a share of the official step's error.
@@ -126,10 +127,10 @@ impl Contest {
         Ok(())
     }
 
-    /// Counts the instructions of each ranked entry in a whole run, if valgrind is here.
+    /// Counts the instructions of each ranked entry in a whole run, if valgrind is installed.
     ///
-    /// The run includes loading, and its scene is new to the entry. So work in `load` is counted, and
-    /// the answers of an earlier run are of no use. An entry that is wrong in this run has no count.
+    /// The run includes loading, and its scene is new to the entry. So work in `load` is counted, and results of an
+    /// earlier run cannot be used again. An entry that is wrong in this run has no count.
     pub(super) fn count(
         &self,
         runner: &mut Runner,

@@ -3,18 +3,18 @@
 use super::entry::Entry;
 use crate::clock::Span;
 
-/// Greatest median error on any kind of scene, as a multiple of the official step's, of an entry
-/// that counts as accurate. Rounding and chaos change the error a little.
+/// Median error up to which an entry counts as accurate, as a multiple of the official step's
+/// error. Rounding and chaos change the error a little.
 pub(super) const ACCURATE: f64 = 1.05;
 
 /// A ranking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ranking {
-    /// By time, of the entries that are at most as wrong as the official step.
+    /// By time, among the entries that are at most as wrong as the official step.
     Fastest,
-    /// By error, of the entries that are at most as slow as the reference.
+    /// By error, among the entries that are at most as slow as the reference.
     MostAccurate,
-    /// By counted instructions, of the entries that are at most as wrong as the official step.
+    /// By counted instructions, among the entries that are at most as wrong as the official step.
     FewestInstructions,
 }
 
@@ -50,7 +50,7 @@ impl Ranking {
             }
             Self::FewestInstructions => {
                 let count = entry.instructions.filter(|_| is_accurate())?;
-                // Counts repeat to 10⁻³.
+                // Counts of two runs differ by at most a thousandth.
                 Some(Span { min: 0.999 * count, median: 1.001 * count })
             }
         }
@@ -63,7 +63,7 @@ impl Ranking {
         Some(all.iter().filter(|other| self.is_better(other, entry)).count() + 1)
     }
 
-    /// Whether an entry is certainly better than another one. Both must be ranked.
+    /// Whether an entry is certainly better than another entry. Both must be ranked.
     pub(super) fn is_better(self, entry: &Entry, other: &Entry) -> bool {
         self.of(entry).zip(self.of(other)).is_some_and(|(own, other)| own.median < other.min)
     }

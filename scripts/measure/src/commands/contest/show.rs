@@ -17,7 +17,7 @@ struct Row<'e> {
     places: Vec<String>,
 }
 
-/// Formats the places of all entries, their results on each kind of scene, and their faults.
+/// Formats tables of all entries' places, results on each kind of scene, and faults.
 pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
     let all: Vec<&Entry> = entries.iter().chain(landmarks).collect();
     let mut rows = Vec::new();

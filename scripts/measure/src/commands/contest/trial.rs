@@ -23,13 +23,13 @@ pub(super) struct Drawn {
 pub(super) struct End {
     /// Seconds of loading and stepping.
     pub(super) seconds: f64,
-    /// Root of the mean squared distance from the exact positions.
+    /// Root mean square distance from the exact positions.
     pub(super) error: f64,
     pub(super) state: Vec<Particle>,
 }
 
 impl Drawn {
-    /// Draws a scene with fewer particles than in the contest by the factor `shrink`.
+    /// Draws a scene with a `shrink`-th of the particles that the contest uses.
     pub(super) fn new(kind: Kind, shrink: usize, seed: u32) -> Result<Self> {
         let scene = kind.scene(kind.n() / shrink, seed);
         let exact =

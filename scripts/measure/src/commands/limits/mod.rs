@@ -89,7 +89,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Whether more workers share a program's work, according to its lab.
+/// Whether the workers of a program share its work, according to the lab's facts.
 fn shares_work(kit: &Kit, program: &Program) -> Result<bool> {
     let variants = kit.facts(program.lab)?.variants;
     let facts = variants.iter().find(|facts| Some(&facts.name) == program.variant.as_ref());
@@ -97,7 +97,7 @@ fn shares_work(kit: &Kit, program: &Program) -> Result<bool> {
 }
 
 impl Results {
-    /// Draws work per byte and per nanosecond: a mark for each program, below the machine's
+    /// Draws work per nanosecond against work per byte: a mark for each program, and the machine's
     /// maximum.
     fn roof(&self, title: &str, what: &str, peak: f64, work: fn(&Row) -> Option<f64>) -> Chart {
         let mut chart = Chart::new(

@@ -25,14 +25,15 @@ const MOVE: f64 = 8.0;
 pub(super) struct Row {
     pub(super) program: Program,
     pub(super) n: usize,
-    /// Nanoseconds per particle and step: measured, by each count, and the least by all counts.
+    /// Measured nanoseconds per particle and step. `bounds` and `least` follow from the counts.
     pub(super) time: f64,
     bounds: Bounds,
     least: f64,
-    /// The least time as a share of the time, and the bound that limits the program.
+    /// The least time as a share of the measured time. `held_by` names the bound that limits the
+    /// program.
     reached: f64,
     held_by: String,
-    /// Nanoseconds of streaming a particle once.
+    /// Nanoseconds in which a particle can be streamed once.
     pub(super) streaming: f64,
     pub(super) instructions: f64,
     /// Bytes that are loaded into the first-level cache, per particle and step.
@@ -48,13 +49,13 @@ pub(super) struct Shared {
     pub(super) time: f64,
     /// The time of one worker, divided by the number of workers and by the time of this run.
     reached: f64,
-    /// Shares of the time, as means of the workers; `None` if they are not counted.
+    /// Shares of the time, averaged over the workers; `None` if they are not counted.
     waiting: Option<f64>,
     messages: Option<f64>,
 }
 
 impl Row {
-    /// Compares the least times of a program's runs with its counts.
+    /// Compares the shortest takes of a program with the bounds that its counts give.
     pub(super) fn new(
         run: &Counted,
         least: Take,
@@ -89,7 +90,7 @@ impl Row {
 
 /// Returns the floating-point operations per particle and step that the formulas need.
 ///
-/// They follow from a run's counts of pairs.
+/// The number follows from the counts of pairs in a run.
 fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
     if job.program.discs != Discs::Soft {
         return Ok(None);
@@ -104,7 +105,7 @@ fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
 impl Shared {
     fn new(runner: &Runner, run: &Counted, time: f64, alone: f64) -> Result<Self> {
         let job = run.job(machine::cores(), run.after + run.row.job.steps);
-        // Ranks report their waiting if they record events, and not all programs can.
+        // Ranks report their waiting only if they record events, which not all programs can do.
         let recorded = job.program.has_ranks().then(|| Job { events: true, ..job.clone() });
         let recorded = recorded.and_then(|job| runner.run(&job).ok());
         let output = recorded.map_or_else(|| runner.run(&job), Ok)?;

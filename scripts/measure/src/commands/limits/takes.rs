@@ -8,7 +8,7 @@ use crate::commands::count;
 use crate::job::Job;
 use crate::runner::Runner;
 
-/// A program whose events were counted, from step `after` on.
+/// A program whose events were counted after the first `after` steps.
 pub(super) struct Counted {
     pub(super) row: count::Row,
     pub(super) after: u64,

@@ -21,7 +21,7 @@ pub(super) const STEPS: u64 = 100;
 /// Number of official steps until the energy is measured.
 const LATE: u64 = 2000;
 
-/// Finest division for which the energy is measured. A finer one would take minutes.
+/// Finest division for which the energy is measured. A finer division would take minutes.
 const MOST_DIVIDED: u32 = 10;
 
 /// Number of particles in the scene whose energy is measured.
@@ -60,7 +60,7 @@ impl Candidate {
 
     /// Makes a job of some official steps on one worker.
     ///
-    /// The first step is always written, then steps at equal intervals, the last step among them.
+    /// The program writes the states after the first and the last step.
     pub(super) fn job(&self, scene: &Arc<Scene>, steps: u64) -> Job {
         let job = Job::new(self.program.clone(), scene::Scene::Given(Arc::clone(scene)));
         Job { steps, every: Some((steps - 1).max(1)), ..job }
@@ -87,19 +87,18 @@ impl Candidate {
         if let Some(counted) = counters.get("force evaluations") {
             return *counted;
         }
-        // An engine with windows touches every particle once in each window. The other counts are
-        // evaluations in groups. A group may be computed beyond the last step, to the end of its
-        // window.
+        // An engine with windows touches every particle once in each window. All further touches
+        // are evaluations in groups, which may be computed beyond the last step.
         let touched = counters.get("particles touched per particle and step");
         if let (Some(touched), Some(windows)) = (touched, counters.get("windows")) {
             return touched * STEPS as f64 - windows;
         }
-        // Without a counter, every particle needs one evaluation in each step.
+        // A program without a counter makes one evaluation per particle and step.
         STEPS as f64 * f64::from(self.divide)
     }
 
-    /// Measures the greatest relative change of energy until t = 1, over seeds 1, 2, …; `None`
-    /// without seeds.
+    /// Measures the greatest relative change of energy until t = 1, over seeds 1 to `seeds`; `None`
+    /// if that is 0, or if the division is finer than [`MOST_DIVIDED`].
     pub(super) fn drift(&self, runner: &Runner, seeds: u32) -> Result<Option<f64>> {
         let mut greatest: Option<f64> = None;
         for seed in (1..=seeds).take_while(|_| self.divide <= MOST_DIVIDED) {

@@ -19,7 +19,7 @@ pub(crate) struct Point {
     pub(super) program: Program,
     pub(super) n: u64,
     pub(super) divide: u32,
-    /// Root of the mean squared distance from the exact positions.
+    /// Root mean square distance from the exact positions.
     pub(super) rms_error: f64,
     pub(super) seconds: Times,
     pub(super) force_evaluations: f64,
@@ -27,7 +27,8 @@ pub(crate) struct Point {
     pub(super) energy_drift: Option<f64>,
     /// Whether the point is on the Pareto front.
     ///
-    /// No other point is then as good in seconds and error, and better in one of them.
+    /// No other point is then at least as good in both seconds and error, and better in one of
+    /// them.
     pub(super) on_front: bool,
 }
 
@@ -43,7 +44,7 @@ impl Group {
 }
 
 /// Returns for each point (cost, error) whether it is on the Pareto front. A point that is not
-/// finite never is.
+/// finite is never on the front.
 pub(crate) fn front(points: &[(f64, f64)]) -> Vec<bool> {
     let is_on = |p: &(f64, f64)| is_finite(p) && !points.iter().any(|other| beats(other, p));
     points.iter().map(is_on).collect()

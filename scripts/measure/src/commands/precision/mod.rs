@@ -1,8 +1,8 @@
 //! `cargo lab precision`: run time against error.
 //!
 //! A time means little without its error. Every variant of every lab with soft discs, and every
-//! integrator at several steps, runs the same scene. Its end is compared with the exact motion
-//! ([`oracle::reference`]).
+//! integrator at several steps, runs the same scene. The end of each run is compared with the exact
+//! motion ([`oracle::reference`]).
 
 mod candidate;
 mod diagram;

@@ -22,7 +22,7 @@ pub fn of(scene: &Scene, time: f64) -> Result<Reference> {
     Ok(Reference { error: rms(&end, &check), end })
 }
 
-/// Returns the root of the mean squared distance between two states of the same particles.
+/// Returns the root mean square distance between two states of the same particles.
 pub fn rms(a: &[Particle], b: &[Particle]) -> f64 {
     let sum: f64 = a.iter().zip(b).map(|(a, b)| a.to(b).norm_squared()).sum();
     (sum / a.len() as f64).sqrt()

@@ -71,7 +71,7 @@ fn counter_names(curves: &[Curve]) -> Vec<String> {
     names.into_iter().cloned().collect()
 }
 
-/// Parts of a step for every run of the strong scaling, in milliseconds, as means of the workers.
+/// Parts of a step for every run of the strong scaling, in milliseconds, averaged over the workers.
 pub(super) struct Breakdown {
     /// Names of the parts on the command line, and finally the rest of the step.
     parts: Vec<String>,
@@ -84,7 +84,7 @@ impl Breakdown {
     /// omitted.
     ///
     /// # Errors
-    /// A name fits no counter, or several.
+    /// A name fits no counter, or several counters.
     pub(super) fn new(curves: &[Curve], names: &[String]) -> Result<Self> {
         let mut parts = names.to_vec();
         parts.push("rest".into());
@@ -111,7 +111,7 @@ impl Breakdown {
         Chart::bars(title, x, &parts, &self.rows)
     }
 
-    /// Makes a row for each run, a column for each part.
+    /// Makes a table with a row for each run and a column for each part.
     pub(super) fn table(&self) -> Table {
         Columns::of("program, workers", |row: &(String, Vec<f64>)| row.0.clone())
             .numbers(&self.parts, |row, at| Some(row.1[at]))
@@ -120,7 +120,7 @@ impl Breakdown {
 }
 
 impl Point {
-    /// Returns the milliseconds of a step in each counter and in the rest.
+    /// Returns the milliseconds of a step that each counter measures, and the rest of the step.
     ///
     /// Returns `None` if the run has no such counter.
     fn parts(&self, counters: &[String]) -> Option<Vec<f64>> {

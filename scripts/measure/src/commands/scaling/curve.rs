@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 
 /// A variant's strong and weak scaling.
 ///
-/// The grade uses the numbers of workers that this machine has cores for. It is `None` if there are
-/// none.
+/// The grade uses only numbers of workers for which this machine has enough cores. It is `None` if
+/// there are no such numbers.
 #[derive(Deserialize, Serialize)]
 pub(super) struct Curve {
     pub(super) program: Program,
@@ -19,7 +19,7 @@ pub(super) struct Curve {
     pub(super) average_strong_efficiency: Option<f64>,
     pub(super) average_weak_efficiency: Option<f64>,
     grade: Option<f64>,
-    /// The grades by the shortest takes and by the medians.
+    /// The grades for the shortest takes and for the medians.
     #[serde(skip)]
     pub(super) grades: Option<Span>,
 }
@@ -30,7 +30,7 @@ pub(super) struct Point {
     pub(super) workers: usize,
     #[serde(flatten)]
     pub(super) timing: Timing,
-    /// Efficiency relative to the serial program, by the shortest takes.
+    /// Efficiency relative to the serial program, from the shortest takes.
     pub(super) efficiency: f64,
     #[serde(skip)]
     efficiencies: Option<Span>,
@@ -50,7 +50,8 @@ pub(super) struct Runs<'m> {
 
 /// A function that computes an efficiency.
 ///
-/// Its arguments are the seconds of one worker, the number of workers, and the seconds of all.
+/// Its arguments are the seconds of one worker, the number of workers, and the seconds of all
+/// workers.
 type Efficiency = fn(f64, usize, f64) -> f64;
 
 impl Curve {

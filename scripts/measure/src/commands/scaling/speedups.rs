@@ -83,8 +83,8 @@ impl Results {
 
     /// Separates the curves with a name from the others.
     ///
-    /// A reader cannot distinguish more than a few lines. If there are many, those with less than
-    /// half the best efficiency have no name.
+    /// A reader cannot distinguish more than a few lines. If there are many lines, lines with less
+    /// than half the best efficiency have no name.
     fn named_and_crowd(&self) -> (Vec<&Curve>, Vec<&Curve>) {
         const MOST_NAMES: usize = 6;
         let efficiencies = self.curves.iter().filter_map(|curve| curve.average_strong_efficiency);
@@ -113,8 +113,7 @@ impl Results {
         })]
     }
 
-    /// Returns a value between the greatest number of workers that has enough cores and the next
-    /// number.
+    /// Returns a value between the greatest number of workers with a core each and the next number.
     fn beyond_the_cores(&self) -> Option<f64> {
         let within = self.strong().filter(|point| point.graded).map(|point| point.workers).max()?;
         Some(within as f64 * 2_f64.sqrt())
@@ -133,8 +132,8 @@ fn weak(curve: &Curve) -> Vec<(f64, f64)> {
     curve.weak.iter().map(|point| (point.workers as f64, point.efficiency)).collect()
 }
 
-/// Returns the values that are powers of two, because labels need room, or all values if no value
-/// is.
+/// Returns only the powers of two among the values, because labels need room. Returns all values if
+/// there are no powers of two.
 fn powers_of_two(values: &[f64]) -> Vec<f64> {
     let powers: Vec<f64> = values.iter().copied().filter(|v| v.log2().fract() == 0.0).collect();
     if powers.is_empty() { values.to_vec() } else { powers }

@@ -25,7 +25,7 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Returns every run once. A run that strong and weak scaling share is in the list only once.
+    /// Returns all runs. A run that strong and weak scaling share is in the list only once.
     pub(super) fn jobs(&self) -> Vec<Job> {
         let mut jobs = vec![self.strong_job(&self.serial, 1)];
         jobs.extend(self.weak_job(&self.serial, 1));
@@ -49,7 +49,7 @@ impl Plan {
         Job { workers, events, ..Job::new(program.clone(), self.strong.clone()) }
     }
 
-    /// Returns a run of the weak scaling; `None` without a scene for it.
+    /// Returns a run of the weak scaling; `None` if there is no scene for it.
     fn weak_job(&self, program: &Program, workers: usize) -> Option<Job> {
         let scene = self.weak.clone()?.times(workers);
         Some(Job { scene, ..self.strong_job(program, workers) })

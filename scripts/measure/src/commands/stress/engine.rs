@@ -1,4 +1,4 @@
-//! A program of a lab that is under stress.
+//! A lab's program in the stress tests.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::job::Job;
 use crate::runner::Runner;
 use crate::scene;
 
-/// A task for a program.
+/// A scene, and the steps that a program must take in it.
 pub(super) struct Asked<'a> {
     pub(super) scene: &'a Scene,
     pub(super) steps: u64,
@@ -22,7 +22,7 @@ pub(super) struct Asked<'a> {
     pub(super) stretch: f64,
 }
 
-/// The states; `None` if the program cannot do the task, because its step is fixed.
+/// The states; `None` if the program cannot take such steps, because its step is fixed.
 pub(super) type Answer = Result<Option<Vec<Vec<Particle>>>>;
 
 /// A variant of a lab's program.
@@ -48,19 +48,20 @@ impl Lab<'_> {
         Ok(Some(self.runner.run(&job)?.frames))
     }
 
-    /// Makes the job of a task; `None` if the program's step is fixed.
+    /// Makes the job for these steps; `None` if the program's step is fixed.
     fn job(&self, asked: &Asked) -> Option<Job> {
         let scene = scene::Scene::Given(Arc::new(asked.scene.clone()));
         let mut job = Job::new(self.program.clone(), scene);
         job.steps = asked.steps;
         job.every = Some(asked.every);
-        // Two workers that wait for each other a million times would measure the machine's load.
+        // If two workers waited for each other a million times, the load of the machine would
+        // decide.
         job.workers = if asked.steps > 5_000 { 1 } else { 2 };
         if self.known.has("stretch") {
             job.program.parameters.push(("stretch".into(), asked.stretch));
         } else if self.known.has("substeps") {
-            // Free flight does not depend on the length of a step. About ten small steps in a long
-            // step are fewer for each official step.
+            // A long step, `stretch` official steps, has about ten small steps in all. More would
+            // not matter in free flight.
             job.program.parameters.push(("substeps".into(), (10.0 / asked.stretch).floor()));
             job.steps = (asked.steps as f64 * asked.stretch) as u64;
             job.every = Some((asked.every as f64 * asked.stretch) as u64);

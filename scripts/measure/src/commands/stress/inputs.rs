@@ -15,8 +15,7 @@ use Give::{Scene, Words};
 /// Longest time in which a program must refuse an input.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// An input that must be refused: its name, how it is given, and a word that the answer must
-/// contain.
+/// An input that must be refused: its name, its form, and a word that the answer must contain.
 pub(super) struct Bad(&'static str, Give, &'static str);
 
 enum Give {

@@ -1,4 +1,5 @@
-//! The verdict about a figure: it passes, it is a limit of the method, or it shows a mistake.
+//! The verdict about a measured number, a figure. It passes, it is a limit of the method, or it
+//! shows a mistake.
 
 use serde::Serialize;
 
@@ -23,7 +24,8 @@ pub(super) struct Cell {
 #[serde(tag = "verdict", content = "why", rename_all = "lowercase")]
 pub(super) enum Verdict {
     Passes,
-    /// As bad as the method allows, and no worse. The text is the section that explains the limit.
+    /// The figure is as bad as the method allows, and no worse. The text is the section that
+    /// explains the limit.
     Limit(&'static str),
     /// The reason why the program cannot do this.
     Unable(&'static str),

@@ -45,7 +45,7 @@ impl Method {
     pub(super) fn allowed(self) -> Allowed {
         match self {
             Self::Official => Allowed { position: 1e-13, velocity: 1e-12, of_force: 0.0 },
-            // A position has seven digits of a cutoff, and the slope of the force is a million.
+            // A position has seven correct digits, and the slope of the force is up to a million.
             Self::SinglePrecision => Allowed { position: 3e-7, velocity: 3e-4, of_force: 0.0 },
             // A contact that ends just after the start of a step may act for half of the step.
             Self::Better => Allowed { position: 1e-9, velocity: 1e-6, of_force: 0.55 },
@@ -57,7 +57,7 @@ impl Method {
     pub(super) fn step(self, size: f64, before: &[Particle]) -> Vec<Option<Expected>> {
         let (official, magnitudes) = modelled(size, before);
         let expected = match self {
-            // If the force is steep, the seven digits of a position do not determine it.
+            // The seven digits of a position do not determine a steep force.
             Self::SinglePrecision if magnitudes.iter().any(|a| steep(*a)) => None,
             Self::Better => better(size, before, &magnitudes),
             _ => Some(official.into_iter().zip(magnitudes).map(Some).collect()),
@@ -67,8 +67,7 @@ impl Method {
 }
 
 impl Allowed {
-    /// Returns the greater distance of a coordinate from its expected value; `None` if the error is
-    /// not allowed.
+    /// Returns the greater error of the two coordinates; `None` if the error is not allowed.
     ///
     /// `a` is the sum of |a_ij|.
     pub(super) fn distance(
@@ -79,7 +78,7 @@ impl Allowed {
         a: f64,
     ) -> Option<f64> {
         let speed = expected.vx.abs().max(expected.vy.abs()) + DT * a;
-        // Rounding of a long path, and of a coordinate far from the corner.
+        // Allows for rounding along a long path, and of a coordinate far from the corner.
         let digits = 1e-15 * (size + DT * speed);
         let [shift, change] = [DT * DT * a, DT * a];
         let position = self.position * (1.0 + 100.0 * shift) + digits + self.of_force * shift;

@@ -141,7 +141,7 @@ fn a_mistake_after_every_step_is_caught() {
     }
 }
 
-/// Lets a particle that touches a particle of the next bin fly on without force.
+/// Leaves out the force on a particle that touches a particle in the next bin.
 fn miss_across_edges(asked: &Asked, before: &[Particle], after: &mut [Particle]) {
     let size = asked.scene.size();
     for (i, p) in before.iter().enumerate() {

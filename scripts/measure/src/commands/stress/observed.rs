@@ -15,7 +15,7 @@ pub(super) struct Observed {
     ends: Vec<Vec<Particle>>,
     /// The results of head-on pairs.
     pub(super) met: Vec<Met>,
-    /// Greatest distance of a particle from the method's end of a step.
+    /// Greatest distance of a particle from its place after the method's step.
     off: f64,
     /// A description of the first step that differs from the method's.
     pub(super) wrong: Option<String>,

@@ -21,7 +21,7 @@ pub(super) struct Row {
     pub(super) inputs: Vec<Input>,
 }
 
-/// The part of a row that the figure needs.
+/// The part of a row that the chart needs.
 #[derive(Deserialize)]
 pub(crate) struct Pairs {
     pub(super) program: Program,

@@ -39,7 +39,7 @@ pub(super) fn head_on(phases: u32) -> Scene {
 ///
 /// They are at rest or move together, so there is no force.
 ///
-/// Other pairs are an ulp, or much less, apart.
+/// Further pairs are an ulp or less apart.
 pub(super) fn one_position() -> Scene {
     let mut particles = Vec::new();
     for (k, count) in [2, 3, 10].into_iter().enumerate() {
@@ -70,8 +70,8 @@ pub(super) fn very_close() -> Scene {
     scene(1.0, particles)
 }
 
-/// Makes the dense scene with one particle at a speed of a hundred, ten thousand, a million, a
-/// billion.
+/// Makes four dense scenes. One particle is fast: 100, 10,000, a million and a billion in the four
+/// scenes.
 pub(super) fn fast() -> Vec<Scene> {
     let dense = scenes::dense();
     let mut all = Vec::new();
@@ -131,8 +131,8 @@ pub(super) fn walls() -> Scene {
     scene(size, particles)
 }
 
-/// Makes pairs at a cutoff, an ulp less and an ulp more: across every edge and corner of bins, and
-/// on them.
+/// Makes pairs across edges and corners of bins, and on them. Distances are a cutoff, or an ulp
+/// less or more.
 pub(super) fn edges() -> Scene {
     let size = 30.0 * CUTOFF;
     let mut particles = Vec::new();
@@ -159,7 +159,7 @@ pub(super) fn edges() -> Scene {
 
 /// Makes the same twenty-five particles, slightly too close together, in two boxes.
 ///
-/// One box has side `size`, with the particles near its far corner; the other box is small.
+/// One box has side `size`, with the particles near its far corner; the second box is small.
 pub(super) fn shifted(size: f64) -> Vec<Scene> {
     let small = 0.5;
     // The particles are far from the walls of both boxes.

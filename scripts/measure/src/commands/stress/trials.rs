@@ -11,7 +11,7 @@ use Observable::{Energy, HeadOn, Inside, Off, Shifted};
 #[derive(Clone)]
 pub(super) struct Trial {
     pub(super) name: &'static str,
-    /// One or more scenes. A figure is the worst of all scenes.
+    /// One or more scenes. A figure is the worst number of all scenes.
     pub(super) scenes: Vec<Scene>,
     pub(super) steps: u64,
     /// Number of steps between two observed states. If it is 1, each step is compared with the
@@ -32,11 +32,12 @@ pub(super) enum Observable {
     HeadOn { phases: u32 },
     /// Relative change of the total energy.
     Energy,
-    /// Distance of particles from the method's end of a step, in cutoffs.
+    /// Distance of particles from their places after the method's step, in cutoffs.
     Off,
-    /// Difference between the ends of the two scenes' particles without the offset, in cutoffs.
+    /// Difference between the particles' last positions in the two scenes, without the offset, in
+    /// cutoffs.
     Shifted,
-    /// Nothing, except that all particles stay finite and inside the box.
+    /// No number. All particles must stay finite and inside the box.
     Inside,
 }
 
@@ -121,8 +122,8 @@ pub(super) fn short(phases: u32) -> Vec<Trial> {
         Trial::new("a crowd", vec![crowd(1)], 10, Energy, &[column("crowd", 0.01, FLUNG)]),
         Trial::new("one that is very fast", fast(), 20, Off, &[strict("fast", 1e-3)]),
         Trial::new("absurd numbers", absurd(), 20, Inside, &[strict("absurd", 0.0)]),
-        // A method of low order may differ from the exact motion by this much. Official steps are
-        // compared to rounding.
+        // A method of low order may differ from the exact motion by this much. Official steps must
+        // agree except for rounding.
         Trial::new("walls and corners", vec![walls()], 20, Off, &[strict("walls", 0.05)]),
         Trial::new("edges of bins", vec![edges()], 10, Off, &[strict("edges", 0.05)]),
     ];

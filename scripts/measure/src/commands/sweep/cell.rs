@@ -58,17 +58,17 @@ impl Cell {
         }
     }
 
-    /// Returns the milliseconds of a step in kernels, by the device's clock; `None` without a
-    /// clock.
+    /// Returns the milliseconds that kernels take in a step, by the device's clock. `None` if it
+    /// has no clock.
     pub(super) fn kernels(&self) -> Option<f64> {
         Some(1e3 * self.timing.per_step("kernel time [s]")?)
     }
 
-    /// Returns the milliseconds of a step on the device outside its kernels: recording commands,
-    /// copying, waiting.
+    /// Returns the milliseconds of a step for recording commands, copying and waiting, outside
+    /// kernels.
     ///
-    /// For soft discs this is the whole rest of the step. For hard discs, the rest also includes
-    /// the host's computations.
+    /// For soft discs, this is all time outside kernels. For hard discs, the host's computations
+    /// are not included.
     pub(super) fn way_and_waiting(&self) -> Option<f64> {
         let kernels = self.kernels()?;
         match self.timing.job.program.is_hard() {

@@ -60,7 +60,7 @@ struct Results<'r> {
     streaming_bound: &'r [Bound],
 }
 
-/// The part of the results that the figure needs.
+/// The part of the results that the chart needs.
 #[derive(Deserialize)]
 pub struct Runs {
     #[serde(default)]
@@ -161,7 +161,7 @@ fn across(varied: &Varied, cells: &[Cell]) -> Axis {
     let at = cells.iter().map(|cell| cell.at);
     match varied {
         Varied::N => Axis::log(varied.label()),
-        // Half a thread is not possible, so only measured values have labels.
+        // A number of threads is an integer, so only measured values have labels.
         _ if varied.is_workers() || varied.is_workgroup() => {
             Axis::log(varied.label()).with_ticks(at)
         }
