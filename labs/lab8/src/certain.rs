@@ -6,7 +6,8 @@ use std::collections::BinaryHeap;
 use hard_disc_ranks::{Decisions, slots_of};
 use solution7::order;
 
-/// Takes every open candidate that is certain to happen, and drops those that cannot happen.
+/// Takes every open candidate that is certain to happen, and drops every candidate that cannot
+/// happen.
 ///
 /// This is lab 7's choice ([`solution7::take_in_order`]), made by a rank that does not have all
 /// candidates. Among the candidates that are first in the queue of a free disc, always look at the
