@@ -110,8 +110,9 @@ oracle::questions! {
                                                                each step. No collision may be left over from the step \
                                                                before.",
         steps_in_windows after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6"
-            => "A step that is divided into windows: (1) the windows for which the finder is called, (2) the \
-                collisions, (3) the state of each disc at the end.",
+            => "A step that is divided into windows: (1) the number of times that the finder is asked for the number \
+                of windows, (2) the windows for which the finder is called, (3) the collisions, (4) the state of \
+                each disc at the end.",
         lattices after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6"
             => "A hundred lattices, in which many collisions happen at exactly the same time: the state of each \
                 lattice after one step.",
@@ -149,8 +150,9 @@ oracle::questions! {
                                      must be in exactly one part.",
         held_up after "7.8" => "Rows from a queue, in parts of one row and of several rows, while one worker is \
                                 delayed: the rows that the other worker does.",
-        fresh_teams after "7.8" => "Both loops are shared, and each row has its own team: the number of parts of a \
-                                    row that a thread of the outer team did. It must be 0.",
+        fresh_teams after "7.8" => "Both loops are shared, and each row has its own team: the number of rows whose \
+                                    second worker (1) is a thread of the outer team, (2) was the second worker of \
+                                    another row before. Both must be 0.",
         shared_loops after "7.8" => "A team of threads: the number of threads that test pairs. All threads must test \
                                      pairs, and no thread may test nearly all of them.",
         pairs_of_loops after "7.2, 7.8" => "Scenes of all kinds, and two threads: the pairs found.",

@@ -37,7 +37,7 @@ impl Cut {
     /// row.
     ///
     /// `row` is less than [`rows`](Self::rows). The root calls this for every particle that it
-    /// sends on, so compute the rank without a search. Solve the inequality k · `rows` / `ranks` ≤
+    /// sends on, so do not try one rank after another. Solve the inequality k · `rows` / `ranks` ≤
     /// `row`, with its left side rounded down, for the greatest k.
     ///
     /// Book: chapter 5, *Blocks of rows*.

@@ -5,19 +5,22 @@ use common::hard::{Disc, Scene, Simulation};
 use hard_discs::{Candidate, Choice, Engine, Find, Found, Hit, Square, Window, Workers};
 use lab7::{Lab7, collide_in, pair_hit};
 use oracle::hard::{What, follow, scenes, state, step};
-use oracle::{Ask, Random, beside};
+use oracle::{Ask, Random, beside, integers};
 
 use super::words::hit;
 
 /// A finder that tests all pairs of free discs, and divides a step into a fixed number of windows.
 struct Finder {
     windows: usize,
+    /// Number of times that the engine has asked for the number of windows.
+    cuts: usize,
     /// Begin and end of each requested window, and the number of free discs in it.
     asked: Vec<[f64; 3]>,
 }
 
 impl Find for &mut Finder {
     fn windows(&mut self, _: &[Disc], _: Square) -> usize {
+        self.cuts += 1;
         self.windows
     }
 
@@ -45,6 +48,8 @@ impl Find for &mut Finder {
 struct Done {
     /// States after each step.
     states: Vec<f64>,
+    /// Number of times that the engine has asked for the number of windows, in all steps.
+    cuts: usize,
     /// Windows that the engine requested in all steps.
     asked: Vec<[f64; 3]>,
     /// Obstacles and discs of the collisions in the last step, in order.
@@ -52,7 +57,7 @@ struct Done {
 }
 
 fn run(scene: &Scene, windows: usize, steps: usize) -> Done {
-    let mut finder = Finder { windows, asked: Vec::new() };
+    let mut finder = Finder { windows, cuts: 0, asked: Vec::new() };
     let mut engine = Engine::<Lab7, _>::new(&mut finder, Choice::Sort, Workers::One);
     engine.load(scene);
     let mut states = Vec::new();
@@ -62,7 +67,7 @@ fn run(scene: &Scene, windows: usize, steps: usize) -> Done {
     }
     let hits = engine.taken.iter().map(|taken| hit(taken.hit)).collect();
     drop(engine);
-    Done { states, asked: finder.asked, hits }
+    Done { states, cuts: finder.cuts, asked: finder.asked, hits }
 }
 
 /// Asks for several steps of a lone disc, and of two discs that meet far from all walls. The
@@ -128,6 +133,11 @@ pub(crate) fn steps_in_windows(_: &mut Random, ask: &mut impl Ask) {
         let windows = [1, 2, 3, 8, 64][seed as usize % 5];
         let name = format!("scene {seed} of {} discs, a step in {windows} windows", scene.len());
         let done = run(&scene, windows, 1);
+        ask.exact(
+            &format!("{name}: number of times that the finder is asked for the number of windows"),
+            || integers([done.cuts]),
+            || integers([1]),
+        );
         ask.exact(
             &format!(
                 "{name}: begin and end of each window for which the finder is called (9 for the end of the step), and \

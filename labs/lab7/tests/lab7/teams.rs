@@ -1,9 +1,8 @@
 //! Questions about the threads that execute the loops over all pairs: task 7.9.
 
-use std::sync::atomic::AtomicUsize;
-use std::sync::atomic::Ordering::Relaxed;
+use std::collections::HashSet;
 use std::sync::{Mutex, OnceLock};
-use std::thread;
+use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 
 use hard_discs::{Schedule, Team, Workers};
@@ -97,28 +96,35 @@ fn threads_of(
 }
 
 /// Asks whether each row has its own team if both loops are shared. The second worker of a row must
-/// not be a thread of the team that shares the rows.
+/// not be a thread of the team that shares the rows, nor a thread that has served another row.
 pub(crate) fn fresh_teams(_: &mut Random, ask: &mut impl Ask) {
     let question = "both loops of 20 discs, on a team of 2 that waits for work. Each row has its own team: number of \
-                    parts of the second worker of a row that were done by a thread of the waiting team";
-    ask.exact(question, || integers([parts_of_standing_threads()]), || integers([0]));
+                    rows whose second worker is a thread (1) of the waiting team, (2) that was already the second \
+                    worker of a row";
+    ask.exact(question, || integers(rows_of_used_threads()), || integers([0, 0]));
 }
 
-fn parts_of_standing_threads() -> usize {
+fn rows_of_used_threads() -> [usize; 2] {
     let workers = Workers::new(2).expect("both threads start");
     let team = Team::Standing(&workers);
-    let standing = Mutex::new(Vec::new());
-    team.on_each(|_| {
-        standing
-            .lock()
-            .expect("no thread panics while it holds this lock")
-            .push(thread::current().id())
+    let standing = threads_that(|note| team.on_each(|_| note()));
+    let seconds = threads_that(|note| {
+        nested(20, team, Schedule::Static, |list, _, partners| {
+            if list % 2 > 0 && !partners.is_empty() {
+                note();
+            }
+        });
     });
-    let standing = standing.into_inner().expect("as above");
-    let seen = AtomicUsize::new(0);
-    nested(20, team, Schedule::Static, |list, _, _| {
-        let is_standing = standing.contains(&thread::current().id());
-        seen.fetch_add(usize::from(list % 2 > 0 && is_standing), Relaxed);
+    let different: HashSet<ThreadId> = seconds.iter().copied().collect();
+    let of_team = seconds.iter().filter(|thread| standing.contains(thread)).count();
+    [of_team, seconds.len() - different.len()]
+}
+
+/// Returns the threads on which `work` calls the function that it gets, one for each call.
+fn threads_that(work: impl FnOnce(&(dyn Fn() + Sync))) -> Vec<ThreadId> {
+    let seen = Mutex::new(Vec::new());
+    work(&|| {
+        seen.lock().expect("no thread panics while it holds this lock").push(thread::current().id())
     });
-    seen.into_inner()
+    seen.into_inner().expect("as above")
 }
