@@ -95,7 +95,7 @@ pub(crate) fn take_table(_: &mut Random, ask: &mut impl Ask) {
         let all = [
             (0.75, Hit::Pair(0, 1), "disc 1 is taken already"),
             (0.5, Hit::Pair(1, 2), "disc 2 is still free"),
-            (0.25, Hit::WallX(3), "the earliest"),
+            (0.25, Hit::WallX(3), "the earliest whose disc is free"),
             (0.375, Hit::Pair(2, 3), "disc 3 is taken; disc 2 stays free"),
             (0.875, Hit::WallY(0), "disc 0 is still free"),
             (0.125, Hit::Pair(4, 5), "disc 5 is not free from the start"),
