@@ -86,8 +86,10 @@ fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<()> {
     }
     if progress.state == State::Done {
         let open = tasks::open_todos(kit, task.lab)?;
-        let next = open.first().map_or(task.lab.to_string(), Task::to_string);
-        println!("What comes now: 'cargo lab test {next}'.");
+        match open.first() {
+            Some(next) => println!("The next gap is in task {next}: 'cargo lab test {next}'."),
+            None => println!("What comes now: 'cargo lab test {}'.", task.lab),
+        }
     }
     Ok(())
 }
