@@ -1,6 +1,6 @@
 //! The move of many particles at once.
 
-/// Moves one coordinate of consecutive particles by one step: `v += a dt`, then `x += v dt`.
+/// Moves one coordinate of consecutive particles by one step: `v += a * dt`, then `x += v * dt`.
 ///
 /// Use this order of operations, so that the last digit is right too.
 ///

@@ -12,7 +12,8 @@ use neighbour_list_core::kernels::{Pair, Positions, ROOM};
 /// - `near`: room for the pairs. The entries after the near pairs may have any value.
 ///
 /// Of a hundred listed pairs, three touch. The processor mispredicts a branch on the distance for each of
-/// the three. Write every pair instead, and let the next pair overwrite a pair that is not near.
+/// these three pairs. Write every pair instead, and let the next pair overwrite a pair that is not
+/// near.
 ///
 /// Book: chapter 10, *A list within the list*.
 #[inline(always)]

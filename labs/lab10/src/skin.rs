@@ -18,7 +18,7 @@ pub fn expired(displacement: f64, skin: f64) -> bool {
     todo!("task 10.3: when the list has expired")
 }
 
-/// Returns the skin that makes a step cheapest, in units of length.
+/// Returns the skin, in units of length, that makes a step cheapest.
 ///
 /// The candidates are 0.05, 0.1, … 3 cutoffs. If several skins cost the same, the result is the
 /// narrowest.
@@ -26,8 +26,8 @@ pub fn expired(displacement: f64, skin: f64) -> bool {
 /// - `density`: particles per area in the part of the box that contains particles.
 /// - `displacement`: the greatest distance that a particle moves in a step.
 ///
-/// A wide skin makes lists long, and a narrow skin makes rebuilds frequent. Derive the cost of a step for
-/// one particle from the book's drawing, in nanoseconds:
+/// A wide skin makes lists long, and a narrow skin makes rebuilds frequent. From the book's
+/// drawing, derive the cost in nanoseconds of a step for one particle:
 ///
 /// - Each pair is listed once, and costs [`LISTED`] in each step.
 /// - When the list has expired, a particle costs [`REBUILD`], plus [`TESTED`] for each pair test. Each pair

@@ -2,12 +2,12 @@
 
 /// Particles that can drift and be kicked.
 pub trait Motion {
-    /// Moves all positions with their velocities for a time `dt`: x += v dt. The walls reflect
+    /// Moves all positions with their velocities for a time `dt`: `x += v * dt`. The walls reflect
     /// particles.
     fn drift(&mut self, dt: f64);
 
-    /// Changes all velocities by the forces for a time `dt`: v += a dt, with the forces at the current
-    /// positions.
+    /// Changes all velocities by the forces for a time `dt`: `v += a * dt`, with the forces at the
+    /// current positions.
     fn kick(&mut self, dt: f64);
 }
 
@@ -47,9 +47,10 @@ impl Composition {
 
     /// Returns PEFRL (Position Extended Forest-Ruth Like, by Omelyan, Mryglod and Folk 2002).
     ///
-    /// It has five drifts and four kicks, and it is symmetric: the drifts are the same in reverse order,
-    /// and so are the kicks. The first drift is [`XI`], the second drift is [`CHI`], and the second kick is
-    /// [`LAMBDA`]. The remaining numbers follow from the symmetry and the sums.
+    /// It has five drifts and four kicks, and it is symmetric: the drifts are the same in reverse
+    /// order, and so are the kicks. The first drift is [`XI`], the second drift is [`CHI`], and the
+    /// second kick is [`LAMBDA`]. The remaining numbers follow from the symmetry, and from the rule
+    /// that the drifts add up to 1 and the kicks add up to 1.
     ///
     /// Book: chapter 12, *Drifts and kicks*.
     pub fn pefrl() -> Self {

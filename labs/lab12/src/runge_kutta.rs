@@ -9,8 +9,9 @@ use integrators::State;
 /// The step has the length `h` and begins at `start`. The caller divides the sum by six, and moves
 /// along this mean slope for a time `h`.
 ///
-/// A slope is the rate of change of a state. Its `at` is the rate of the positions, which is the velocity.
-/// Its `v` is the rate of the velocities, which is the acceleration. The four slopes are taken at:
+/// A slope is the rate of change of a state. Its `at` is the rate of change of the positions: the
+/// velocities. Its `v` is the rate of change of the velocities: the accelerations. The four slopes
+/// are taken at:
 ///
 /// 1. `start`;
 /// 2. half a step from `start` along the first slope;

@@ -5,7 +5,7 @@ use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// Whether all ranks must make new lists before the next forces, because at least one rank must.
+/// Whether any rank, and therefore every rank, must make new lists before it computes forces.
 ///
 /// - `list_has_expired`: whether the list of this rank's own particles has expired.
 /// - `moved`: the greatest distance that a particle of this rank may have moved since ghosts were
@@ -15,8 +15,8 @@ use mpi::traits::*;
 /// Ghosts have expired when a pair across a border may be within the cutoff without being listed.
 /// The two particles are on different ranks, and both may have moved. But a rank knows only the
 /// moves of its own particles. So each rank assumes that its partner's particles have moved as far
-/// as its own. The rank whose particles moved furthest is then the first to report that ghosts have
-/// expired.
+/// as its own particles. The rank whose particles moved furthest is then the first to report that
+/// ghosts have expired.
 ///
 /// All ranks must reach the same decision. Otherwise one rank sends positions while another rank
 /// sends movers, and both wait forever. So each rank contributes 0 or 1, and a single call gives

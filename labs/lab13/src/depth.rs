@@ -29,7 +29,7 @@ pub fn deep_width(fastest: f64, steps: u32) -> f64 {
 /// makes a step cheapest. Of equally cheap numbers, choose the least.
 ///
 /// All costs are for each particle of the rank. On both sides of a strip of height H there are
-/// ghosts of depth D, so there are 2 D / H ghosts for each particle. A ghost costs as much as a
+/// ghosts of depth D, so there are 2 · D / H ghosts for each particle. A ghost costs as much as a
 /// particle: [`STEP`] in each step, and [`RENEWAL`](crate::RENEWAL) in each epoch, in which the
 /// list is rebuilt. The messages of an epoch cost a rank [`WAIT`], whatever its number of
 /// particles.
@@ -42,6 +42,6 @@ pub fn best_depth(outlook: Outlook) -> u32 {
 /// The cost of a particle in a step (its forces and its move), in nanoseconds on the book's
 /// machine.
 pub const STEP: f64 = 10.0;
-/// The assumed cost of a rank's messages in an epoch, in nanoseconds. The rank mostly waits for the
-/// slowest rank.
+/// The assumed cost of a rank's messages in an epoch, in nanoseconds. A rank spends most of this
+/// time waiting for the slowest rank.
 pub const WAIT: f64 = 20_000.0;

@@ -21,7 +21,7 @@ pub fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32> {
     todo!("task 13.3: the particles that a partner needs")
 }
 
-/// Returns the pairs of one of the rank's particles and a ghost that are at most `reach` apart.
+/// Returns the pairs of a particle of this rank and a ghost that are at most `reach` apart.
 ///
 /// A pair is [index into `own`, index into `ghosts`]. Pairs are sorted by the first index. The
 /// order of pairs with the same first index may depend only on positions.

@@ -24,9 +24,10 @@ pub fn ghost_width(fastest: f64, steps: u32) -> f64 {
 /// choose the least.
 ///
 /// All costs are for each particle of a strip of height H, with ghosts of width W on both sides and
-/// a `density` of ρ. For each particle there are 2 W / H ghosts. There are also 2 · ⅔ ρ W³ / H
-/// pairs across the borders whose distance is at most W. In a step, each ghost costs [`GHOST`] and
-/// each pair costs [`ACROSS`]. Rebuilding the lists costs [`RENEWAL`], once in all of these steps.
+/// a `density` of ρ. For each particle there are 2 · W / H ghosts. There are also
+/// 2 · ⅔ · ρ · W³ / H pairs across the borders whose particles are at most W apart. In a step, each
+/// ghost costs [`GHOST`] and each pair costs [`ACROSS`]. Rebuilding the lists costs [`RENEWAL`],
+/// once in all of these steps.
 ///
 /// Book: chapter 13, *How wide*.
 pub fn best_steps(scenery: Scenery) -> u32 {

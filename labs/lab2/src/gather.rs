@@ -6,8 +6,8 @@ use solution1::add_pair;
 
 /// A sum over the neighbours of a particle, in an order that depends only on their ids.
 ///
-/// All-pairs adds up neighbours in ascending order of ids. A program with bins finds neighbours in the
-/// order of memory. Threads and processes find some neighbours in the memory of other threads and
+/// All-pairs adds up neighbours in ascending order of ids. A program with bins finds neighbours in
+/// memory order. Threads and processes find some neighbours in the memory of other threads and
 /// processes. Sorting the few neighbours within the cutoff before the sum gives the same bits in all
 /// these cases.
 ///

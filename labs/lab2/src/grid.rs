@@ -118,8 +118,8 @@ impl Grid {
 ///   `size` by `least` · (1 + [`MARGIN`]), and round down. With the margin, a side is never less than
 ///   `least`, even if the division rounds up.
 /// - Memory must grow with the number of particles, not with the box. So rows times columns must be at
-///   most [`BINS_PER_PARTICLE`] · `n`, and the limit along a wall is the square root of this product.
-///   Wider bins always give right results, but take longer.
+///   most [`BINS_PER_PARTICLE`] · `n`. The limit along a wall is the square root of
+///   [`BINS_PER_PARTICLE`] · `n`. Wider bins always give right results, but take longer.
 /// - The box may be smaller than one bin. It may also be so large that `size / least` is greater than
 ///   any integer. (`as usize` saturates.)
 ///

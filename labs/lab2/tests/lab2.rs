@@ -137,16 +137,16 @@ oracle::questions! {
             => "A long run: the memory in use, which must not grow with the number of steps.",
     }
     task_2_8 {
-        sort_table => "Five particles in three bins of one row: (1) the particles in the order of memory before the \
-                       sort, (2) the particles in the order of memory after the sort, (3) the indices at which each \
-                       bin begins and ends.",
-        sorts => "Any rows of a grid, sorted again and again: (1) the particles in the order of memory, (2) the \
+        sort_table => "Five particles in three bins of one row: (1) the particles in memory order before the sort, (2) \
+                       the particles in memory order after the sort, (3) the indices at which each bin begins and \
+                       ends.",
+        sorts => "Any rows of a grid, sorted again and again: (1) the particles in memory order, (2) the \
                   indices at which each bin begins and ends.",
     }
     task_2_9 {
-        gather_table => "Particle 5, and two slices of candidates. Candidate 1 is beyond the cutoff: (1) the number \
-                         of candidates tested, (2) the distances of the neighbours in the order of summation, (3) the \
-                         acceleration. Every sum begins at 0.",
+        gather_table => "Particle 5 and two slices of candidates, of which candidate 1 is beyond the cutoff: (1) \
+                         the number of candidates tested, (2) the distances to the neighbours in the order of \
+                         summation, (3) the acceleration. Every sum begins at 0.",
         sums => "Any number of candidates in any order: (1) the acceleration, bit for bit, (2) the number of \
                  candidates tested, (3) the number of pairs summed.",
         edges after "2.1, 2.2, 2.8" = |_, ask| edges(ask, &sorted())

@@ -113,7 +113,7 @@ impl<O: Observer> Team<O> {
         }
     }
 
-    /// The second part: moves the member's particles, and posts those that left its rows.
+    /// The second part: moves the member's particles, and posts the particles that left its rows.
     fn move_particles(&self, member: &Member) {
         let mut bins = self.bins[member.number]
             .try_write()

@@ -53,7 +53,7 @@ impl<O: Observer> Worker<O> {
         todo!("task 3.4: the forces on a thread's own particles")
     }
 
-    /// Moves the particles in `own`, and moves those that left their bin to the change buffer.
+    /// Moves the particles in `own`, and puts each particle that left its bin into the change buffer.
     ///
     /// - `own` are the bins of the worker's rows, row by row. The first of these bins has number
     ///   `rows.start` · columns in `grid`. `&mut` guarantees that no other thread can touch them

@@ -129,8 +129,8 @@ oracle::questions! {
             => "Four particles in bins and in three change buffers, and two workers that take their arrivals one \
                 after the other: the bin of each particle before and after each worker has taken its arrivals.",
         own_arrivals = buffers::by_all
-            => "Any number of particles in any number of change buffers, of which a worker takes its arrivals: for \
-                each particle, the bins in the worker's rows that contain it afterwards.",
+            => "Any number of particles in any number of change buffers, from which a worker takes its arrivals: \
+                for each particle, the bins in the worker's rows that contain it afterwards.",
         parallel_rebin after "3.3, 3.4, 3.5, 3.6" => "Runs of `parallel-rebin` on 1 to 17 threads: the state, which \
                                                       must have the same bits as in `all-pairs`, and the statistics \
                                                       of each step.",
@@ -147,11 +147,11 @@ oracle::questions! {
     }
     task_3_10 {
         barrier_table = moments::barriers
-            => "Two members, of which member 1 is late in each part: the parts that both members have ended when a \
-                member begins its next part.",
+            => "Two members, and member 1 is late in each part. Whenever a member begins its next part: the parts \
+                that both members have finished.",
         rehearsals = barriers::rehearsals
-            => "Three members, one of which is delayed in each part: the number of members that have ended the \
-                previous part when a part begins. It must be 3.",
+            => "Three members, one of which is delayed in each part. Whenever a part begins: the number of members \
+                that have finished the previous part. It must be 3.",
         three_barriers = barriers::meetings
             => "One member, in few and in many steps: (1) the number of its parts, (2) the number of its barriers.",
     }
@@ -161,7 +161,7 @@ oracle::questions! {
                 event. Then one thread panics: the panic of the call.",
         gatherings = threads::gatherings
             => "Few threads and many threads: (1) the most threads that work at the same time, (2) the threads that \
-                have ended when the call returns, (3) the different new threads, (4) the numbers that the threads \
+                have finished when the call returns, (3) the different new threads, (4) the numbers that the threads \
                 get.",
         panics = threads::panics
             => "A thread that panics: the panic of the call. It must be the same as the thread's panic.",

@@ -12,10 +12,11 @@ use hard_discs::Span;
 ///
 /// `x` and `y` are the spans of the box, in a square of side `side`.
 ///
-/// - Small blocks have numbers 4 row + column, and medium blocks have numbers 16 + 2 row + column.
-///   Row 0 is the lowest.
-/// - An edge at x is in column ⌊4 x / side⌋ of the small blocks. An edge exactly between two
-///   columns is therefore in the column to its right.
+/// - A small block has the number 4 · row + column. A medium block has the number
+///   16 + 2 · row + column. Row 0 is the lowest row.
+/// - A vertical edge at coordinate c is in column ⌊4 · c / side⌋ of the small blocks, and a
+///   horizontal edge at c is in row ⌊4 · c / side⌋. An edge exactly between two columns is
+///   therefore in the column to its right.
 /// - An edge beyond the square is in the outermost row or column.
 ///
 /// Book: chapter 7, *The grid of three levels*.

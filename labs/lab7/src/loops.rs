@@ -29,7 +29,7 @@ pub fn outer(
 /// Shares out the inner loop (the report's p2), with n forks and joins.
 ///
 /// Worker w searches a part of every row, and writes into list w. The row of disc a is a loop over
-/// `0..n - a - 1`. Its first iteration is disc a + 1.
+/// `0..n - a - 1`. Iteration 0 of this loop looks at disc a + 1.
 ///
 /// Book: chapter 7, *Which loop*.
 pub fn inner(
@@ -44,10 +44,11 @@ pub fn inner(
 /// Shares out both loops (the report's p3).
 ///
 /// - The members of `team` share the outer loop by `schedule`.
-/// - Each worker of `team` splits each of its rows into fixed parts for a team of its own, which is
-///   started for this row: `Team::Fresh(team.count())`.
-/// - Several rows are searched at the same time, so there are more lists than members of a team.
-///   Member m of worker w's teams has list w × (size of a team) + m.
+/// - For each of its rows, a worker of `team` starts a new team of the same size,
+///   `Team::Fresh(team.count())`, and splits the row into fixed parts for the new team.
+/// - Several rows are searched at the same time, so one list for each member of `team` is not
+///   enough. If worker w starts a new team, member m of the new team has list
+///   w × `team.count()` + m.
 ///
 /// Book: chapter 7, *Which loop*.
 pub fn nested(

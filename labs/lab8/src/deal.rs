@@ -2,12 +2,12 @@
 
 use hard_disc_ranks::{Deal, Job, Part};
 
-/// Deals the pairs of blocks to a number of workers, by [`offsets`].
+/// Deals the pairs of blocks to `workers` workers, whose blocks are chosen by [`offsets`].
 pub fn deal_out(workers: usize) -> Deal {
     Deal { workers, offsets: offsets(workers) }
 }
 
-/// Returns the jobs of `worker`, one for each distance d = 0 … W / 2, in this order.
+/// Returns the jobs of `worker`, one for each distance d from 0 to W / 2, in this order.
 ///
 /// W is the number of workers. The pairs of blocks at distance d are on a diagonal of the matrix of
 /// blocks. (Where the diagonal leaves the matrix, it continues on the other side.) The diagonal has
@@ -32,22 +32,24 @@ pub fn jobs(deal: &Deal, worker: usize) -> Vec<Job> {
     todo!("task 8.2: a job on each diagonal")
 }
 
-/// Returns the distance of two blocks on the ring, the shorter way round.
+/// Returns the distance between two blocks on the ring, measured the shorter way round.
 pub fn distance(i: usize, j: usize, workers: usize) -> usize {
     let d = i.abs_diff(j) % workers;
     d.min(workers - d)
 }
 
-/// Returns the offsets of a worker's blocks: two of them are d apart, for every d = 0 … W / 2.
+/// Returns the offsets of a worker's blocks. Every distance occurs between two of them.
 ///
-/// W is the number of workers. W / 2 + 1 adjacent blocks, 0, 1, … W / 2, would be enough: block 0
-/// is at every distance from one of them. But m blocks have m (m − 1) / 2 pairs, so about √W blocks
-/// may be enough. For W = 7, blocks 0, 1 and 3 are enough: 0 and 1 are 1 apart, 1 and 3 are 2
-/// apart, and 0 and 3 are 3 apart. Fewer blocks mean fewer bytes.
+/// W is the number of workers, `workers`. For every distance d from 1 to W / 2, the result contains
+/// two offsets that are d apart. The adjacent blocks 0, 1, … W / 2 would be enough: for every d,
+/// one of them is at distance d from block 0. But m blocks have m · (m − 1) / 2 pairs, so about √W
+/// blocks may be enough. For W = 7, blocks 0, 1 and 3 are enough: 0 and 1 are 1 apart, 1 and 3 are
+/// 2 apart, and 0 and 3 are 3 apart. Fewer blocks mean fewer bytes.
 ///
 /// The rule: begin with 0. While a distance is missing, add one of the offsets 1 … W − 1. Choose
-/// the offset that yields the most missing distances to the offsets that are chosen already. Of
-/// several such offsets, choose the least. [`distance`] returns a distance.
+/// the offset whose distances to the offsets chosen so far include the most missing distances. If
+/// several offsets are equally good, choose the least. [`distance`] returns the distance between
+/// two offsets.
 ///
 /// (Finding the fewest blocks is a hard problem, known as difference bases. A few more blocks do no
 /// harm here.)

@@ -127,14 +127,15 @@ oracle::questions! {
                                   and ids, (2) the index at which each bin begins.",
         double_steps_of_many after "9.6" => "The variant `soft-f64` in scenes of all kinds: the state after each step, \
                                              compared with the model.",
-        double_repeats after "9.6" => "The variant `soft-f64`: (1) the bits of a second run, which must be the same, \
-                                       (2) the state after each of 200 steps, compared with the model.",
+        double_repeats after "9.6" => "The variant `soft-f64`: (1) the bits of a second run, which must equal the \
+                                       bits of the first, (2) the state after each of 200 steps, compared with \
+                                       the model.",
     }
     task_9_8 {
         single_step => "Three particles in a box of 10.01 cutoffs with ten rows of ten bins: their states before and \
                         after a step of `soft-f32`.",
-        carried => "Particles that move forwards or backwards, by little or much: the column and the offset of each \
-                    particle afterwards.",
+        carried => "Particles that move forwards or backwards, by a little or a lot: the column and the offset of \
+                    each particle afterwards.",
         single_steps => "The variant `soft-f32` with few bins: the state after the first step. It may differ from the \
                          model by the rounding errors of one step.",
         single_steps_of_many after "9.6, 9.7" => "The variant `soft-f32` in scenes of all kinds: the state after each \
@@ -142,7 +143,8 @@ oracle::questions! {
                                                   step, because the model starts each step from the state that your \
                                                   program had before the step.",
         single_repeats after "9.6, 9.7" => "The variant `soft-f32`: (1) all particles, which must stay in the box, \
-                                            (2) the bits of a second run, which must be the same.",
+                                            (2) the bits of a second run, which must equal the bits of \
+                                            the first.",
     }
 }
 

@@ -44,8 +44,8 @@ fn sort(
 ) {
     bins.refill(particles_of(all));
     let question = format!(
-        "{name}: particles in the order of memory. They must be bin by bin, and within a bin in the order in which \
-         they came"
+        "{name}: particles in memory order. They must be bin by bin, and within a bin in the order in which they \
+         came"
     );
     ask.exact(
         &question,

@@ -55,7 +55,7 @@ pub(crate) fn refuses_bad_input() {
         assert_eq!(
             message.lines().count(),
             1,
-            "{what} must cause one line of error, not:\n{message}"
+            "{what} must produce a one-line error message, not:\n{message}"
         );
         assert!(
             message.contains(&format!("line {line}: ")),
