@@ -61,11 +61,12 @@ impl Order {
     }
 }
 
-/// Returns whether a launch has at least `blocks` workgroups, and no more rows than it needs. The
-/// rows may have different lengths.
+/// Returns whether a launch has at least `blocks` workgroups, no more rows than it needs, and no
+/// longer rows than it needs.
 pub(super) fn suffices(launch: Launch, blocks: u32, most: u32) -> bool {
     let [x, y] = launch.groups.map(u64::from);
-    x <= most.into() && x * y >= blocks.into() && x * y - x < blocks.into()
+    let (all, blocks) = (x * y, u64::from(blocks));
+    x <= most.into() && all >= blocks && all - x < blocks && all - y < blocks
 }
 
 /// Returns the numbers of a launch, or of its error.

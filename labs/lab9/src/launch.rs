@@ -13,7 +13,8 @@ impl Launcher for Lab9 {
     ///   workgroup.
     /// - Along x and along y, a launch has at most `max_compute_workgroups_per_dimension`
     ///   workgroups, usually 65535. If `blocks` is greater, use as few rows as possible, all of the
-    ///   same length. A few extra workgroups do no harm, because every kernel checks its number.
+    ///   same length, and make this length as short as possible. There may still be a few more
+    ///   workgroups than `blocks`. They do no harm, because every kernel checks its number.
     ///
     /// Book: chapter 9, *A launch*.
     ///
