@@ -88,8 +88,8 @@ oracle::questions! {
         rectangles => "Few discs: the pairs that have a number. Every pair must have exactly one number.",
         late_rows => "100,000 discs: the pairs in one row near the beginning or near the end of the rectangle.",
         pair_turns = |_, ask| turns(ask, Deal::Pairs)
-            => "Four invocations that share the pairs: the number of pairs that each invocation passes on. It must be \
-                at most two fifths of all pairs.",
+            => "Four invocations that share the pairs: the number of pairs that each invocation passes on. The numbers \
+                may differ by at most 1.",
         pair_candidates after "9.1, 9.2, 9.3" = |random, ask| candidates(random, ask, Deal::Pairs)
             => "Steps of `balanced`: kind, discs and time of each candidate.",
         balanced_bytes after "9.1, 9.2, 9.3" = |random, ask| bytes(random, ask, "9.4", &["balanced-f64", "balanced-f32"])
