@@ -253,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    #[should_panic = "it waits"]
+    #[should_panic = "it must not wait"]
     fn a_waiting_thread_panics() {
         let memory = Arc::new(Memory::default());
         let flag = Atomic::watched(0, &memory, "flag");
