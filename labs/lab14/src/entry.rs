@@ -16,7 +16,7 @@ pub struct Entry {
     accelerations: Vec<Vec2>,
     /// First particle of each bin.
     heads: Vec<u32>,
-    /// Next particle in the bin of each particle.
+    /// For each particle, the next particle in the same bin.
     next: Vec<u32>,
 }
 

@@ -90,7 +90,7 @@ impl Grid {
 
     /// Returns the row or column that contains the coordinate `x`, 0 ≤ x ≤ `size`.
     ///
-    /// Two special cases belong to the last bin. A particle may be exactly on the wall, at x =
+    /// In two special cases, the particle is in the last bin. It may be exactly on the wall, at x =
     /// `size`. And for a particle just below the wall, the product of `x` and `bins_per_length` may
     /// be rounded up to the number of bins.
     ///
@@ -100,7 +100,7 @@ impl Grid {
         todo!("task 2.1b: which bin a coordinate lies in")
     }
 
-    /// Returns `index` and the indices next to it. At a wall, only one index is next to it.
+    /// Returns `index` and the indices next to it. An index at a wall has only one neighbour.
     ///
     /// These are the rows (or columns) in which a particle of row (or column) `index` can have
     /// neighbours.
@@ -120,8 +120,8 @@ impl Grid {
 /// - Memory must grow with the number of particles, not with the box. So rows times columns must be at
 ///   most [`BINS_PER_PARTICLE`] · `n`. The limit along a wall is the square root of
 ///   [`BINS_PER_PARTICLE`] · `n`. Wider bins always give right results, but take longer.
-/// - The box may be smaller than one bin. It may also be so large that `size / least` is greater than
-///   any integer. (`as usize` saturates.)
+/// - The box may be smaller than one bin. It may also be so large that `size / least` does not fit
+///   in a `usize`. (`as usize` saturates.)
 ///
 /// Book: chapter 2, *The bins*.
 fn bins_along(size: f64, least: f64, n: usize) -> usize {

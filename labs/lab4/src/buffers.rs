@@ -16,7 +16,7 @@ pub fn rebuild(regions: &mut Regions, grid: &Grid, particles: &[Particle]) {
     todo!("task 4.5: one thread empties the bins and fills them again")
 }
 
-/// Makes the changes in all change `buffers`.
+/// Carries out the changes from all change `buffers`.
 ///
 /// The order does not matter, because each particle has at most one change. Only one thread runs
 /// this, so it takes no lock.
@@ -26,11 +26,11 @@ pub fn apply_all<'a>(regions: &mut Regions, buffers: impl Iterator<Item = &'a [C
     todo!("task 4.6: one thread empties the change buffers")
 }
 
-/// Makes the part of `changes` that concerns the bins of region `own`.
+/// Carries out the part of `changes` that concerns the bins of region `own`.
 ///
 /// `bins` are the bins of region `own`. All threads run this at the same time, each with its own
 /// region and with the changes of *all* threads. A particle may leave a bin of the region, arrive
-/// in a bin of the region, or both.
+/// in a bin of the region, or do both.
 ///
 /// Book: chapter 4, *Change buffers*.
 pub fn apply_own(cut: Cut, own: usize, bins: &mut [Bin], changes: impl Iterator<Item = Change>) {

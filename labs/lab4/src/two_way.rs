@@ -19,8 +19,8 @@ use solution2::SortedBins;
 ///   contain that row, this range is empty.
 ///
 /// Report every pair once as [`tested`](Observer::tested): for each particle, report the number of
-/// particles in both ranges. For a pair that touches, call [`seen`](Observer::seen) *twice* with
-/// the squared distance: once for i and once for j.
+/// particles in the two ranges together. For a pair that touches, call [`seen`](Observer::seen) *twice*
+/// with the squared distance: once for i and once for j.
 ///
 /// Book: chapter 4, *Every pair once*.
 ///

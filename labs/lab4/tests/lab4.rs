@@ -125,8 +125,8 @@ oracle::questions! {
             => "Three changes: (1) the number of times that each change is in the queue of each owner, (2) the \
                 particles in each bin after the owners have emptied their queues.",
         any_queues after "4.1, 4.6" = handovers::queues
-            => "Any changes: (1) the owners that receive each change through their queues, (2) the bins that contain \
-                each particle.",
+            => "Any number of changes: (1) the owners that receive each change through their queues, (2) the bins that \
+                contain each particle.",
         queues after "4.1, 4.4, 4.6" => "Runs of `queues` on 1 to 17 threads: the state, which must have the same \
                                          bits as in `all-pairs`, and the statistics of each step.",
     }
@@ -135,8 +135,8 @@ oracle::questions! {
             => "Three changes: (1) the number of times that each change is in the channel of each owner, (2) the \
                 particles in each bin after the owners have received the changes.",
         any_channels after "4.1, 4.6" = handovers::channels
-            => "Any changes: (1) the owners that receive each change through their channels, (2) the bins that \
-                contain each particle.",
+            => "Any number of changes: (1) the owners that receive each change through their channels, (2) the bins \
+                that contain each particle.",
         channels after "4.1, 4.4, 4.6" => "Runs of `channels` on 1 to 17 threads: the state, which must have the same \
                                            bits as in `all-pairs`, and the statistics of each step.",
     }

@@ -28,8 +28,8 @@ pub fn outer(
 
 /// Shares out the inner loop (the report's p2), with n forks and joins.
 ///
-/// Worker w searches a part of every row, and writes into list w. The row of disc a is a loop over
-/// `0..n - a - 1`. Iteration 0 of this loop looks at disc a + 1.
+/// Worker w searches a part of every row, and writes into list w. The row of disc a is searched by a
+/// loop over `0..n - a - 1`. Iteration 0 of this loop looks at disc a + 1.
 ///
 /// Book: chapter 7, *Which loop*.
 pub fn inner(

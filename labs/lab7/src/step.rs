@@ -29,7 +29,7 @@ pub fn collide_in<C: Collisions, F: Find>(
 /// Computes one step.
 ///
 /// 1. Ask the finder for the number of windows into which to cut the step ([`Find::windows`]).
-/// 2. Mark every disc as free, and no candidate as taken.
+/// 2. Mark every disc as free, and every candidate as not taken.
 /// 3. Find the wall collisions ([`Engine::find_walls`]).
 /// 4. Call [`collide_in`] for each window ([`Window::part`]), in the order of time.
 /// 5. Move the discs that are still free by a whole step, and carry out the collisions that were taken

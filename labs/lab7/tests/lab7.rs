@@ -167,9 +167,9 @@ oracle::questions! {
         interrupted_lock => "Two workers that append under a lock. The second worker appends whenever the first has \
                              released the lock: the candidates in the list. No candidate may be missing.",
         short_lock => "A candidate that is appended under a lock: the content of its slot when the lock is released. \
-                       The slot must be written afterwards.",
-        no_lock => "Two workers that append without a lock: whether one worker must wait for the other. Neither may \
-                    have to wait.",
+                       The slot must not be written until then.",
+        no_lock => "Two workers that append without a lock: whether one worker must wait for the other. It is an \
+                    error if either has to wait.",
         interrupted_count => "Two workers that append without a lock. The second worker appends whenever the first is \
                               at a load or before a store: the candidates in the list. No candidate may be missing.",
         pairs_in_one_list after "7.2, 7.8, 7.9" => "Scenes of all kinds, three threads and one list: the pairs found.",

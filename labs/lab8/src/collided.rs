@@ -7,7 +7,7 @@ use hard_disc_ranks::DiscWire;
 use solution5::Cut;
 use solution7::Candidate;
 
-/// Returns the discs of the blocks `held` that have collided, which the worker cannot move.
+/// Returns the collided discs of the blocks `held`: the worker cannot move these itself.
 ///
 /// - `discs` are all discs, as they are after the step.
 /// - `held` are the numbers of the worker's blocks.
@@ -37,7 +37,7 @@ pub fn collided(
 /// - If `moves` is true, each held disc flies straight by its velocity, whether it has collided or
 ///   not. A disc that has collided is among the discs that arrived, and is overwritten.
 /// - `moves` is false if there was no previous step, or if all held discs arrive.
-/// - Compute exactly `x + vx` and `y + vy`. The master computes the same sum, and the bits must
+/// - Use exactly the sums `x + vx` and `y + vy`. The master computes the same sum, and the bits must
 ///   agree.
 ///
 /// Book: chapter 8, *What a worker cannot know*.

@@ -3,7 +3,7 @@
 use hard_disc_ranks::{DiscWire, Reach, Strips};
 use solution7::{Window, span};
 
-/// Returns the ranks whose strips the swept box of a disc overlaps.
+/// Returns the ranks whose strips overlap the swept box of a disc.
 ///
 /// The disc can touch nothing outside these strips in this step. `reach` is the distance that the
 /// box extends beyond the path of the centre.

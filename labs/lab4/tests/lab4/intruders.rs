@@ -90,8 +90,8 @@ pub(crate) fn other_regions(_: &mut Random, ask: &mut impl Ask) {
     let one = Change { particle: 89, from: 2, to: 10 };
     let other = Change { particle: 120, from: 4, to: 8 };
     let found = || in_between(&mut filled(BINS, 3), one, other, Duration::from_secs(5));
-    let question = "12 bins with 3 in a region. A thread changes a particle from bin 2 to bin 10, and has one of the \
-                    two locks that it needs: 1 if another thread can change a particle from bin 4 to bin 8 at that \
+    let question = "12 bins, 3 in each region. A thread moves a particle from bin 2 to bin 10, and holds one of the \
+                    two locks that it needs: 1 if another thread can move a particle from bin 4 to bin 8 at that \
                     moment, 0 if not";
     ask.exact(question, || vec![truth(found())], || vec![1.0]);
 }

@@ -77,7 +77,7 @@ pub(crate) fn interrupted_queue(random: &mut Random, ask: &mut impl Ask) {
         let n = if is_long { 20_000 + 10 * random.below(2) } else { 100 };
         let question = format!(
             "{n} iterations in chunks of 10. A second worker takes a part each time the first worker is interrupted, \
-             {}: begin and end of each part of both workers",
+             {}: the start and end of each part of both workers",
             places.words()
         );
         ask.exact(

@@ -120,9 +120,9 @@ pub(crate) fn fixed_loops(random: &mut Random, ask: &mut impl Ask) {
                     integers([own_parts(n, workers), looks].concat())
                 };
                 let question = format!(
-                    "{name} of {n} discs, {workers} workers, fixed parts: (1) for loops of 0 to {n} iterations, begin \
-                     and end of the part that the lab's own function gives to each worker, (2) for each pair, both \
-                     discs and the list that receives the pair"
+                    "{name} of {n} discs, {workers} workers, fixed parts: (1) in loops of 0 to {n} iterations, the \
+                     start and end of the part that the lab's own function gives to each worker, (2) for each pair, \
+                     both discs and the list that receives the pair"
                 );
                 ask.judge(&question, found, |found| {
                     let (parts, looks) = Parts::split(found, n, workers)?;
@@ -166,9 +166,9 @@ pub(crate) fn queued_loops(random: &mut Random, ask: &mut impl Ask) {
                 integers([own_parts(n, workers), looks].concat())
             };
             let question = format!(
-                "{name} of {n} discs, {workers} workers, chunks of {chunk}: (1) for loops of 0 to {n} iterations, \
-                 begin and end of the part that the lab's own function gives to each worker, (2) for each part of a \
-                 row, its disc, its first partner and its end"
+                "{name} of {n} discs, {workers} workers, chunks of {chunk}: (1) in loops of 0 to {n} iterations, \
+                 the start and end of the part that the lab's own function gives to each worker, (2) for each part of \
+                 a row, the disc, the first partner and the end of the part"
             );
             ask.judge(&question, found, |found| {
                 let (parts, looks) = Parts::split(found, n, workers)?;
