@@ -5,7 +5,6 @@ use anyhow::Result;
 use crate::results::Run;
 use crate::tasks::{self, Progress, State, passes, print_tasks};
 use crate::test::What;
-use lab_kit::answers::Task;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::terminal::folded;
 use lab_kit::{Kit, Lab};
