@@ -6,7 +6,7 @@
 use std::fs;
 use std::panic::catch_unwind;
 use std::process::{Command, ExitCode};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use common_mpi::{Ghost, Wire, as_rank, together};
 use mpi::topology::SimpleCommunicator;
@@ -137,9 +137,7 @@ fn a_hang_names_its_task_and_where_each_rank_is() {
     );
     assert!(message.contains("rank 0 is in its receive, in MPI_"), "{message}");
     assert!(message.contains("rank 1 is in its receive, in MPI_"), "{message}");
-    let start = Instant::now();
     assert!(message_of_a_timeout().contains("task 0.1: not tried"), "another job of the same task");
-    assert!(start.elapsed() < Duration::from_secs(2), "and nobody waits for it");
 }
 
 fn message_of_a_timeout() -> String {
