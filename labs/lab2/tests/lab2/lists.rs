@@ -11,7 +11,8 @@ use super::particles::{binned, in_any_order};
 pub(crate) fn lists(random: &mut Random, ask: &mut impl Ask) {
     let sizes = [random.sizes(4097), vec![70_000]].concat();
     for n in sizes.into_iter().filter(|&n| n > 0) {
-        let bins = 1 + random.size(300);
+        // A bin has some 256 particles at most, so that the answers fit into the grader's file.
+        let bins = 1 + n / 256 + random.size(300);
         let mut lists = BinLists::new(bins, n);
         for round in 0..3 {
             // The first round inserts all particles.
