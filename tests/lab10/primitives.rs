@@ -20,8 +20,7 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
         let outside = drift(&mut x, &mut v, &before.a, before.dt, before.size);
         let name = before.name();
         let question = format!(
-            "{name}: velocities, then the three numbers after the velocities, which must not \
-                                change"
+            "{name}: velocities, then the three numbers after the velocities, which must not change"
         );
         ask.exact(&question, || v, || before.after().v);
         ask.exact(&format!("{name}: positions"), || x, || before.after().x);

@@ -79,8 +79,8 @@ pub(crate) fn roots(random: &mut Random, ask: &mut impl Ask) {
                 );
             }
             let question = format!(
-                "{name}: first number whose parent is greater than the number itself after the calls, or -1 \
-                         if there is none"
+                "{name}: first number whose parent is greater than the number itself after the calls, or -1 if there is \
+                 none"
             );
             ask.exact(&question, || vec![first_greater(&own)], || vec![-1.0]);
             let question = format!("{name}: root of each number after the calls");
@@ -135,8 +135,7 @@ pub(crate) fn joins(random: &mut Random, ask: &mut impl Ask) {
                 round + 1
             );
             let question = format!(
-                "{name}: first number whose parent is greater than the number itself, or -1 if \
-                                    there is none"
+                "{name}: first number whose parent is greater than the number itself, or -1 if there is none"
             );
             ask.exact(&question, || vec![first_greater(&parent)], || vec![-1.0]);
             let question = format!("{name}: root of each number");

@@ -131,8 +131,8 @@ pub(crate) fn letters(random: &mut Random, ask: &mut impl Ask) {
         let question = format!("{name}: number of letters that are left in the member's boxes");
         ask.exact(&question, || case.letters(|to, own| to == own), || integers([0]));
         let question = format!(
-            "{name}: number of letters in the boxes of the other members. One letter was put into each of \
-                     these boxes, and it must stay there"
+            "{name}: number of letters in the boxes of the other members. One letter was put into each of these boxes, \
+             and it must stay there"
         );
         ask.exact(
             &question,

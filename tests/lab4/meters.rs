@@ -104,8 +104,7 @@ pub(crate) fn held(_: &mut Random, ask: &mut impl Ask) {
     let counts = [meter.locks, meter.contended].map(|count| count as f64);
     ask.exact(&question, || counts.to_vec(), || vec![2.0, 2.0]);
     let question = format!(
-        "{name}: seconds of both waits together, (1) measured by the meter, (2) measured by a clock around \
-                 both waits"
+        "{name}: seconds of both waits together, (1) measured by the meter, (2) measured by a clock around both waits"
     );
     let times = [meter.waiting, waited].map(|time| time.as_secs_f64());
     ask.judge(

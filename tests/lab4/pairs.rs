@@ -115,8 +115,7 @@ pub(crate) fn within(random: &mut Random, ask: &mut impl Ask) {
         pairs_within(&bins, &mut found, &mut tally);
         let name = format!("{n} particles in rows {rows:?} of {along}");
         let question = format!(
-            "{name}: ax, ay of each particle. The pairs must be added to the acceleration that the particle \
-                     had before"
+            "{name}: ax, ay of each particle. The pairs must be added to the acceleration that the particle had before"
         );
         ask.near(&question, || numbers(&found), || pairs_of(&bins, &first).near());
         ask_counts(ask, &name, &tally, || pairs_of(&bins, &first).counts);
@@ -175,13 +174,12 @@ pub(crate) fn across(random: &mut Random, ask: &mut impl Ask) {
         pairs_across(&cut.lower, &cut.upper, &mut below, &mut above, &mut tally);
         let name = format!("{n} particles on each side of row {row} of {along}");
         let question = format!(
-            "{name}: ax, ay of each particle below the cut. The pairs must be added to the acceleration that \
-                     the particle had before"
+            "{name}: ax, ay of each particle below the cut. The pairs must be added to the acceleration that the \
+             particle had before"
         );
         ask.near(&question, || numbers(&below), || cut.pairs()[0].near());
         let question = format!(
-            "{name}: for each particle in the first row above the cut, ax, ay of its separately stored \
-                     acceleration"
+            "{name}: for each particle in the first row above the cut, ax, ay of its separately stored acceleration"
         );
         ask.near(&question, || numbers(&above), || cut.pairs()[1].near());
         ask_counts(ask, &name, &tally, || cut.pairs()[0].counts);

@@ -34,8 +34,7 @@ pub(crate) fn places(random: &mut Random, ask: &mut impl Ask) {
                 integers([region, index])
             };
             let question = format!(
-                "bin {bin}, {each} bins in each region: (1) the bin's region, (2) the bin's index in this \
-                         region"
+                "bin {bin}, {each} bins in each region: (1) the bin's region, (2) the bin's index in this region"
             );
             ask.exact(&question, found, || integers([bin / each, bin % each]));
         }

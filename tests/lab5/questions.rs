@@ -84,8 +84,7 @@ fn owns(found: &[f64], row: usize, cut: Cut) -> Result<(), String> {
     }
     let exact = [rank, rank + 1.0].map(|rank| rank * cut.rows as f64 / cut.ranks as f64);
     Err(format!(
-        "the answer is rank {rank}, but this rank owns the rows from {} up to {}, both rounded \
-                 down",
+        "the answer is rank {rank}, but this rank owns the rows from {} up to {}, both rounded down",
         exact[0], exact[1]
     ))
 }

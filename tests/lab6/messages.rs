@@ -111,8 +111,8 @@ fn overlap(found: &[f64], least: usize, most: usize) -> Result<(), String> {
     };
     let words = if works != 1.0 || result != 42.0 {
         format!(
-            "`work` is called {works} times, and its result is returned as {result}. It must be called once, and \
-                 its result is 42"
+            "`work` is called {works} times, and its result is returned as {result}. It must be called once, and its \
+             result is 42"
         )
     } else if others > 0.0 {
         format!(

@@ -74,8 +74,7 @@ fn shares(runs: &DiscsOnRanks, random: &mut Random, ask: &mut impl Ask) {
     let names = ["pair tests, busiest rank", "pair tests"];
     runs.counters(ask, (&scene, 4), &names, |found| match 3.0 * found[0] > 2.0 * found[1] {
         true => Err(format!(
-            "the busiest rank tests {} of all {} pairs, but may test at most two \
-                             thirds",
+            "the busiest rank tests {} of all {} pairs, but may test at most two thirds",
             found[0], found[1]
         )),
         false => Ok(()),

@@ -332,8 +332,7 @@ impl Runs {
             let odd = loaded.iter().zip(&before).find(|(l, given)| !single.is_rounded(l, given));
             if let Some((loaded, given)) = odd {
                 return Err(format!(
-                    "particle {}: the scene has {given:?}, but the engine loaded \
-                                    {loaded:?}",
+                    "particle {}: the scene has {given:?}, but the engine loaded {loaded:?}",
                     given.id
                 ));
             }

@@ -245,8 +245,7 @@ pub(crate) fn tallies(random: &mut Random, ask: &mut impl Ask) {
         }
         let seen = tally.statistics().expect("a tally returns statistics");
         let name = format!(
-            "{n} pairs at different positions, and {at_one_position} pairs whose two particles are at one \
-                     position"
+            "{n} pairs at different positions, and {at_one_position} pairs whose two particles are at one position"
         );
         let question =
             format!("{name}: navg, the number of pairs, without the pairs at one position");

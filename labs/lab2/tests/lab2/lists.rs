@@ -120,8 +120,7 @@ pub(crate) fn looks(random: &mut Random, ask: &mut impl Ask) {
         engine.step();
         let reported = engine.statistics().map_or(0, |seen| seen.pair_tests);
         let question = format!(
-            "{n} particles in {along} rows of bins, in which every bin touches every other bin: number of \
-                     pair tests"
+            "{n} particles in {along} rows of bins, in which every bin touches every other bin: number of pair tests"
         );
         ask.exact(&question, || integers([reported as usize]), || integers([n * (n - 1) / 2]));
     }

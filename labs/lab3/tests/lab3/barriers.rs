@@ -100,8 +100,7 @@ pub(crate) fn rehearsals(random: &mut Random, ask: &mut impl Ask) {
         );
         ask.exact(&question, || integers(*before), || integers([MEMBERS; MEMBERS]));
         let question = format!(
-            "{name}: (1) number of members that begin this part, (2) number of members that end \
-                                it"
+            "{name}: (1) number of members that begin this part, (2) number of members that end it"
         );
         let counts = || integers([found.begun[turn], found.ended[turn]]);
         ask.exact(&question, counts, || integers([MEMBERS; 2]));

@@ -40,8 +40,7 @@ fn two_calls(name: &str, what: &str, ask: &mut impl Ask) {
         vec![count(&calls, ""), count(&calls, "v"), calls.len() as f64]
     };
     let question = format!(
-        "{name}: (1) number of calls of MPI_{what}, (2) number of calls of MPI_{what}v, (3) number of all MPI \
-                 calls"
+        "{name}: (1) number of calls of MPI_{what}, (2) number of calls of MPI_{what}v, (3) number of all MPI calls"
     );
     ask.exact(&question, found, || vec![1.0, 1.0, 2.0]);
 }
@@ -136,8 +135,8 @@ pub(crate) fn broadcasts(random: &mut Random, ask: &mut impl Ask) {
             );
             ask.exact(&format!("{name}: side of the box"), || vec![size], || vec![side]);
             let question = format!(
-                "{name}: (1) number of particles, (2) a checksum of the particles in their order, \
-                                    (3) the sum of their ids"
+                "{name}: (1) number of particles, (2) a checksum of the particles in their order, (3) the sum of their \
+                 ids"
             );
             let sums = |particles: &[Particle]| {
                 sums_of(&particles.iter().map(Wire::from).collect::<Vec<Wire>>())

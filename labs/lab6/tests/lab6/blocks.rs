@@ -159,7 +159,6 @@ fn is_interior(found: &[f64], start: usize, end: usize, rows: usize) -> Result<(
         return Ok(());
     }
     Err(format!(
-        "the range {first}..{last} contains the rows {within:?}, but the interior contains the rows \
-                 {right:?}"
+        "the range {first}..{last} contains the rows {within:?}, but the interior contains the rows {right:?}"
     ))
 }

@@ -62,8 +62,8 @@ pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
                 format!("{name}: number of sends that this rank begins before it waits for a send");
             ask.exact(&question, || integers([sends_begun()]), || integers([sends(team, rank)]));
             let question = format!(
-                "{name}: (1) number of discs that this rank gets, (2) a checksum of their \
-                                    positions in the order of the list, (3) the sum of their numbers"
+                "{name}: (1) number of discs that this rank gets, (2) a checksum of their positions in the order of the \
+                 list, (3) the sum of their numbers"
             );
             let worker = team.worker(rank.number as i32);
             let right = || worker.map_or_else(|| sums_of(&[]), |worker| sums_of(&lists[worker]));
@@ -107,8 +107,8 @@ pub(crate) fn collects(random: &mut Random, ask: &mut impl Ask) {
             });
             let name = name_of(team, rank, most);
             let question = format!(
-                "{name}: (1) number of discs that this rank has at the end, (2) a checksum of their positions \
-                         in the order of the list, (3) the sum of their numbers"
+                "{name}: (1) number of discs that this rank has at the end, (2) a checksum of their positions in the \
+                 order of the list, (3) the sum of their numbers"
             );
             let right = || {
                 let workers = (0..team.workers).filter(|_| rank.is_root());

@@ -17,9 +17,9 @@ impl RunsOnRanks {
                 if rank.is_root() {
                     let count = scene.len();
                     let question = format!(
-                        "{}, {count} particles, {steps} steps: x y vx vy of each particle (1) after each step of a first \
-                         run, (2) after each step of a second run, (3) after the last step of a run whose state is \
-                         read only once{}",
+                        "{}, {count} particles, {steps} steps: x y vx vy of each particle (1) after each step of a \
+                         first run, (2) after each step of a second run, (3) after the last step of a run whose state \
+                         is read only once{}",
                         self.name(rank),
                         others
                             .iter()
