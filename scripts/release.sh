@@ -19,11 +19,10 @@ pack() { tar -czf "$folder/$1${2:-}.tar.gz" -C "$trees" "$1" && echo "$folder/$1
 
 cargo lab book
 # The documentation of the libraries that the labs call is published beside the book, in its folder doc.
-libraries=$(sed -n 's/^name = "\(.*\)"/-p \1/p' labs/common*/Cargo.toml labs/engines/*/Cargo.toml)
 documentation=${CARGO_TARGET_DIR:-target}/doc
-# shellcheck disable=SC2086 # two words for each library
 rm -rf "$documentation"
-cargo doc --quiet --no-deps $libraries
+cargo doc --quiet --no-deps --workspace --exclude 'lab*' --exclude 'solution*' \
+    --exclude exam --exclude live --exclude steps
 cp -R "$documentation" book/build/doc
 cp -R book/build "$trees/cutoff-book"
 pack cutoff-book
