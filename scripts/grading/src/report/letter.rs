@@ -4,6 +4,9 @@ use super::{Words, points, sentences, trouble};
 use crate::record::{Attempt, Record, Status, Task};
 use lab_kit::escape::{fenced, line, markdown};
 
+/// Words that follow the points of a task that is right in part.
+const IN_PART: &str = " **in part**";
+
 /// Writes the letter, in Markdown.
 pub(crate) fn letter(record: &Record, words: &Words) -> String {
     let name = markdown(record.marked.student.as_ref().unwrap_or(&record.found.name));
@@ -92,17 +95,11 @@ fn tasks(record: &Record, words: &Words) -> String {
     for task in &record.tasks {
         let given = points(task.points);
         let most = points(task.out_of);
-        let mark = match (record.is_by_hand(&task.id), task.passed) {
-            (true, _) => " **by hand**",
-            (false, true) => "",
-            (false, false) if task.points > 0.0 => " **in part**",
-            (false, false) => " **not right**",
-        };
+        let mark = mark(record, task);
         out += &format!("| {} | {given} of {most}{mark} |\n", words.task(&task.id));
     }
     out.push('\n');
-    let in_part = |task: &Task| !task.passed && task.points > 0.0 && !record.is_by_hand(&task.id);
-    if record.tasks.iter().any(in_part) {
+    if record.tasks.iter().any(|task| mark(record, task) == IN_PART) {
         out += "A task that is right in part earns points in proportion to its right answers.\n\n";
     }
     for task in &record.tasks {
@@ -130,6 +127,16 @@ fn tasks(record: &Record, words: &Words) -> String {
         out += &format!("`cargo lab hint {}` has hints.\n\n", task.id);
     }
     out
+}
+
+/// Returns the words that follow the points of a task in the table; empty if the task is right.
+fn mark(record: &Record, task: &Task) -> &'static str {
+    match (record.is_by_hand(&task.id), task.passed) {
+        (true, _) => " **by hand**",
+        (false, true) => "",
+        (false, false) if task.points > 0.0 => IN_PART,
+        (false, false) => " **not right**",
+    }
 }
 
 fn speed(record: &Record, words: &Words) -> String {
