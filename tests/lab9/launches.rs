@@ -65,7 +65,8 @@ impl Order {
 /// longer rows than it needs.
 pub(super) fn suffices(launch: Launch, blocks: u32, most: u32) -> bool {
     let [x, y] = launch.groups.map(u64::from);
-    let (all, blocks) = (x * y, u64::from(blocks));
+    let all = x * y;
+    let blocks = u64::from(blocks);
     x <= most.into() && all >= blocks && all - x < blocks && all - y < blocks
 }
 

@@ -108,17 +108,19 @@ pub(crate) fn turns(ask: &mut impl Ask, deal: Deal) {
         ask.judge(
             &question,
             || [0, 1, 2, 3].map(passed_on).to_vec(),
-            |found| {
-                let most = found.iter().copied().fold(0.0, f64::max);
-                let is_fair = match deal {
-                    Deal::Discs => 5.0 * most <= 2.0 * found.iter().sum::<f64>(),
-                    Deal::Pairs => found.iter().all(|one| most - one <= 1.0),
-                };
-                if is_fair {
-                    return Ok(());
-                }
-                Err(format!("one invocation does too much of the work: {found:?}"))
+            |found| match is_fair(found, deal) {
+                true => Ok(()),
+                false => Err(format!("one invocation does too much of the work: {found:?}")),
             },
         );
+    }
+}
+
+/// Whether no invocation passes on too many pairs.
+fn is_fair(passed_on: &[f64], deal: Deal) -> bool {
+    let most = passed_on.iter().copied().fold(0.0, f64::max);
+    match deal {
+        Deal::Discs => 5.0 * most <= 2.0 * passed_on.iter().sum::<f64>(),
+        Deal::Pairs => passed_on.iter().all(|one| most - one <= 1.0),
     }
 }
