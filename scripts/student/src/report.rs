@@ -146,8 +146,8 @@ fn print_failure(outcome: &Outcome) {
     let how = match &outcome.verdict {
         Verdict::Crashed(how) => format!("did not finish: {how}"),
         Verdict::TimedOut => {
-            "did not end. Perhaps a loop does not end, two threads wait for each other, the program does far more work \
-             than the task needs, or this machine is busy."
+            "did not end. The usual causes are a loop that does not end, two threads that wait for each other, far \
+             more work than the task needs, or a busy machine."
                 .into()
         }
         _ => match outcome.todo() {
