@@ -43,8 +43,8 @@ oracle::questions! {
     task_10_3 {
         expiry_table => "A displacement and a skin, in the same unit of length: whether the list has expired. Both \
                          particles of a pair may have moved by the displacement.",
-        skins_table => "Some mean numbers of neighbours, and some distances that a particle goes in a step, in units \
-                        of the cutoff c: the cheapest skin, in cutoffs.",
+        skins_table => "Several average numbers of neighbours, and several distances that a particle moves in a \
+                        step, in units of the cutoff c: the cheapest skin, in cutoffs.",
         expiry => "A displacement of exactly half a skin, or a rounding error more or less: whether the list has \
                    expired.",
         skins => "Any density and any displacement: the cheapest of the skins 0.05, 0.1, … 3 cutoffs.",

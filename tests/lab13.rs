@@ -121,7 +121,7 @@ oracle::questions! {
             => "20,000 particles on two ranks: (1) the number of steps per list, which must be above four, (2) the \
                 number of messages of a rank in a step, which must be below four.",
         program after "13.1, 13.2, 13.3, 13.4, 13.5" = |_, ask| program("13.6", "strips", ask)
-            => "The lab's own program on ranks: (1) the official output, (2) the end of the whole job after one rank \
+            => "The lab's own program on ranks: (1) the official output, (2) whether the whole job ends after one rank \
                 is killed.",
     }
     task_13_7 {
@@ -182,7 +182,7 @@ oracle::questions! {
                 the number of messages of a rank in a step, which must be far below one, (3) the number of epochs \
                 rolled back, which must be at most two.",
         program after "13.2, 13.5, 13.7" = |_, ask| program_of_epochs(ask)
-            => "The lab's own program on ranks: (1) the official output, (2) the end of the whole job after one rank \
+            => "The lab's own program on ranks: (1) the official output, (2) whether the whole job ends after one rank \
                 is killed.",
     }
 }
