@@ -87,7 +87,7 @@ oracle::questions! {
         margins after "10.2, 10.4" => "Two particles whose distance is a rounding error greater than the cutoff plus \
                                        the skin: the pairs in both lists. Both lists must contain the pair.",
         chosen_skins after "10.2, 10.3, 10.4" => "Lists for which no skin is given: the skins of both lists. They \
-                                                  follow from the distance that the fastest particle goes in a step.",
+                                                  follow from the distance that the fastest particle moves in a step.",
     }
     task_10_6 {
         forces_table after "10.2, 10.4, 10.5" => "Four particles at rest, of which particle 3 has no neighbour: the \
@@ -101,7 +101,7 @@ oracle::questions! {
                                                    then once more with an empty list.",
         ages after "10.1, 10.2, 10.3, 10.4, 10.5" => "Particles that push each other apart: the displacements of both \
                                                       lists after each step. They must grow by the distance that the \
-                                                      fastest particle goes in this step.",
+                                                      fastest particle moves in this step.",
         two_meet after "10.1, 10.2, 10.3, 10.4, 10.5" => "Two particles that meet after each of them has gone half a \
                                                           skin: the state after each of 40 steps.",
         steps after "10.1, 10.2, 10.3, 10.4, 10.5" => "Your engine with both lists, without an inner list, and with a \

@@ -37,7 +37,7 @@ use widths::*;
 
 oracle::questions! {
     task_13_1 {
-        widths_of_ghosts => "The distance that the fastest particle goes in a step, and a number of steps: the \
+        widths_of_ghosts => "The distance that the fastest particle moves in a step, and a number of steps: the \
                              necessary width of ghosts, all in cutoffs.",
         widths = |random, ask| widths(random, ask, false)
             => "Particles that are at rest, slow or fast, and 1 to 70,000 steps: the necessary width of ghosts.",
@@ -125,7 +125,7 @@ oracle::questions! {
                 is killed.",
     }
     task_13_7 {
-        depths_of_ghosts => "The distance that the fastest particle goes in a step, and a number of steps: the \
+        depths_of_ghosts => "The distance that the fastest particle moves in a step, and a number of steps: the \
                              necessary depth of ghosts, all in cutoffs.",
         depths = |random, ask| widths(random, ask, true)
             => "Particles that are at rest, slow or fast, and 1 to 70,000 steps: the necessary depth of ghosts.",

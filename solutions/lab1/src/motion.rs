@@ -31,8 +31,8 @@ pub fn advance(particle: &mut Particle, a: Vec2, size: f64) {
 ///   repeats every 2 `size`, and [`f64::rem_euclid`] folds it. If the folded coordinate is
 ///   beyond `size`, the particle is on its way back: reflect it once more.
 ///
-/// The loop and the fold have different rounding errors, and all labs must compute the same last digits.
-/// Therefore the number `MOST_REFLECTIONS` is fixed.
+/// The loop and the fold have different rounding errors, and all labs must compute the same last
+/// digits. Therefore the number `MOST_REFLECTIONS` is fixed.
 ///
 /// Book: chapter 1, *Walls*.
 #[inline]

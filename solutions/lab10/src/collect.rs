@@ -22,8 +22,9 @@ use neighbour_list_core::kernels::{EIGHT, Pair, Positions, Signs, pack};
 /// [`Positions::eight`] fetches eight positions, and [`pack`] writes the pairs that you select from
 /// eight.
 ///
-/// [`Signs::negative`] takes eight `f32`. Compute the differences whose signs you need in `f64`, and
-/// convert only these differences. The conversion keeps the sign of even the smallest difference, and a difference of 0 becomes +0.
+/// [`Signs::negative`] takes eight `f32`. Compute the differences whose signs you need in `f64`,
+/// and convert only these differences. The conversion keeps the sign of even the smallest
+/// difference, and a difference of 0 becomes +0.
 ///
 /// Book: chapter 10, *The neighbours of a particle*.
 #[inline(always)]

@@ -9,8 +9,9 @@ use windows::Span;
 ///
 /// `v` contains the velocity of each particle. No wall is near.
 ///
-/// The result must be, bit for bit, the result of single steps. Each step rounds the product `v * dt` once,
-/// adds it to the position, and rounds the sum. But fetch each particle from memory only once.
+/// The result must be, bit for bit, the result of single steps. Each step rounds the product
+/// `v * dt` once, adds it to the position, and rounds the sum. But fetch each particle from memory
+/// only once.
 ///
 /// Book: chapter 11, *Free flight*.
 #[inline(always)]

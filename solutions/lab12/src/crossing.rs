@@ -68,11 +68,11 @@ pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
 ///   only after its top, where the slope falls through zero. If the number is at most 0 at the top, the
 ///   result is the top itself. If the number rises until the end, the result is `None`, whatever its
 ///   value at the end.
-/// - If the number is above 0 at both ends but first falls and then rises, it may be below 0 between the
-///   two ends. Check the bottom, where the slope rises through zero.
+/// - If the number is above 0 at both ends but first falls and then rises, it may be below 0
+///   between the two ends. Check the bottom, where the slope rises through zero.
 ///
-/// The first rule needs a slope below 0. In all other rules, you may treat a slope of exactly 0 as falling
-/// or as rising, because both give the same moment.
+/// The first rule needs a slope below 0. In all other rules, you may treat a slope of exactly 0 as
+/// falling or as rising, because both give the same moment.
 ///
 /// Book: chapter 12, *Is there a zero crossing?*.
 pub fn first_fall(

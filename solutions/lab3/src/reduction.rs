@@ -7,7 +7,8 @@ use rayon::prelude::*;
 
 /// Adds up `parts` in one total, which a lock protects.
 ///
-/// The parts are divided among Rayon's threads. A thread holds the lock while it adds a part to the total.
+/// The parts are divided among Rayon's threads. A thread holds the lock while it adds a part to the
+/// total.
 ///
 /// Book: chapter 3, *A reduction, three ways*.
 pub fn under_a_lock<O: Observer>(parts: &[O]) -> O {
@@ -96,8 +97,8 @@ pub const BLOCK: usize = 64;
 /// Adds up `parts` without a lock. The result has the same bits on any number of threads.
 ///
 /// The parts are cut into blocks of [`BLOCK`] parts; the last block may be shorter. The blocks are
-/// divided among Rayon's threads. Each block is summed from zero, in the order of its parts. Finally, one thread
-/// adds up the sums of the blocks, in the order of the blocks.
+/// divided among Rayon's threads. Each block is summed from zero, in the order of its parts.
+/// Finally, one thread adds up the sums of the blocks, in the order of the blocks.
 ///
 /// Book: chapter 3, *A reduction, three ways*.
 pub fn in_order<O: Observer>(parts: &[O]) -> O {
