@@ -23,8 +23,8 @@ pub(crate) fn parts(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Checks that the numbers are the starts and ends of consecutive parts of `0..n` whose lengths differ by
-/// at most 1.
+/// Checks that the numbers are the starts and ends of consecutive parts of `0..n` whose lengths
+/// differ by at most 1.
 fn are_even_parts(found: &[f64], n: usize, workers: usize) -> Result<(), String> {
     if found.len() != 2 * workers {
         return Err(format!("the answer has {} numbers", found.len()));
