@@ -97,8 +97,8 @@ oracle::questions! {
                                 with discs, (3) its number of collisions with walls.",
         collisions after "7.5" => "Two discs that touch: for each disc, (1) x y vx vy after the step, (2) its number \
                                    of collisions with discs, (3) its number of collisions with walls.",
-        pushes after "7.5" => "A disc that is pushed at a wall behind it: (1) x y vx vy after the step, (2) its \
-                               number of collisions with discs, (3) its number of collisions with walls.",
+        pushes after "7.5" => "A disc that is pushed back against a wall behind it: (1) x y vx vy after the step, \
+                               (2) its number of collisions with discs, (3) its number of collisions with walls.",
     }
     task_7_7 {
         step_table after "7.1, 7.2, 7.3, 7.4, 7.5, 7.6"

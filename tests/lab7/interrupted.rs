@@ -160,10 +160,10 @@ fn holds_all(found: &[f64], own: u32) -> Result<(), String> {
 /// Returns the question about a list of two workers.
 fn appended(own: u32, how: &str, places: Places) -> String {
     format!(
-        "one worker appends the candidates of discs 1 to {own} {how}. A second worker appends the candidate of disc \
-         {OTHERS}, then of the next disc, and so on, each time the first worker is interrupted, {}: number of \
-         candidates that the second worker has appended, then the first disc of each candidate in the list, in \
-         ascending order",
+        "one worker appends the candidates of discs 1 to {own} {how}. A second worker appends one candidate each time \
+         the first worker is interrupted, {}. It begins with the candidate of disc {OTHERS}, and continues with the \
+         next disc each time: (1) number of candidates that the second worker has appended, (2) the first disc of \
+         each candidate in the list, in ascending order",
         places.words()
     )
 }

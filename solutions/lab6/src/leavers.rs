@@ -22,7 +22,7 @@ pub fn sort_leavers(
     leavers: &[Wire],
 ) -> Leavers {
     let mut sorted = Leavers::default();
-    // task 6.6: movers to the neighbours, and further
+    // task 6.6: movers to the neighbours and beyond
     for leaver in leavers {
         let owner = cuts.owner(grid.row(leaver.y));
         match neighbours.iter().position(|neighbour| *neighbour == Some(owner)) {
