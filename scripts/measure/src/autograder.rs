@@ -64,7 +64,8 @@ pub fn efficiency_grade(average: f64) -> f64 {
     }
 }
 
-/// Grades a parallel program. Averages the grades of its mean strong and its mean weak efficiency.
+/// Grades a parallel program. The grade is the average of two grades: for the mean strong-scaling
+/// efficiency and for the mean weak-scaling efficiency.
 pub fn scaling_grade(strong: f64, weak: f64) -> f64 {
     0.5 * (efficiency_grade(strong) + efficiency_grade(weak))
 }

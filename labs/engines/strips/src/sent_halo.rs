@@ -57,7 +57,7 @@ pub trait Halo: Partition {
 pub struct Scenery {
     /// Distance that the fastest particle of all ranks goes in a step.
     pub fastest: f64,
-    /// Number of particles per area where they are densest.
+    /// Number of particles per unit area where they are densest.
     pub density: f64,
     /// Height of a strip. The length of the strip along x does not matter.
     pub height: f64,

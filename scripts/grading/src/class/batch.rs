@@ -28,8 +28,8 @@ use lab_kit::{Kit, Lab, Workers};
 
 /// Grades the submissions of a lab and writes their records into `into`.
 ///
-/// A record is written completely or not at all, so a grading that was killed continues where it
-/// stopped. If every submission is judged and timed, nothing is built.
+/// A record is written completely or not at all, so a grading run that was interrupted can resume
+/// where it stopped. If every submission has already been judged and timed, nothing is built.
 pub(crate) fn grade(
     kit: &Kit,
     lab: Lab,

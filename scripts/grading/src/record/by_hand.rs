@@ -76,7 +76,7 @@ pub(crate) struct Lateness {
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Attempt {
-    /// The submission counts, if it has a mark.
+    /// The submission counts if it has a mark.
     #[default]
     Counts,
     /// Another submission of the student counts.
@@ -108,7 +108,7 @@ impl Record {
         !nothing || self.decided(None).any(|decision| decision.points.is_some())
     }
 
-    /// Whether the submission has a mark, and this mark is the student's.
+    /// Whether the submission has a mark that becomes the student's mark.
     pub(crate) fn counts(&self) -> bool {
         self.has_mark() && self.marked.attempt == Attempt::Counts
     }

@@ -164,7 +164,7 @@ impl<'a> Join<'a> {
         Some(names.collect::<Vec<_>>().join(" and ")).filter(|names| !names.is_empty())
     }
 
-    /// Finds out who handed in, and which of several submissions counts.
+    /// Finds out who handed in a submission, and which of several submissions counts.
     pub(super) fn attendance(&self, attempts: Option<Attempts>, records: &[Record]) -> Attendance {
         let mut all = Attendance { attempts, ..Attendance::default() };
         if self.students.is_empty() {
@@ -225,7 +225,7 @@ impl<'a> Join<'a> {
     }
 }
 
-/// Finds the roster's entry for a student in Gradescope's file.
+/// Finds the roster entry of a student who is listed in Gradescope's file.
 fn the_member(students: &[Student], member: &Member) -> Option<usize> {
     member.keys.iter().find_map(|key| the_one(students, key))
 }
@@ -246,9 +246,9 @@ fn all_named(students: &[Student], name: &str) -> Vec<usize> {
 /// Finds the only student whom a submission's name denotes.
 ///
 /// Platforms join names, numbers and the name of the uploaded file with underscores. If several
-/// students have a name, later parts of the submission's name choose among them. A number that
-/// belongs to a different student is a coincidence. A word that belongs to a different student is a
-/// contradiction, and then no student is found.
+/// students share a name, later parts of the submission's name decide between them. A number that
+/// belongs to a different student is ignored as a coincidence. A word that belongs to a different
+/// student is a contradiction, so no student is found.
 fn by_parts(students: &[Student], name: &str) -> Option<usize> {
     let mut meant: Vec<usize> = Vec::new();
     for part in [name, bare(name)].into_iter().chain(name.split('_').map(bare)) {

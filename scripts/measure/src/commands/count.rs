@@ -102,7 +102,7 @@ impl Row {
     }
 }
 
-/// Counts, and prints and writes the results.
+/// Counts instructions and cache misses, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let named = options.programs.of_one_kind()?;
     let hard = named[0].is_hard();

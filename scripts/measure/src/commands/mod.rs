@@ -42,7 +42,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// Measures, and prints and writes the results.
+    /// Takes the measurements, then prints the results and writes them to a file.
     ///
     /// # Errors
     /// A measurement fails.

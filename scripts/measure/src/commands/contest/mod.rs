@@ -93,7 +93,7 @@ impl Options {
     }
 }
 
-/// Measures, and prints and writes the results.
+/// Takes the measurements, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     if let Some(folder) = &options.class {
         class_page::write(kit, folder)?;

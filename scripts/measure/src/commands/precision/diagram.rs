@@ -24,7 +24,7 @@ pub(super) fn table(group: &Group) -> String {
     )
 }
 
-/// Draws error against seconds, with a line for each variant that divides its step.
+/// Plots run time against error, with a line for each variant that divides its step.
 ///
 /// The programs of a lab that does not divide its steps take the official step, and differ only in
 /// time. They are drawn as marks, in grey if no program of the lab is on the front.

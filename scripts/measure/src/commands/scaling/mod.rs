@@ -96,7 +96,7 @@ impl Options {
     }
 }
 
-/// Measures, and prints and writes the results.
+/// Takes the measurements, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     ensure!(

@@ -25,7 +25,8 @@ impl Results {
         self.curves.iter().flat_map(|curve| &curve.strong)
     }
 
-    /// Draws speed-up, strong efficiency and, if it was measured, weak efficiency, side by side.
+    /// Plots speed-up, strong-scaling efficiency and, if it was measured, weak-scaling efficiency
+    /// side by side.
     pub(super) fn charts(&self) -> Vec<Chart> {
         let best = self.serial.first().map(|timing| timing.job.program.to_string());
         let title = format!("Speed-up over {}", best.unwrap_or_default());
@@ -42,8 +43,8 @@ impl Results {
         charts
     }
 
-    /// Draws a line for each curve against the number of workers, with the lines of the reports and
-    /// the ideal.
+    /// Plots each curve against the number of workers, together with the lines of the reports and
+    /// the ideal line.
     fn chart(
         &self,
         title: String,

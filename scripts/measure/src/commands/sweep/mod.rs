@@ -77,7 +77,7 @@ impl Options {
     }
 }
 
-/// Measures, and prints and writes the results.
+/// Takes the measurements, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let first = &programs[0];
@@ -131,7 +131,7 @@ fn table(varied: &Varied, cells: &[Cell]) -> Table {
         .table(cells)
 }
 
-/// Draws the shortest takes against the quantity, and the report's numbers as dashed lines.
+/// Plots the shortest times against the varied quantity, and the report's numbers as dashed lines.
 fn chart(title: String, varied: &Varied, cells: &[Cell]) -> Chart {
     let mut names: Vec<&str> = Vec::new();
     for cell in cells {
