@@ -45,7 +45,7 @@ pub(crate) fn grade(
     let sandbox = &Sandbox::find(kit, options.trusted, limits)?;
     room::make_for_records(into)?;
     let grader = Grader::new(kit, lab, options, sandbox, into)?;
-    // A mistake in `class.toml` is better reported before grading than after it.
+    // Report a mistake in `class.toml` before grading, not after it.
     ClassFile::read(into, &grader.rubric)?;
     let left = Left::of(&grader, submissions, into, options);
     if options.seed.is_some() && left.open.iter().any(|(name, _)| !record_of(into, name).exists()) {

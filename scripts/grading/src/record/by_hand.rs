@@ -18,17 +18,18 @@ pub(crate) struct Decision {
     pub(crate) student: String,
     /// A task or a measure; `None` for the whole submission.
     pub(crate) task: Option<String>,
-    /// Points that replace the grader's; `None` if the decision is only a comment.
+    /// Points that replace the grader's points; `None` if the decision is only a comment.
     pub(crate) points: Option<f64>,
-    /// Days late, which replace the days that the clock gives.
+    /// Number of days late, which replaces the number that the grader computes from the hand-in
+    /// time.
     #[serde(default, skip_serializing)]
     pub(crate) days: Option<u32>,
     /// Reason that the student reads.
     pub(crate) reason: String,
 }
 
-/// Largest number of points of a submission. Labs are worth about a hundred, so a larger number is
-/// a mistake.
+/// Largest number of points that a person can give a submission. Labs are worth about a hundred, so
+/// a larger number is a mistake.
 const MOST: f64 = 1000.0;
 
 impl Decision {
