@@ -33,14 +33,15 @@ pub fn complexity_grade(slope: f64) -> f64 {
     }
 }
 
-/// Returns the strong efficiency: the speed-up of all workers divided by their number.
+/// Returns the strong-scaling efficiency: the speed-up of all workers divided by their number.
 ///
 /// The arguments are the seconds of one worker and of all workers on the same scene.
 pub fn strong_efficiency(one: f64, workers: usize, all: f64) -> f64 {
     one / (workers as f64 * all)
 }
 
-/// Returns the weak efficiency: one worker's seconds divided by all workers' on a larger scene.
+/// Returns the weak-scaling efficiency: the seconds of one worker, divided by the seconds of all
+/// workers on a larger scene.
 ///
 /// The scene grows in proportion to the number of workers.
 pub fn weak_efficiency(one: f64, all: f64) -> f64 {
@@ -49,7 +50,7 @@ pub fn weak_efficiency(one: f64, all: f64) -> f64 {
 
 /// Averages efficiencies over the numbers of workers, for the shortest takes and for the medians.
 ///
-/// One worker is included. Returns `None` if there are no efficiencies.
+/// The efficiency of one worker is included. Returns `None` if there are no efficiencies.
 pub fn averages(efficiencies: &[Span]) -> Option<Span> {
     let count = efficiencies.len() as f64;
     (count > 0.0).then(|| Span::both(|way| efficiencies.iter().map(way).sum::<f64>() / count))

@@ -63,7 +63,7 @@ impl Command {
         }
     }
 
-    /// Returns the figure of results that the command wrote, and the figure's file.
+    /// Returns a figure of the results that the command wrote, and the path of the figure's file.
     ///
     /// Returns `None` if the command draws no figure.
     ///

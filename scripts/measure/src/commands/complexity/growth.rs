@@ -11,7 +11,7 @@ const NEARLY_LINEAR: f64 = 1.5;
 /// time of a run.
 ///
 /// The chart includes the tables of the course reports. If there are several numbers of workers,
-/// only the greatest is drawn.
+/// the chart shows only the greatest number.
 pub(super) fn chart(lines: &[Line]) -> Chart {
     let most = lines.iter().map(|line| line.workers).max().unwrap_or(1);
     let lines: Vec<&Line> = lines.iter().filter(|line| line.workers == most).collect();

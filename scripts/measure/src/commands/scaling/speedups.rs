@@ -84,8 +84,8 @@ impl Results {
 
     /// Separates the curves with a name from the others.
     ///
-    /// A reader cannot distinguish more than a few lines. If there are many lines, lines with less
-    /// than half the best efficiency have no name.
+    /// A reader cannot distinguish more than a few lines. If there are many lines, the lines whose
+    /// efficiency is less than half the best have no name.
     fn named_and_crowd(&self) -> (Vec<&Curve>, Vec<&Curve>) {
         const MOST_NAMES: usize = 6;
         let efficiencies = self.curves.iter().filter_map(|curve| curve.average_strong_efficiency);
@@ -114,7 +114,8 @@ impl Results {
         })]
     }
 
-    /// Returns a value between the greatest number of workers with a core each and the next number.
+    /// Returns a value between the greatest number of workers that does not exceed the number of
+    /// cores and the next number.
     fn beyond_the_cores(&self) -> Option<f64> {
         let within = self.strong().filter(|point| point.graded).map(|point| point.workers).max()?;
         Some(within as f64 * 2_f64.sqrt())
