@@ -116,7 +116,7 @@ pub(crate) enum Status {
     Refused,
     /// The submission does not compile.
     NotBuilt,
-    /// The grader failed. The next grading tries again.
+    /// The grader failed. The next grading run tries again.
     Failed,
     /// The tasks were judged.
     #[default]
