@@ -29,7 +29,7 @@ impl Traffic {
         self.bytes += size_of_val(items) as u64;
     }
 
-    /// Counts an exchange: rank `own` sends every other rank a count, followed by that rank's list
+    /// Counts an exchange. Rank `own` sends every other rank a count, followed by that rank's list
     /// unless the list is empty. `lists` has a list for each rank.
     pub fn exchanged<T>(&mut self, own: usize, lists: &[Vec<T>]) {
         for (_, list) in lists.iter().enumerate().filter(|(rank, _)| *rank != own) {

@@ -70,8 +70,8 @@ fn decide_parts(tasks: &mut [Task], marked: &mut Marked) {
     }
 }
 
-/// Sets the total: the points that a person decided, or else the sum of the points minus the
-/// penalty for lateness.
+/// Sets the total. It consists of the points that a person decided, or else of the sum of the
+/// points minus the penalty for lateness.
 fn decide_whole(marked: &mut Marked) {
     let decided = marked.by_hand.iter().rev().filter(|decision| decision.task.is_none());
     match (decided.into_iter().find_map(|decision| decision.points), &marked.late) {

@@ -40,7 +40,7 @@ pub fn strong_efficiency(one: f64, workers: usize, all: f64) -> f64 {
     one / (workers as f64 * all)
 }
 
-/// Returns the weak-scaling efficiency: the seconds of one worker, divided by the seconds of all
+/// Returns the weak-scaling efficiency. It is the time of one worker divided by the time of all
 /// workers on a larger scene.
 ///
 /// The scene grows in proportion to the number of workers.

@@ -99,8 +99,8 @@ const SHORTEST: f64 = 0.01;
 pub const TOO_SHORT: &str =
     "Too short to grade: take more particles or --steps, and two --rounds or more.";
 
-/// Largest difference between the grade for the shortest takes and the grade for the medians that
-/// does not count as noise.
+/// Largest difference between the two grades (for shortest takes and for medians) that is not
+/// noise.
 const NOISE: f64 = 5.0;
 
 /// Whether the times vary too much for this grade out of 100.

@@ -119,8 +119,8 @@ impl Effort {
         Ok(Fitted { jobs: tried.into_iter().map(|tried| tried.job).collect(), left_out })
     }
 
-    /// Tries a job, even if the user sets the number of steps, because a device refuses a job only
-    /// when the job runs.
+    /// Tries a job, even if the user sets the number of steps. The reason is that a device refuses
+    /// a job only when the job runs.
     fn try_out(&self, runner: &Runner, job: Job, share: f64, most: u64) -> Result<TriedOut> {
         let Some(steps) = self.steps else { return calibrated(runner, job, share, most) };
         if job.program.workers == Workers::Device {

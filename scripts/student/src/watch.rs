@@ -52,8 +52,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
 }
 
-/// First runs the tests of the task that was unfinished in the last run, because they are quick,
-/// and then all tests.
+/// Runs the tests of the task that was unfinished in the last run, and then all tests. The tests of
+/// one task are quick, so they come first.
 ///
 /// All tests run, because the change may have broken any task. `None` if the lab does not compile.
 fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Option<Run>> {

@@ -28,8 +28,8 @@ pub struct RandomScene {
 }
 
 impl RandomScene {
-    /// Returns the assignment's scene: centres in the whole square, velocity components with
-    /// magnitudes from L/(8 r) to L/4.
+    /// Returns the assignment's scene. The centres are in the whole square, and the velocity
+    /// components have magnitudes from L/(8 r) to L/4.
     pub fn new(n: u64, side: f64, radius: f64, seed: u32) -> Self {
         let speeds = (side / (8.0 * radius), side / 4.0);
         Self { n, side, radius, seed, speeds, within: side - 2.0 * radius }

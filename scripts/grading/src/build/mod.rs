@@ -126,8 +126,8 @@ impl Tree {
         }
     }
 
-    /// Builds in two passes, so that the submission and the grader's programs cannot read each
-    /// other's sources.
+    /// Builds in two passes. So the submission and the grader's programs cannot read each other's
+    /// sources.
     ///
     /// ```text
     ///          submission in the tree    grader's programs in the tree    result

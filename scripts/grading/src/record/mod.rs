@@ -241,8 +241,8 @@ impl Record {
         shown
     }
 
-    /// Returns the points that the tasks are worth, plus the points of the measures for which
-    /// `among` returns true.
+    /// Returns the points that the tasks are worth, plus the points of the measures that `among`
+    /// accepts.
     pub(crate) fn worth(&self, among: impl Fn(&Measure) -> bool) -> f64 {
         let measures = self.marked.measures.iter().filter(|measure| among(measure));
         let measures: f64 = measures.map(|measure| measure.out_of).sum();

@@ -6,8 +6,8 @@ use super::{Words, letter, points};
 use crate::record::Record;
 use lab_kit::escape::line;
 
-/// Describes the differences between two records; `None` if neither the marks nor the results of a
-/// task changed.
+/// Describes the differences between two records; `None` if no mark and no result of a task
+/// changed.
 ///
 /// The description contains the points before and after, and the changed lines of the letter.
 pub(crate) fn changes(before: &Record, after: &Record) -> Option<String> {

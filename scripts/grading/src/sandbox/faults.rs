@@ -45,8 +45,8 @@ const SIGNS: [&str; 11] = [
 /// Exit codes of a shell that cannot start a program, and of a sandbox whose program was killed.
 const CODES: [i32; 3] = [126, 127, 137];
 
-/// Calls `once`, and repeats the call as long as its result `is_doubtful`, because the machine may
-/// have ended the run.
+/// Calls `once`, and repeats the call as long as its result `is_doubtful`. A result is doubtful if
+/// a fault of the machine may have ended the run.
 ///
 /// # Errors
 /// If the control fails, which is a fault of the machine.

@@ -35,8 +35,8 @@ pub(crate) fn difference(right: &[f64], given: &[f64], stray: f64) -> Option<Str
     })
 }
 
-/// Whether a program that should sum in the same order as the solution has exactly the serial
-/// program's result instead.
+/// Whether a program has exactly the serial program's result, although the solution's result
+/// differs.
 ///
 /// If so, it is the serial program, or a parallel program of a different lab that sums in the
 /// serial order.

@@ -74,8 +74,8 @@ struct Point {
     efficiency: [f64; 3],
 }
 
-/// Plots the time of a step for a scene of fixed size, and the efficiency for scenes that grow,
-/// against the number of ranks.
+/// Plots strong and weak scaling against the number of ranks. The charts show the time of a step
+/// for a scene of fixed size, and the efficiency for scenes that grow.
 fn model(file: &Path) -> Result<Sheet> {
     let curves = Curves::deserialize(DataFile::read(file)?.results)?.curves;
     let halo = &curves[1];

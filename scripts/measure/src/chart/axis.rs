@@ -64,8 +64,8 @@ impl Axis {
         self
     }
 
-    /// Starts a linear axis at this value if all data are greater, as the axis of an efficiency
-    /// starts at 0.
+    /// Starts a linear axis at this value if all data are greater. For example, efficiencies start
+    /// at 0.
     #[must_use]
     pub fn starting_at(mut self, value: f64) -> Self {
         self.from = Some(value);

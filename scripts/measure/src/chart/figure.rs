@@ -121,8 +121,8 @@ impl Chart {
         chart
     }
 
-    /// Shades the area to the right of this x, such as the area with more workers than cores, and
-    /// writes `what` in it.
+    /// Shades the area to the right of this x, and writes `what` in it. An example is the area with
+    /// more workers than cores.
     #[must_use]
     pub fn shaded_beyond(mut self, x: Option<f64>, what: &str) -> Self {
         self.beyond = x.map(|x| (x, what.into()));

@@ -63,7 +63,7 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
 const MAX_NEIGHBOURS_IN_WINDOWS: f64 = 0.12;
 /// Greatest number of particles in a square as wide as the reach of a window's list.
 const FULL: f64 = 20.0;
-/// Margin in units of the cutoff: a pair is computed if its free flights come closer than the
+/// Margin in units of the cutoff. A pair is computed if its free flights come closer than the
 /// cutoff plus this margin.
 const MARGIN: f64 = 0.05;
 /// The margin for divided steps: windows are short then, and a force bends a path less.

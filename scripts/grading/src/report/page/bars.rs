@@ -40,7 +40,7 @@ pub(crate) fn histogram(records: &[Record], full: f64) -> Markup {
     }
 }
 
-/// Draws the number of submissions that solve each task, with the most frequent message to the
+/// Draws the number of submissions that solve each task. Adds the most frequent message to the
 /// other submissions.
 pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
     let tasks = records.first().map_or(&[][..], |first| &first.tasks);

@@ -7,8 +7,7 @@ use crate::timing::plan::sizes;
 use lab_measure::autograder::{complexity_grade, slopes};
 use lab_measure::clock::Span;
 
-/// Ratio of a program's time to the solution's time on the largest scene above which the grader
-/// suspects the program of waiting.
+/// Ratio to the solution's time at which the grader suspects a program of waiting.
 ///
 /// A program that waits on small scenes appears to scale well. If such a program takes this
 /// multiple of the solution's time on the largest scene, its slope is computed from the solution's

@@ -7,8 +7,8 @@ use crate::published::{self, HARD_STEPS, SOFT_STEPS};
 /// Greatest slope for which the chart shows the time per particle.
 const NEARLY_LINEAR: f64 = 1.5;
 
-/// Plots the time per particle against n if all programs are nearly linear in n, and otherwise the
-/// time of a run.
+/// Plots times against n. If all programs are nearly linear in n, the chart shows the time per
+/// particle, and otherwise the time of a run.
 ///
 /// The chart includes the tables of the course reports. If there are several numbers of workers,
 /// the chart shows only the greatest number.

@@ -94,8 +94,8 @@ impl Line {
             .table(&self.points)
     }
 
-    /// Returns the slope of `y` from the previous point to this point; `None` if one of the points
-    /// has no `y`.
+    /// Returns the slope of `y` from the previous point to `point`; `None` if one of them has no
+    /// `y`.
     fn slope_to(&self, point: &Point, y: fn(&Point) -> Option<f64>) -> Option<String> {
         let at = self.points.iter().position(|other| std::ptr::eq(other, point))?;
         let before = self.points.get(at.checked_sub(1)?)?;

@@ -98,8 +98,8 @@ impl Candidate {
         STEPS as f64 * f64::from(self.divide)
     }
 
-    /// Measures the greatest relative change of energy until t = 1, over seeds 1 to `seeds`; `None`
-    /// if `seeds` is 0, or if the division is finer than [`MOST_DIVIDED`].
+    /// Measures the greatest relative change of energy until t = 1, over seeds 1 to `seeds`.
+    /// Returns `None` if `seeds` is 0, or if the division is finer than [`MOST_DIVIDED`].
     pub(super) fn drift(&self, runner: &Runner, seeds: u32) -> Result<Option<f64>> {
         let mut greatest: Option<f64> = None;
         for seed in (1..=seeds).take_while(|_| self.divide <= MOST_DIVIDED) {

@@ -25,8 +25,8 @@ impl Results {
         self.curves.iter().flat_map(|curve| &curve.strong)
     }
 
-    /// Plots speed-up, strong-scaling efficiency and, if it was measured, weak-scaling efficiency
-    /// side by side.
+    /// Plots speed-up and efficiencies side by side. The efficiency of weak scaling is included if
+    /// it was measured.
     pub(super) fn charts(&self) -> Vec<Chart> {
         let best = self.serial.first().map(|timing| timing.job.program.to_string());
         let title = format!("Speed-up over {}", best.unwrap_or_default());
@@ -43,8 +43,8 @@ impl Results {
         charts
     }
 
-    /// Plots each curve against the number of workers, together with the lines of the reports and
-    /// the ideal line.
+    /// Plots each curve against the number of workers, with the lines of the reports and the ideal
+    /// line.
     fn chart(
         &self,
         title: String,
@@ -114,8 +114,8 @@ impl Results {
         })]
     }
 
-    /// Returns a value between the greatest number of workers that does not exceed the number of
-    /// cores and the next number.
+    /// Returns the x beyond which a chart shows more workers than cores. It is √2 times the
+    /// greatest measured number of workers that does not exceed the number of cores.
     fn beyond_the_cores(&self) -> Option<f64> {
         let within = self.strong().filter(|point| point.graded).map(|point| point.workers).max()?;
         Some(within as f64 * 2_f64.sqrt())

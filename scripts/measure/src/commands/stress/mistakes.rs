@@ -1,4 +1,4 @@
-//! Tests with known mistakes: a program with such a mistake must fail, and the correct method must
+//! Tests with known mistakes. A program with such a mistake must fail, and the correct method must
 //! pass.
 
 use common::soft::{CUTOFF, DT, Particle};

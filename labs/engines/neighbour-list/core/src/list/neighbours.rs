@@ -59,8 +59,8 @@ impl<P: Primitives> Neighbours<P> {
         P::best_skin(self.density(bodies.len()), displacement)
     }
 
-    /// Returns the number of particles per unit area around a particle, according to the list of
-    /// `n` particles.
+    /// Returns the mean number of particles per unit area around a particle, from the list of `n`
+    /// particles.
     pub fn density(&self, n: usize) -> f64 {
         let reach = CUTOFF + self.budget.skin;
         self.per_particle(n) / (PI * reach * reach)
