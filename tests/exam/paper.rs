@@ -56,7 +56,7 @@ fn chosen<'a>(bank: &'a [Question], labs: usize, random: &mut Random) -> Option<
     let mut chosen: Vec<&Question> = Vec::new();
     for kind in KINDS {
         let of_kind = bank.iter().filter(|question| {
-            // A sum must contain numbers to draw, so that it differs from paper to paper.
+            // A sum must contain randomly drawn numbers, so that it differs from paper to paper.
             question.title.starts_with(kind) && (kind != "A sum" || question.text.contains("<!--"))
         });
         let of_kind: Vec<&Question> = of_kind.collect();

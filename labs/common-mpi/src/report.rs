@@ -23,14 +23,14 @@ impl Traffic {
         self.steps += 1;
     }
 
-    /// Counts a message with these items to another rank.
+    /// Counts one message that carries these items to another rank.
     pub fn sent<T>(&mut self, items: &[T]) {
         self.messages += 1;
         self.bytes += size_of_val(items) as u64;
     }
 
-    /// Counts an exchange: rank `own` sends every other rank a count and, unless it is empty, that
-    /// rank's list. `lists` has a list for each rank.
+    /// Counts an exchange. Rank `own` sends every other rank a count, followed by that rank's list
+    /// unless the list is empty. `lists` has a list for each rank.
     pub fn exchanged<T>(&mut self, own: usize, lists: &[Vec<T>]) {
         for (_, list) in lists.iter().enumerate().filter(|(rank, _)| *rank != own) {
             self.sent(&[0_i32]);
@@ -56,7 +56,7 @@ impl Traffic {
     }
 }
 
-/// Returns the peak memory of ranks since their start: the mean and the maximum, in MiB.
+/// Returns the peak memory of the ranks since they started: the mean and the maximum, in MiB.
 ///
 /// The memory includes the MPI library's own memory. All ranks call it together. Only the root gets
 /// the result, and only if the system reports it (Linux).

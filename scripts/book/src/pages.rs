@@ -66,8 +66,8 @@ pub(crate) fn tables(text: &str) -> Vec<Table<'_>> {
     tables
 }
 
-/// Returns the section of a page with this anchor, with its heading; the whole page if the anchor
-/// is empty.
+/// Returns the section that has this anchor, including its heading. Returns the whole page if the
+/// anchor is empty.
 pub(crate) fn section(text: &str, anchor: &str) -> Option<String> {
     if anchor.is_empty() {
         return Some(text.to_owned());

@@ -1,4 +1,4 @@
-//! `cargo lab regrade`: computes marks from records again, without building or running anything.
+//! `cargo lab regrade`: recomputes marks from records, without building or running anything.
 
 use std::path::PathBuf;
 use std::process::ExitCode;

@@ -21,7 +21,7 @@ pub(crate) fn score(record: &mut Record, rubric: &Facts) -> Result<()> {
     }
     marked.measures = timing::judge(found, rubric);
     decide_parts(tasks, marked);
-    // A measure without a grade gives no points yet, so no student gains by it.
+    // A measure without a grade gives no points yet, so no student gains from a missing grade.
     let measures = &marked.measures;
     marked.points = tasks.iter().map(|task| task.points).sum::<f64>()
         + measures.iter().map(|measure| measure.points).sum::<f64>();
@@ -31,7 +31,7 @@ pub(crate) fn score(record: &mut Record, rubric: &Facts) -> Result<()> {
     Ok(())
 }
 
-/// Adds the tasks of the rubric that a submission without a program was not asked.
+/// Adds the tasks of the rubric that were not judged because the submission has no program.
 fn add_unasked(found: &Findings, tasks: &mut Vec<Task>, rubric: &Facts) -> Result<()> {
     for id in rubric.tasks.keys() {
         if tasks.iter().any(|task| task.id == *id) {
@@ -52,11 +52,11 @@ fn score_task(task: &mut Task, rubric: &Facts) {
     let TaskFacts { points, partial, .. } = rubric.tasks.get(&task.id).cloned().unwrap_or_default();
     task.out_of = points;
     let share = if task.passed { 1.0 } else { partial * task.share };
-    // Points have two decimals, because more would only confuse.
+    // Points have two decimals, because more decimals would only confuse.
     task.points = (100.0 * share * task.out_of).round() / 100.0;
 }
 
-/// Sets the points of tasks and measures that a person decided. The last decision counts.
+/// Sets the points that a person decided for tasks and measures. The last decision counts.
 fn decide_parts(tasks: &mut [Task], marked: &mut Marked) {
     for Decision { task, points, .. } in &marked.by_hand {
         let (Some(id), Some(points)) = (task, *points) else { continue };
@@ -70,8 +70,8 @@ fn decide_parts(tasks: &mut [Task], marked: &mut Marked) {
     }
 }
 
-/// Sets the total: the points that a person decided, or else the points minus the penalty for
-/// lateness.
+/// Sets the total. It consists of the points that a person decided, or else of the sum of the
+/// points minus the penalty for lateness.
 fn decide_whole(marked: &mut Marked) {
     let decided = marked.by_hand.iter().rev().filter(|decision| decision.task.is_none());
     match (decided.into_iter().find_map(|decision| decision.points), &marked.late) {

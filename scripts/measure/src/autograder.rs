@@ -33,14 +33,15 @@ pub fn complexity_grade(slope: f64) -> f64 {
     }
 }
 
-/// Returns the strong efficiency: the speed-up of all workers divided by their number.
+/// Returns the strong-scaling efficiency: the speed-up of all workers divided by their number.
 ///
 /// The arguments are the seconds of one worker and of all workers on the same scene.
 pub fn strong_efficiency(one: f64, workers: usize, all: f64) -> f64 {
     one / (workers as f64 * all)
 }
 
-/// Returns the weak efficiency: one worker's seconds divided by all workers' on a larger scene.
+/// Returns the weak-scaling efficiency. It is the time of one worker divided by the time of all
+/// workers on a larger scene.
 ///
 /// The scene grows in proportion to the number of workers.
 pub fn weak_efficiency(one: f64, all: f64) -> f64 {
@@ -49,7 +50,7 @@ pub fn weak_efficiency(one: f64, all: f64) -> f64 {
 
 /// Averages efficiencies over the numbers of workers, for the shortest takes and for the medians.
 ///
-/// One worker is included. Returns `None` if there are no efficiencies.
+/// The efficiency of one worker is included. Returns `None` if there are no efficiencies.
 pub fn averages(efficiencies: &[Span]) -> Option<Span> {
     let count = efficiencies.len() as f64;
     (count > 0.0).then(|| Span::both(|way| efficiencies.iter().map(way).sum::<f64>() / count))
@@ -64,7 +65,8 @@ pub fn efficiency_grade(average: f64) -> f64 {
     }
 }
 
-/// Grades a parallel program. Averages the grades of its mean strong and its mean weak efficiency.
+/// Grades a parallel program. The grade is the average of two grades: for the mean strong-scaling
+/// efficiency and for the mean weak-scaling efficiency.
 pub fn scaling_grade(strong: f64, weak: f64) -> f64 {
     0.5 * (efficiency_grade(strong) + efficiency_grade(weak))
 }

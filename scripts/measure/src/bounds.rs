@@ -22,7 +22,7 @@ pub struct Costs {
     misprediction: f64,
     /// A load from the second-level cache, in a chain of dependent loads.
     second_level: f64,
-    /// A load from beyond the second-level cache, in a chain of dependent loads.
+    /// A load that misses the second-level cache, in a chain of dependent loads.
     beyond: f64,
     /// A multiplication or an addition.
     operation: f64,
@@ -37,7 +37,7 @@ pub struct Bounds {
     pub branches: f64,
     /// Time of the lines that miss the first-level cache, if they stream in one after another.
     pub bandwidth: f64,
-    /// Time of the misses, if each miss waits for the previous miss. A program may take less.
+    /// Time of the misses, if each miss waits for the previous miss. A program may take less time.
     pub latency: f64,
 }
 
@@ -96,7 +96,7 @@ impl Bounds {
 
     /// Names the bound that limits a program that takes `time`.
     ///
-    /// Branches and latency are the costs with a simple predictor and without prefetching. They are
+    /// The bounds of branches and latency assume a simple predictor and no prefetching. They are
     /// named only if they explain why the program takes longer than the least time.
     pub fn holding(&self, time: f64) -> &'static str {
         let least = self.least();

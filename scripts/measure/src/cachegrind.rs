@@ -12,8 +12,8 @@ use serde::{Deserialize, Serialize};
 
 /// Cachegrind's names of the events in [`Counts`], each with its index there.
 ///
-/// A first-level miss is a miss of data that are read or written, even if the last level has the
-/// data.
+/// A first-level miss is a miss when data are read or written, even if the last-level cache
+/// contains the data.
 const EVENTS: [(&str, usize); 8] = [
     ("Ir", 0),
     ("D1mr", 1),
@@ -62,8 +62,8 @@ impl Caches {
         1024 * self.last_level as usize
     }
 
-    /// Returns the words before a program's command line that make valgrind count the program's
-    /// events.
+    /// Returns the words that make valgrind count a program's events. They precede the program's
+    /// command line.
     ///
     /// The counts are in files named `counts.…` in `folder`.
     ///
@@ -87,7 +87,8 @@ impl Caches {
     }
 }
 
-/// Returns the words before a command line that give the program the same addresses in each run.
+/// Returns the words that give a program the same addresses in each run. They precede its command
+/// line.
 ///
 /// The result is empty if the system cannot fix addresses.
 ///
@@ -119,7 +120,7 @@ impl Profile {
 
     /// Adds the contents of a file of cachegrind.
     ///
-    /// It lists the names of events, then files (`fl`, or `fi` and `fe` for inlined code) and
+    /// The file lists the names of events, then files (`fl`, or `fi` and `fe` for inlined code) and
     /// functions (`fn`). Below each function are lines with a line number of the source and its
     /// counts.
     fn read(&mut self, text: &str, by: By) -> Option<()> {

@@ -73,7 +73,7 @@ impl Span {
     /// Returns the least shortest take and the least median of some runs, or `None` if there are no
     /// runs.
     ///
-    /// The two may be of different runs.
+    /// The two times may be from different runs.
     pub fn least(runs: impl IntoIterator<Item = Self>) -> Option<Self> {
         runs.into_iter()
             .reduce(|a, b| Self { min: a.min.min(b.min), median: a.median.min(b.median) })
@@ -81,8 +81,8 @@ impl Span {
 
     /// Compares the run with another run.
     ///
-    /// The true time of a run is between its shortest take and its median. If these ranges overlap,
-    /// nothing is decided.
+    /// The true time of a run is between its shortest take and its median. If the ranges of the two
+    /// runs overlap, the comparison is undecided.
     pub fn over(self, other: Self) -> Ratio {
         Ratio {
             of_minima: self.min / other.min,
@@ -92,14 +92,15 @@ impl Span {
     }
 }
 
-/// Number of seconds that the shortest take must last for a grade.
+/// Least length of the shortest take, in seconds, that is enough for a grade.
 const SHORTEST: f64 = 0.01;
 
 /// Message in place of a grade.
 pub const TOO_SHORT: &str =
     "Too short to grade: take more particles or --steps, and two --rounds or more.";
 
-/// Largest difference between the grades for shortest takes and for medians that is not noisy.
+/// Largest difference between the two grades (for shortest takes and for medians) that is not
+/// noise.
 const NOISE: f64 = 5.0;
 
 /// Whether the times vary too much for this grade out of 100.

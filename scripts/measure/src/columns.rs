@@ -13,7 +13,7 @@ pub struct Columns<'c, R> {
 type Cell<'c, R> = Box<dyn Fn(&R) -> Option<String> + 'c>;
 
 impl<'c, R> Columns<'c, R> {
-    /// Begins with a column of row names.
+    /// Makes a table that begins with a column of row names.
     pub fn of(head: impl Into<String>, name: impl Fn(&R) -> String + 'c) -> Self {
         Self { columns: Vec::new() }.text(head, name)
     }

@@ -1,9 +1,9 @@
 //! Experiments: jobs that take turns.
 //!
 //! A machine's speed changes with its clock, its temperature and its other programs. So jobs take
-//! turns: each round runs every job once, and a bad minute affects all jobs. Every other round goes
-//! backwards, so that no job always follows the same job. The streaming bound is measured in turn,
-//! too.
+//! turns: each round runs every job once, so a slow minute of the machine affects all jobs. Every
+//! other round runs the jobs in reverse order, so that no job always follows the same job. The
+//! streaming bound is measured in turn, too.
 
 use std::collections::BTreeMap;
 
@@ -60,7 +60,7 @@ pub struct Timings {
     pub left_out: LeftOut,
 }
 
-/// Returns the order of turns in a round: forwards, or backwards in every other round.
+/// Returns the order of the jobs in a round, which is reversed in every other round.
 pub fn turns(count: usize, round: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
     if round % 2 == 1 {

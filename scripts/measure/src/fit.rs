@@ -89,8 +89,8 @@ impl Effort {
         Ok(Fitted { jobs, left_out: Vec::new() })
     }
 
-    /// Chooses the steps of each job separately. Omits jobs with a step that would take longer than
-    /// `longest` seconds.
+    /// Chooses the steps of each job separately. Omits jobs of which a single step would take
+    /// longer than `longest` seconds.
     fn each(
         &self,
         runner: &Runner,
@@ -119,8 +119,8 @@ impl Effort {
         Ok(Fitted { jobs: tried.into_iter().map(|tried| tried.job).collect(), left_out })
     }
 
-    /// Tries a job, even if its number of steps is given, because a device refuses a job only when
-    /// it runs.
+    /// Tries a job, even if the user sets the number of steps. The reason is that a device refuses
+    /// a job only when the job runs.
     fn try_out(&self, runner: &Runner, job: Job, share: f64, most: u64) -> Result<TriedOut> {
         let Some(steps) = self.steps else { return calibrated(runner, job, share, most) };
         if job.program.workers == Workers::Device {
@@ -149,8 +149,8 @@ fn calibrated(runner: &Runner, mut job: Job, seconds: f64, most: u64) -> Result<
 
 /// Predicts the seconds of a step of `job` from two smaller scenes that were tried.
 ///
-/// The time grows as it grew between these scenes, but at least in proportion to n, and at most to
-/// n².
+/// The prediction assumes that the time grows as it grew between these scenes, but at least in
+/// proportion to n and at most in proportion to n².
 fn foreseen(tried: &[TriedOut], job: &Job) -> Option<f64> {
     let alike = tried.iter().filter(|tried| tried.job.is_like(job));
     let points: Vec<_> = alike.map(|tried| (tried.job.scene.n() as f64, tried.step)).collect();

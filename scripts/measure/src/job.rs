@@ -27,8 +27,8 @@ pub struct Job {
     pub scene: Scene,
     /// Number of time steps.
     pub steps: u64,
-    /// Number of threads, or of ranks if the program has ranks. A number in the program's name has
-    /// priority.
+    /// Number of threads, or of ranks if the program has ranks. A number in the program's name
+    /// takes precedence.
     #[serde(skip)]
     pub workers: usize,
     /// Whether the program collects statistics, which costs time.
@@ -54,7 +54,7 @@ pub struct RunOutput {
     /// Bytes of memory at the end; `None` if the system does not report them.
     #[serde(default)]
     pub resident: Option<u64>,
-    /// Averages over the steps, if the job has statistics.
+    /// Averages over the steps, if the job collects statistics.
     pub statistics: Option<Averages>,
     /// The variant's counters that are finite.
     #[serde(default, deserialize_with = "numbers")]
@@ -136,7 +136,7 @@ impl Job {
     }
 }
 
-/// Reads counters, but omits null, which JSON has in place of infinite numbers and NaN.
+/// Reads counters, but omits null, which JSON contains in place of infinite numbers and NaN.
 fn numbers<'de, D: Deserializer<'de>>(
     counters: D,
 ) -> std::result::Result<BTreeMap<String, f64>, D::Error> {

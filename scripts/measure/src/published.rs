@@ -104,13 +104,13 @@ impl Scaling {
         self.strong.iter().map(|&(_, t)| self.serial / t).collect()
     }
 
-    /// Returns the strong efficiency for each number of workers.
+    /// Returns the strong-scaling efficiency for each number of workers.
     pub fn strong_efficiencies(&self) -> Vec<f64> {
         self.strong.iter().map(|&(p, t)| strong_efficiency(self.serial, p, t)).collect()
     }
 
-    /// Returns the weak efficiency for each number of workers. With one worker the scene is that of
-    /// the strong scaling.
+    /// Returns the weak-scaling efficiency for each number of workers. With one worker the scene is
+    /// the same as for strong scaling.
     pub fn weak_efficiencies(&self) -> Vec<f64> {
         self.weak.iter().map(|&(_, t)| weak_efficiency(self.serial, t)).collect()
     }

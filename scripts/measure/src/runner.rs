@@ -105,8 +105,8 @@ impl Runner {
     }
 }
 
-/// Refuses a lab that is still as it was given. The lab would compile for minutes and end at its
-/// first `todo!`.
+/// Refuses a lab that the student has not begun. The lab would compile for minutes and then panic
+/// at its first `todo!`.
 fn expect_begun(kit: &Kit, program: &Program) -> Result<()> {
     if program.solution {
         return Ok(());

@@ -1,4 +1,4 @@
-//! Scenes: what a command line describes, and the options and files that programs read.
+//! Scenes as a command line describes them, and the options and files that programs read.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -53,10 +53,10 @@ pub enum Scene {
 /// Differences of random hard discs from the assignment's random discs.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct RandomDiscs {
-    /// Least and greatest velocity component.
+    /// Least and greatest magnitude of a velocity component.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub speeds: Option<(f64, f64)>,
-    /// Side of the square in the middle where the discs begin.
+    /// Side of the central square in which the discs begin.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub blob: Option<f64>,
 }
@@ -114,7 +114,7 @@ impl Scene {
 
     /// Appends the options to a command that make a program take `steps` steps of the scene.
     ///
-    /// The function writes to `file` what options cannot express.
+    /// The function writes to `file` those parts of the scene that options cannot express.
     ///
     /// # Errors
     /// The file cannot be written.

@@ -44,8 +44,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let source = results::source(kit, lab)?;
     let mut troubles = Troubles::default();
     troubles.say("format", format(kit, lab)?);
-    // Beside a `todo!`, clippy complains about given code, for instance about a parameter that
-    // nothing changes yet.
+    // As long as a `todo!` remains, clippy complains about the provided code, for instance about a
+    // `&mut` parameter that is not modified yet.
     if !tasks::open_todos(kit, lab)?.is_empty() {
         println!("lints    not looked at while a todo! is left");
     } else {

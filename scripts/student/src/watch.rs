@@ -17,8 +17,8 @@ use lab_kit::process;
 use lab_kit::progress::can_draw;
 use lab_kit::{Kit, Lab};
 
-/// Interval between two checks of the source. Within this time, the several steps in which an
-/// editor writes a file count as one change.
+/// Interval between two checks of the source. If an editor writes a file in several steps within
+/// this time, they count as one change.
 const TOGETHER: Duration = Duration::from_millis(300);
 
 /// Test a lab again whenever you save a file
@@ -52,8 +52,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
 }
 
-/// Runs the tests of the task that was not done in the last run, which are quick, and then all
-/// tests.
+/// Runs the tests of the task that was unfinished in the last run, and then all tests. The tests of
+/// one task are quick, so they come first.
 ///
 /// All tests run, because the change may have broken any task. `None` if the lab does not compile.
 fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Option<Run>> {
@@ -71,7 +71,7 @@ fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Option<Run>> {
     run(None)
 }
 
-/// Waits until the source has changed and stays unchanged for a moment.
+/// Waits until the source has changed and then stayed the same for a moment.
 fn wait(kit: &Kit, lab: Lab, before: &str) -> Result<()> {
     let mut last = before.to_owned();
     loop {

@@ -7,9 +7,10 @@ use crate::room::room_for;
 
 /// The parameters of a random scene.
 ///
-/// Every number of a disc, in the order x, y, vx, vy, is computed from a number u in 0 .. 1 with 53
-/// random bits from the Mersenne Twister MT19937. A coordinate is linear in u. For a velocity
-/// component let s = 2 u − 1: the component has the sign of s, and its magnitude is linear in |s|.
+/// The four values of a disc are drawn in the order x, y, vx, vy. Each is computed from a number u
+/// in 0 .. 1 that consists of 53 random bits from the Mersenne Twister MT19937. A coordinate is
+/// linear in u. For a velocity component let s = 2 u − 1: the component has the sign of s, and its
+/// magnitude is linear in |s|.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RandomScene {
     /// Number of discs.
@@ -22,13 +23,13 @@ pub struct RandomScene {
     pub seed: u32,
     /// Least and greatest magnitude of a velocity component.
     pub speeds: (f64, f64),
-    /// Side of a square in the middle that contains the centres.
+    /// Side of the central square in which the discs' centres lie.
     pub within: f64,
 }
 
 impl RandomScene {
-    /// Returns the assignment's scene: centres in the whole square, velocity components of L/(8 r)
-    /// to L/4.
+    /// Returns the assignment's scene. The centres are in the whole square, and the velocity
+    /// components have magnitudes from L/(8 r) to L/4.
     pub fn new(n: u64, side: f64, radius: f64, seed: u32) -> Self {
         let speeds = (side / (8.0 * radius), side / 4.0);
         Self { n, side, radius, seed, speeds, within: side - 2.0 * radius }
@@ -40,7 +41,7 @@ impl RandomScene {
         Self { speeds: (least, greatest), ..self }
     }
 
-    /// Restricts the centres to a square of side `within` in the middle.
+    /// Restricts the discs' centres to a central square of side `within`.
     #[must_use]
     pub fn with_blob(self, within: f64) -> Self {
         Self { within: within.min(self.side - 2.0 * self.radius), ..self }

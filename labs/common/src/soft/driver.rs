@@ -170,7 +170,8 @@ fn simulate(
         run.stepping += start.elapsed();
         done += batch;
         run.statistics.extend(simulation.statistics());
-        // Reading is collective under MPI: every rank reads, and only the root has a file.
+        // Under MPI, reading the particles is collective: every rank calls `read`, although only
+        // the root has an output file.
         if options.choice.output.is_some() && (done - 1) % options.every == 0 {
             chunk.resize(n.min(CHUNK), Particle::default());
             for first in (0..n).step_by(CHUNK) {
@@ -192,9 +193,9 @@ fn simulate(
 
 /// Returns the number of steps to take in a row after `done` steps.
 ///
-/// The run stops for output after steps 0, `every`, 2 `every`, …, counted from 0. With statistics
-/// it stops after each step. Without output and statistics it still stops from time to time, to
-/// move the progress bar.
+/// Steps are numbered from 0. The run stops for output after steps 0, `every`, 2 `every`, … With
+/// statistics it stops after each step. Without output and statistics it still stops from time to
+/// time, to move the progress bar.
 fn batch(done: u64, options: &Options) -> u64 {
     const BAR: u64 = 50;
     let look = match () {

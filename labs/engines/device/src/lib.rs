@@ -1,7 +1,7 @@
 //! A graphics processor, driven through [wgpu]: kernels in WGSL, launches, memory, a device clock.
 //!
-//! wgpu is safe and general, and needs many lines of code. This package reduces it to the host side
-//! of CUDA:
+//! wgpu is safe and general, but it needs many lines of code. This package reduces it to the host
+//! side of CUDA:
 //!
 //! | CUDA | here |
 //! |---|---|
@@ -57,9 +57,9 @@
 //!
 //! Memory is measured in bytes, a launch in workgroups and in invocations per workgroup, and time
 //! in seconds. If the machine lacks an adapter, double precision or a buffer of the requested size,
-//! a function returns a [`GpuError`]. Functions that build kernels and submit work return no error.
-//! If wgpu refuses such a call, the error goes to the innermost *error scope*; without an error
-//! scope, wgpu panics. [`Launcher::checked`] opens such a scope.
+//! the function that needs it returns a [`GpuError`]. Functions that build kernels and submit work
+//! return no error. If wgpu refuses such a call, the error goes to the innermost *error scope*;
+//! without an error scope, wgpu panics. [`Launcher::checked`] opens such a scope.
 
 mod device;
 mod error;

@@ -67,8 +67,8 @@ impl<T: Dealing> AsReported<T> {
 
     /// Returns the worker that carries out a collision.
     ///
-    /// This worker has the blocks of all discs of the collision. One of these blocks is its own if
-    /// possible.
+    /// This worker has the blocks of all discs of the collision. If possible, the method chooses a
+    /// worker whose own block is among them.
     fn carrier(&self, candidate: &Candidate) -> usize {
         let blocks = self.blocks_of(candidate);
         let mut workers = blocks.clone().chain(0..self.deal.workers);

@@ -28,7 +28,7 @@ impl Team {
         (worker + usize::from(!self.master_works)) as Rank
     }
 
-    /// Returns the number of a rank as a worker; `None` for a master that does not work.
+    /// Returns the worker number of a rank; `None` for a master that does not work.
     pub fn worker(&self, rank: Rank) -> Option<usize> {
         (rank as usize).checked_sub(usize::from(!self.master_works))
     }
@@ -36,7 +36,7 @@ impl Team {
 
 /// Messages from the master to the workers, and back. All ranks call each function together.
 pub trait Messages: Sized + 'static {
-    /// Sends each worker its list, and returns the list of this worker: `lists[k]` is for worker k.
+    /// Sends `lists[k]` to worker k, and returns this worker's list.
     ///
     /// Only the master's `lists` matter. A master that does not work gets an empty list.
     fn hand_out<W: Equivalence + Clone>(

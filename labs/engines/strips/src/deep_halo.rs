@@ -8,7 +8,7 @@ use crate::partition::Partition;
 pub trait DeepHalo: Partition {
     /// Returns the greatest distance of a ghost from the strip for `steps` steps without a message.
     ///
-    /// No particle goes further than `fastest` in a step.
+    /// No particle moves further than `fastest` in a step.
     fn deep_width(fastest: f64, steps: u32) -> f64;
 
     /// Returns the number of steps that an epoch should have: from 1 to `outlook.most`.

@@ -124,7 +124,7 @@ impl<O: Observer> Domain<O> {
         self.counts = Counts::default();
     }
 
-    /// Returns the distance that the fastest particle goes in a step at its current speed.
+    /// Returns the distance that the fastest particle moves in a step at its current speed.
     pub(crate) fn fastest(&self) -> f64 {
         self.engine.bodies().fastest() * DT
     }

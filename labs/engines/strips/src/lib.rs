@@ -40,7 +40,7 @@
 //!
 //! # Units
 //!
-//! Lengths are in units of the box, including the distance that a particle goes in a step of
+//! Lengths are in units of the box, including the distance that a particle moves in a step of
 //! [`DT`](common::soft::DT). The parameter `skin` is in cutoffs. Costs are in nanoseconds.
 //!
 //! # Errors

@@ -29,7 +29,7 @@ impl<O: Observer, T: Halo> Distributed<O, T> {
     ///
     /// A particle has gone no further than ghosts are wide, unless it became faster in the last
     /// step than any particle was before. So a particle nearly always goes to a partner. All ranks
-    /// exchange particles only if some particle goes further.
+    /// exchange particles only if some particle moves further.
     fn migrate(&mut self) {
         let own = self.domain.strips.strip(self.domain.rank());
         let bodies = self.domain.engine.bodies_mut();

@@ -12,7 +12,7 @@ use crate::partition::Partition;
 pub trait Halo: Partition {
     /// Returns the greatest distance of a ghost from the strip, for ghosts that last `steps` steps.
     ///
-    /// No particle goes further than `fastest` in a step.
+    /// No particle moves further than `fastest` in a step.
     fn ghost_width(fastest: f64, steps: u32) -> f64;
 
     /// Returns the number of steps that ghosts should last: from 1 to `scenery.most`.
@@ -55,9 +55,9 @@ pub trait Halo: Partition {
 /// The facts that determine the cheapest number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scenery {
-    /// Distance that the fastest particle of all ranks goes in a step.
+    /// Distance that the fastest particle of all ranks moves in a step.
     pub fastest: f64,
-    /// Number of particles per area where they are densest.
+    /// Number of particles per unit area where they are densest.
     pub density: f64,
     /// Height of a strip. The length of the strip along x does not matter.
     pub height: f64,

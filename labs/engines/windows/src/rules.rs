@@ -47,6 +47,6 @@ pub trait Rules: Send + 'static {
 
     /// Returns the number of official steps that a window should have, at least 1.
     ///
-    /// There are `density` particles per area, and their mean speed is `speed`.
+    /// There are `density` particles per unit area, and their mean speed is `speed`.
     fn window_length(density: f64, speed: f64) -> u32;
 }

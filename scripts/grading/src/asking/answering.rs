@@ -13,7 +13,7 @@ use super::question_list::Question;
 use crate::sandbox::Sandbox;
 use lab_kit::process::{Finished, run as run_process};
 
-/// Result of a program that was run on a question.
+/// Result of running a program on a question.
 pub(super) struct Answers {
     pub(super) finished: Finished,
     folder: TempDir,

@@ -25,7 +25,7 @@ pub(crate) struct Judged {
 /// The judging program, built from the solution.
 pub(crate) struct Judge {
     pub(super) program: PathBuf,
-    /// Common beginning of the paths of the lab's snapshots.
+    /// Common prefix of the paths of the lab's snapshots.
     snapshots: PathBuf,
     limit: Duration,
 }

@@ -39,11 +39,11 @@ pub(crate) const ANSWER: &str = "answer";
 /// Name of the judging program.
 pub(crate) const JUDGE: &str = "judge";
 
-/// Factor for time limits.
+/// Factor for two time limits.
 ///
-/// The solution may take this many times a submission's limit, because no mark depends on its time.
-/// A submission may take this many times the solution's time if that is longer than its limit,
-/// because the machine may be busy.
+/// The solution's limit is a submission's limit times this factor, because no mark depends on the
+/// solution's time. If the solution's time times this factor is longer than a submission's limit,
+/// this product replaces that limit, because the machine may be busy.
 const PATIENCE: u32 = 10;
 
 /// Questions of a lab, the solution's programs, and a time limit for each question.
@@ -111,7 +111,8 @@ impl Questions {
 
     /// Asks the submission in `folder` about each of these tasks.
     ///
-    /// A question that needs another, wrong task is skipped, so that a mistake costs only one task.
+    /// If a question needs a different task whose answers are wrong, the question is skipped, so
+    /// that a mistake costs the points of one task only.
     pub(crate) fn ask<'a>(
         &self,
         sandbox: &Sandbox,
@@ -144,7 +145,8 @@ impl Questions {
 
     /// Asks a submission a question.
     ///
-    /// Before an answer counts as wrong, the solution answers the same question with the same seed.
+    /// An answer counts as wrong only if the solution can answer the same question with the same
+    /// seed.
     fn ask_one(
         &self,
         sandbox: &Sandbox,
@@ -184,7 +186,7 @@ struct Marks {
     result: TaskResult,
     asked: usize,
     right: usize,
-    /// Whether a question was not answered in time. Further questions are then skipped.
+    /// Whether a question was not answered in time. If so, further questions are skipped.
     timed_out: bool,
 }
 
@@ -208,8 +210,8 @@ impl Marks {
     }
 }
 
-/// Explains why answers are wrong. If the program crashed, the explanation is its own error
-/// message.
+/// Explains why answers are wrong. If the program crashed, the explanation is the program's own
+/// error message.
 fn words(judged: &Judged, finished: &Finished, limit: Duration) -> String {
     let wrong = judged.wrong.replacen('\n', ": ", 1);
     if !judged.broke_off {

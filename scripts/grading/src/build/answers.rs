@@ -11,7 +11,7 @@ use lab_kit::Kit;
 
 /// Texts that occur only in a program that contains right answers.
 ///
-/// They are parts of symbols of code that compares or computes answers, and texts that only a
+/// Each is a part of a symbol of the code that compares or computes answers, or a text that only a
 /// verdict contains.
 const KNOWING: [&str; 7] = [
     "6oracle5model",
@@ -28,7 +28,7 @@ const KNOWING: [&str; 7] = [
 fn the_program_that_runs_a_submission_knows_no_answer() {
     let kit = Kit::find().unwrap();
     let limit = Duration::from_secs(900);
-    // This test runs no foreign code.
+    // This test runs no code of a submission.
     let sandbox =
         Sandbox::find(&kit, true, Limits { run: limit, build: limit, loopback: false }).unwrap();
     let tree = Tree::lay(&kit, "1".parse().unwrap(), &sandbox).unwrap();

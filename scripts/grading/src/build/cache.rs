@@ -1,8 +1,8 @@
-//! Cache of a lab's compiled dependencies, kept for the next grading.
+//! Cache of a lab's compiled dependencies, kept for the next grading run.
 //!
 //! The cache is written before any submission is built, in a folder that no sandbox shows. Cargo
-//! compares the times of files to see whether the cache is up to date. So the kit's files get an
-//! old time.
+//! compares the modification times of files to see whether the cache is up to date. Therefore the
+//! kit's files get an old modification time.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -14,8 +14,8 @@ use anyhow::{Context, Result, ensure};
 use lab_kit::files::{digest, read_bytes};
 use lab_kit::{Kit, files_below};
 
-/// Returns the folder of the cache. It contains only the last lab, because each lab takes hundreds
-/// of megabytes.
+/// Returns the folder of the cache. The cache contains only the lab that was graded last, because
+/// each lab takes hundreds of megabytes.
 pub(crate) fn of(kit: &Kit) -> PathBuf {
     kit.memory().join("compiled/probe")
 }
@@ -33,7 +33,7 @@ pub(crate) fn put_into(kept: &Path, tree: &Path) -> Result<()> {
 
 /// Copies the build of a tree into the cache, unless the cache has it already.
 ///
-/// If the grader is killed while it copies, it leaves a folder that is never used.
+/// If the grader is killed during the copy, an incomplete folder remains, which is never used.
 pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
     let sources = sources(tree)?;
     if fs::read_to_string(kept.join("sources")).is_ok_and(|kept| kept == sources) {
@@ -46,22 +46,23 @@ pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
     copy(&tree.join("target"), &new.path().join("target")).with_context(unkept)?;
     fs::write(new.path().join("sources"), sources).with_context(unkept)?;
     let old = tempfile::tempdir_in(folder).with_context(unkept)?;
-    // Another grading may write the cache at the same time. Either copy can be kept.
+    // Another grading run may write the cache at the same time. Either copy can be kept.
     let _ = fs::rename(kept, old.path().join("old"));
     let _ = fs::rename(new.path(), kept);
     Ok(())
 }
 
-/// Copies a folder with the times of its files, because Cargo compares times.
+/// Copies a folder and keeps the modification times of its files, because Cargo compares these
+/// times.
 ///
-/// No file is shared, so a build in one tree cannot change another tree.
+/// The copies share no file, so a build in one tree cannot change another tree.
 pub(crate) fn copy(from: &Path, to: &Path) -> Result<()> {
     let output = Command::new("cp").arg("-a").arg(from.join(".")).arg(to).output()?;
     ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr).trim());
     Ok(())
 }
 
-/// Returns the SHA-256 of the sources that the cache depends on: manifests and given code.
+/// Returns the SHA-256 of the sources that the cache depends on: manifests and provided code.
 fn sources(tree: &Path) -> Result<String> {
     let files = ["Cargo.lock", "Cargo.toml", "rust-toolchain.toml"].map(|file| tree.join(file));
     let mut all = Vec::new();
@@ -74,7 +75,7 @@ fn sources(tree: &Path) -> Result<String> {
 
 /// Returns the files of a tree that belong neither to a submission nor to a lab's questions.
 ///
-/// These are the given code, earlier solutions, and the oracle.
+/// These are the provided code, earlier solutions, and the oracle.
 fn given(tree: &Path) -> Result<Vec<PathBuf>> {
     let labs = tree.join("labs");
     let mut others = files_below(&tree.join("solutions"))?;

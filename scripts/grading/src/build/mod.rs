@@ -41,7 +41,7 @@ pub(crate) struct Tree {
     folder: TempDir,
     lab: Lab,
     programs: Programs,
-    /// Sources of the solution, which can be built on a machine that works.
+    /// Sources of the solution. They can be built unless the machine has a fault.
     solution: Sources,
 }
 
@@ -60,7 +60,8 @@ impl<'a> Order<'a> {
     }
 }
 
-/// Folder of the built programs; otherwise the compiler's errors, or the message about the limit.
+/// Folder of the built programs. If the build failed, the compiler's errors or the message about
+/// the time limit.
 type Built = std::result::Result<TempDir, String>;
 
 impl Tree {
@@ -91,13 +92,13 @@ impl Tree {
         self.build_some(sandbox, sources, &NAMES)
     }
 
-    /// Builds the programs of a submission that have these names.
+    /// Builds those programs of a submission that have these names.
     ///
     /// Only the compiler runs. A submission has no manifest, so it has no build script and no
     /// procedural macro.
     ///
     /// # Errors
-    /// If the solution cannot be built now either, so that the submission is not the cause.
+    /// If the solution cannot be built at this moment either. The submission is then not the cause.
     pub(crate) fn build_some(
         &self,
         sandbox: &Sandbox,
@@ -111,13 +112,13 @@ impl Tree {
             || self.build_solution(sandbox),
         )?;
         if built.as_ref().is_err_and(|why| is_late(why)) {
-            // A machine may be too busy for any build.
+            // The machine may be too busy to build anything.
             machine_works(|| self.build_solution(sandbox))?;
         }
         Ok(built)
     }
 
-    /// Builds the solution in the place of a submission.
+    /// Builds the solution in place of a submission.
     fn build_solution(&self, sandbox: &Sandbox) -> Result<()> {
         match self.build_once(sandbox, &Order::of_submission(sandbox, &self.solution, &NAMES))? {
             Ok(_) => Ok(()),
@@ -125,7 +126,7 @@ impl Tree {
         }
     }
 
-    /// Builds in two passes: the submission and the grader's programs cannot read each other's
+    /// Builds in two passes. So the submission and the grader's programs cannot read each other's
     /// sources.
     ///
     /// ```text
@@ -134,7 +135,8 @@ impl Tree {
     /// pass 2   library, empty sources    sources                          programs
     /// ```
     ///
-    /// So a submission cannot include the questions, and a program cannot include the submission.
+    /// Therefore a submission cannot include the questions, and the grader's programs cannot
+    /// include the submission.
     fn build_once(&self, sandbox: &Sandbox, order: &Order<'_>) -> Result<Built> {
         let root = self.folder.path();
         let until = Instant::now() + order.limit;
@@ -147,7 +149,7 @@ impl Tree {
         empty(root, self.lab, sources)?;
         self.programs.show(&root.join(PACKAGE))?;
         clean(root, &[PROBE], sandbox)?;
-        // Short messages quote no line of the questions, which a student must not read.
+        // Short messages do not quote the questions, which a student must not read.
         if let Some(why) = compile(root, sandbox, order, until, "short")? {
             let what =
                 "it compiles alone, but the grader cannot call it (was a signature changed?)";
@@ -161,7 +163,7 @@ impl Tree {
         Ok(Ok(folder))
     }
 
-    /// Returns the bytes of the tree on its disk, plus the bytes that another build adds.
+    /// Returns the disk space of the tree in bytes, plus the space that another build adds.
     pub(crate) fn room(&self) -> Result<u64> {
         let mut bytes = BUILD_QUOTA;
         for path in files_below(self.folder.path())? {
@@ -172,7 +174,7 @@ impl Tree {
 
     /// Builds the solution's programs and the judging program.
     ///
-    /// Their compiled dependencies are kept for the next grading.
+    /// Their compiled dependencies are kept for the next grading run.
     pub(crate) fn reference(&self, kit: &Kit, sandbox: &Sandbox) -> Result<TempDir> {
         let unbuilt = || format!("the solution of lab {} cannot be built", self.lab);
         let names = &[&NAMES[..], &[asking::JUDGE]].concat();
@@ -181,7 +183,7 @@ impl Tree {
         let built = built.map_err(|why| anyhow!("{}:\n{why}", unbuilt()))?;
         // The judge contains right answers, so no submission may read it.
         fs::set_permissions(built.path().join(asking::JUDGE), Permissions::from_mode(0o700))?;
-        // The tree keeps nothing of the solution.
+        // Nothing of the solution remains in the tree.
         put(self.folder.path(), self.lab, &Sources::new(), sandbox)?;
         cache::keep(&cache::of(kit), self.folder.path())?;
         // The oracle is compiled now. Its sources are emptied, so that no submission can include
@@ -274,7 +276,8 @@ fn clean(root: &Path, packages: &[&str], sandbox: &Sandbox) -> Result<()> {
     Ok(())
 }
 
-/// Empties sources that were compiled. Their times are old, so they are not compiled again.
+/// Empties source files that were compiled. Their modification times are old, so Cargo does not
+/// compile them again.
 fn empty(root: &Path, lab: Lab, sources: &Sources) -> Result<()> {
     for path in sources.keys() {
         let file = File::create(root.join(format!("labs/lab{lab}")).join(path))?;
@@ -304,7 +307,7 @@ fn strip(root: &Path, lab: Lab) -> Result<()> {
 
 /// Returns the files that a grade depends on: the questions and the solution.
 ///
-/// The rubric is not among them, because marks can be computed from records again.
+/// The rubric is not among them, because marks can be recomputed from records.
 pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
     let mut sources = of_solution(kit, lab)?;
     for path in programs::files(kit, lab)? {

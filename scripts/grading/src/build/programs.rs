@@ -1,4 +1,4 @@
-//! The package beside a submission: its answering, judging and timed programs.
+//! The package that is built beside a submission: the answering, judging and timed programs.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ pub(super) struct Programs {
 /// Names of the programs of a submission.
 pub(super) const NAMES: [&str; 2] = [asking::ANSWER, timing::PROGRAM];
 
-/// Packages that a lab's tests need and its questions do not.
+/// Packages that a lab's tests need but its questions do not.
 const ONLY_TESTS: [&str; 1] = ["insta"];
 
 impl Programs {
@@ -50,7 +50,7 @@ impl Programs {
 
     /// Puts empty programs into `package`.
     ///
-    /// A submission that is being compiled then cannot include the real ones.
+    /// A submission therefore cannot include the real programs while it is compiled.
     pub(super) fn hide(&self, package: &Path) -> Result<()> {
         if package.exists() {
             fs::remove_dir_all(package)?;
@@ -79,7 +79,8 @@ fn questions(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     Ok(sources)
 }
 
-/// Writes the module that runs an order: the lab's program of that name, or the serial program.
+/// Writes the module that carries out an order. It runs the lab's program that the order names, or
+/// the serial program.
 fn scene(lab: Lab, rubric: &Facts) -> String {
     let mut modules = String::new();
     let mut run = String::from("None");
@@ -119,7 +120,7 @@ fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
 
 /// Returns the paths of the programs' sources in the kit.
 ///
-/// They are the questions, the right tables, the oracle and the timed program.
+/// They are the questions, the snapshots, the oracle and the timed program.
 pub(super) fn files(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     let mut files = questions(kit, lab)?;
     files.extend(kit.snapshots(lab)?);

@@ -28,8 +28,8 @@ use lab_kit::{Kit, Lab, Workers};
 
 /// Grades the submissions of a lab and writes their records into `into`.
 ///
-/// A record is written completely or not at all, so a grading that was killed continues where it
-/// stopped. If every submission is judged and timed, nothing is built.
+/// A record is written completely or not at all, so a grading run that was interrupted can resume
+/// where it stopped. If every submission has already been judged and timed, nothing is built.
 pub(crate) fn grade(
     kit: &Kit,
     lab: Lab,
@@ -45,7 +45,7 @@ pub(crate) fn grade(
     let sandbox = &Sandbox::find(kit, options.trusted, limits)?;
     room::make_for_records(into)?;
     let grader = Grader::new(kit, lab, options, sandbox, into)?;
-    // A mistake in `class.toml` is better reported before grading than after it.
+    // Report a mistake in `class.toml` before grading, not after it.
     ClassFile::read(into, &grader.rubric)?;
     let left = Left::of(&grader, submissions, into, options);
     if options.seed.is_some() && left.open.iter().any(|(name, _)| !record_of(into, name).exists()) {

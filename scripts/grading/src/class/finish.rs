@@ -1,4 +1,5 @@
-//! Finishes a class whose tasks are judged: takes times, computes points and writes pages.
+//! Finishes a class after its tasks have been judged: takes times, computes points and writes
+//! pages.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -21,7 +22,7 @@ use lab_kit::escape::line;
 
 /// Times one submission after another. Returns whether all could be timed.
 ///
-/// `programs` has the programs of submissions that were judged just now. The programs of other
+/// `programs` contains the programs of submissions that were judged just now. The programs of other
 /// submissions are built again in `tree`.
 pub(crate) fn time(
     grader: &Grader<'_>,
@@ -38,7 +39,7 @@ pub(crate) fn time(
         let program = programs.remove(name);
         let taken = time_one(grader, reference, tree, path, program, &mut record.found);
         if taken.is_err() {
-            // The next grading times this submission again.
+            // The next grading run times this submission again.
             record.found.timed = false;
             record.found.runs.clear();
             all = false;
@@ -124,7 +125,8 @@ fn print_submissions(
     Ok(ended)
 }
 
-/// Prints the deadline, and the submissions whose students could have set their hand-in times.
+/// Prints the deadline, and the submissions whose hand-in times the students could have set
+/// themselves.
 fn print_about_times(class: &ClassFile, submissions: &[Named]) {
     if let Some(deadline) = class.deadline() {
         println!("The deadline was {}.", line(&deadline));
@@ -144,7 +146,7 @@ fn print_about_times(class: &ClassFile, submissions: &[Named]) {
     }
 }
 
-/// Builds the programs of a submission that was graded before.
+/// Builds the programs of a submission that was graded in an earlier run.
 fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<TempDir> {
     let submission = grader.take(path)?;
     let built = tree.build(grader.sandbox, &submission.files)?;

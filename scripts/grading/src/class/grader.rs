@@ -79,7 +79,7 @@ impl<'a> Grader<'a> {
         cut(&self.shown(&format!("{error:#}"), path), MESSAGE_LENGTH)
     }
 
-    /// Removes the names of this machine's folders from a text, because students read it.
+    /// Removes the names of this machine's folders from a text that students will read.
     fn shown(&self, text: &str, path: &Path) -> String {
         let class = path.parent().unwrap_or(path);
         let own = self.sandbox.folders().into_iter().chain([self.kit.root(), class]);
@@ -113,7 +113,7 @@ impl<'a> Grader<'a> {
     /// Grades a submission without timing it. Returns its record, and its programs if they were
     /// built.
     ///
-    /// Every failure is written into the record, so the other submissions are graded nevertheless.
+    /// Every failure is written into the record, so the other submissions are still graded.
     pub(crate) fn grade(
         &self,
         tree: &Tree,
@@ -202,7 +202,7 @@ impl<'a> Grader<'a> {
     }
 }
 
-/// The solution's programs, and the questions that it has answered.
+/// The solution's programs, and the questions that the solution has answered.
 pub(crate) struct Reference {
     pub(crate) programs: TempDir,
     /// The lab's questions; `None` if no answers are judged.

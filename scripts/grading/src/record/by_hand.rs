@@ -18,17 +18,18 @@ pub(crate) struct Decision {
     pub(crate) student: String,
     /// A task or a measure; `None` for the whole submission.
     pub(crate) task: Option<String>,
-    /// Points that replace the grader's; `None` if the decision is only a comment.
+    /// Points that replace the grader's points; `None` if the decision is only a comment.
     pub(crate) points: Option<f64>,
-    /// Days late, which replace the days that the clock gives.
+    /// Number of days late, which replaces the number that the grader computes from the hand-in
+    /// time.
     #[serde(default, skip_serializing)]
     pub(crate) days: Option<u32>,
     /// Reason that the student reads.
     pub(crate) reason: String,
 }
 
-/// Largest number of points of a submission. Labs are worth about a hundred, so a larger number is
-/// a mistake.
+/// Largest number of points that a person can give a submission. Labs are worth about a hundred, so
+/// a larger number is a mistake.
 const MOST: f64 = 1000.0;
 
 impl Decision {
@@ -76,7 +77,7 @@ pub(crate) struct Lateness {
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Attempt {
-    /// The submission counts, if it has a mark.
+    /// The submission counts if it has a mark.
     #[default]
     Counts,
     /// Another submission of the student counts.
@@ -108,7 +109,7 @@ impl Record {
         !nothing || self.decided(None).any(|decision| decision.points.is_some())
     }
 
-    /// Whether the submission has a mark, and this mark is the student's.
+    /// Whether the submission has a mark that becomes the student's mark.
     pub(crate) fn counts(&self) -> bool {
         self.has_mark() && self.marked.attempt == Attempt::Counts
     }

@@ -19,7 +19,7 @@ use lab_kit::files::{read_bytes, write_file};
 pub(crate) use by_hand::{Attempt, Decision, Lateness};
 pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 
-/// Number of the format of records. A record with another number is refused.
+/// Number of the format of records. A record with a different number is refused.
 pub(crate) const FORMAT: u8 = 1;
 
 /// Record of one graded submission. Its JSON file has the fields of all parts in one object.
@@ -29,16 +29,17 @@ pub(crate) struct Record {
     /// Findings of the grading, which are final.
     #[serde(flatten)]
     pub(crate) found: Findings,
-    /// Results of the tasks, with their points. They are sorted by number when points are computed.
+    /// Results of the tasks, with their points. They are sorted by task number when points are
+    /// computed.
     pub(crate) tasks: Vec<Task>,
-    /// Marks, which are computed from the other parts, and can be computed again.
+    /// Marks, which are computed from the other parts and can be recomputed.
     #[serde(flatten)]
     pub(crate) marked: Marked,
 }
 
 /// Findings about a submission: its files, the settings of its grading, and its times.
 ///
-/// They are written only when the submission is asked and timed.
+/// They are written only when the submission is judged and timed.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub(crate) struct Findings {
@@ -52,13 +53,13 @@ pub(crate) struct Findings {
     pub(crate) status: Status,
     /// Reason why grading stopped, such as a compiler error; empty if it did not stop.
     pub(crate) message: String,
-    /// SHA-256 of all accepted sources, with their paths.
+    /// SHA-256 of all accepted sources and their paths.
     pub(crate) hash: String,
     /// SHA-256 of each accepted source, by its path below the lab's folder.
     pub(crate) files: BTreeMap<String, String>,
     /// Files that were not accepted, with the reasons.
     pub(crate) left_out: Vec<LeftOut>,
-    /// Given files that the student changed. The kit's own versions were compiled.
+    /// Provided files that the student changed. The kit's versions were compiled instead.
     pub(crate) changed: Vec<String>,
     /// SHA-256 of the grader's files: questions, snapshots, oracle, solution.
     pub(crate) grader: String,
@@ -72,7 +73,8 @@ pub(crate) struct Findings {
     pub(crate) sandboxed: bool,
     /// Whether the submission was to be timed.
     pub(crate) timed: bool,
-    /// Timed runs, unchanged. Measures are computed from them and can be computed again.
+    /// Timed runs, exactly as they were measured. Measures are computed from the runs and can be
+    /// recomputed.
     pub(crate) runs: Vec<Run>,
 }
 
@@ -84,7 +86,7 @@ pub(crate) struct Findings {
 pub(crate) struct Marked {
     /// Measures of the times, with their grades.
     pub(crate) measures: Vec<Measure>,
-    /// Time of the hand-in, from the file.
+    /// Time of the hand-in: the modification time of the submitted file.
     pub(crate) handed_in: Option<Timestamp>,
     /// Lateness; `None` if the submission was in time.
     pub(crate) late: Option<Lateness>,
@@ -114,7 +116,7 @@ pub(crate) enum Status {
     Refused,
     /// The submission does not compile.
     NotBuilt,
-    /// The grader failed. The next grading tries again.
+    /// The grader failed. The next grading run tries again.
     Failed,
     /// The tasks were judged.
     #[default]
@@ -157,7 +159,7 @@ impl Task {
     }
 }
 
-/// Parses a task's number, for sorting; `None` if it is not a number of a task.
+/// Parses a task's number, for sorting; `None` if the text is not the number of a task.
 pub(crate) fn number(id: &str) -> Option<lab_kit::answers::Task> {
     id.parse::<RegionId>().ok().map(|id| id.task)
 }
@@ -167,7 +169,7 @@ pub(crate) fn read(path: &Path) -> Result<Record> {
     let record: Record = serde_json::from_slice(&read_bytes(path)?)
         .with_context(|| format!("{} is no record", path.display()))?;
     ensure!(record.found.format == FORMAT, "{} is a record of another form", path.display());
-    // The record is written under its name, which could be a path to any place.
+    // The record is written under its own name, which could otherwise be a path to any folder.
     let own = path.file_name().is_some_and(|name| *name == *format!("{}.json", record.found.name));
     ensure!(
         own,
@@ -189,12 +191,12 @@ pub(crate) fn read_all(folder: &Path) -> Result<Vec<Record>> {
 /// Checks that records of a lab can be written into a folder.
 ///
 /// # Errors
-/// If the folder has records of another lab.
+/// If the folder contains records of a different lab.
 pub(crate) fn expect_lab(folder: &Path, lab: Lab) -> Result<()> {
     if !folder.is_dir() {
         return Ok(());
     }
-    // Records of another format are skipped, because they are graded again.
+    // Records of a different format are skipped, because their submissions are graded again.
     for record in files(folder)?.iter().filter_map(|path| read(path).ok()) {
         let folder = folder.display();
         let other = record.found.lab;
@@ -239,8 +241,8 @@ impl Record {
         shown
     }
 
-    /// Returns the points that the tasks are worth, plus the points of the measures that are
-    /// `among`.
+    /// Returns the points that the tasks are worth, plus the points of the measures that `among`
+    /// accepts.
     pub(crate) fn worth(&self, among: impl Fn(&Measure) -> bool) -> f64 {
         let measures = self.marked.measures.iter().filter(|measure| among(measure));
         let measures: f64 = measures.map(|measure| measure.out_of).sum();
@@ -257,7 +259,8 @@ impl Record {
     }
 }
 
-/// Returns the points that a class is marked out of. Timed measures without a grade are included.
+/// Returns the maximum number of points in a class. The points of timed measures without a grade
+/// are included.
 pub(crate) fn scale(records: &[Record]) -> f64 {
     let mut most: f64 = 0.0;
     for record in records {
@@ -286,7 +289,7 @@ impl Record {
         record
     }
 
-    /// Returns Ada's record with a speed measure worth 25 points. She has 0 of them.
+    /// Returns Ada's record with a speed measure worth 25 points, of which she has 0.
     pub(crate) fn sample_of_speed(verdict: Verdict) -> Self {
         let mut record = Self::sample();
         record.marked.measures.push(Measure {

@@ -16,8 +16,8 @@ pub(crate) struct Run {
     pub(crate) n: usize,
     /// Number of workers: threads or ranks.
     pub(crate) workers: usize,
-    /// Number of time steps; with 0, the run shows the time for making a scene and sending the
-    /// result.
+    /// Number of time steps. A run with 0 steps measures the time for making a scene and sending
+    /// the result.
     pub(crate) steps: u64,
     /// Seconds of each take.
     pub(crate) seconds: Vec<f64>,
@@ -58,7 +58,7 @@ impl Run {
 pub(crate) enum Outcome {
     /// Every take had the right result.
     Timed,
-    /// A take exceeded its time limit, which is the last of `seconds`.
+    /// A take exceeded its time limit. The last of `seconds` is this limit.
     TooSlow,
     /// A take had no result or a wrong result.
     Wrong,
@@ -76,7 +76,7 @@ pub(crate) enum Whose {
     Serial,
 }
 
-/// The grade of a measure of times.
+/// The grade of a measure that is computed from times.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Measure {
     /// Kind of the measure.
@@ -104,7 +104,7 @@ pub(crate) enum Kind {
     Complexity,
     /// Speedup with more workers.
     Scaling,
-    /// Time relative to the solution's.
+    /// Time relative to the solution's time.
     Speed,
 }
 

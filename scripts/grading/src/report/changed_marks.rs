@@ -6,9 +6,10 @@ use super::{Words, letter, points};
 use crate::record::Record;
 use lab_kit::escape::line;
 
-/// Describes the differences; `None` if nothing that matters changed.
+/// Describes the differences between two records; `None` if no mark and no result of a task
+/// changed.
 ///
-/// The description has the points before and after, and the changed lines of the letter.
+/// The description contains the points before and after, and the changed lines of the letter.
 pub(crate) fn changes(before: &Record, after: &Record) -> Option<String> {
     let measures = |record: &Record| -> Vec<_> {
         let all = record.marked.measures.iter();

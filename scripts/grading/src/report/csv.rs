@@ -6,7 +6,8 @@ use super::{points, scale, trouble};
 use crate::record::Record;
 use lab_kit::escape;
 
-/// Most characters of a mistake that fit beside the points of a class. The letter has all of it.
+/// Maximum number of characters that the table shows of a mistake. The letter contains the whole
+/// message.
 const LONGEST_TROUBLE: usize = 200;
 
 /// Writes the table: names, totals, points of each task and measure, and the first mistake.

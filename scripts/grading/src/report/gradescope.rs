@@ -69,7 +69,7 @@ mod tests {
         object.as_object().unwrap().keys()
     }
 
-    /// Returns the text above the tests, and the points of each test with their maximum.
+    /// Returns the text above the tests, and the points and the maximum points of each test.
     fn check(record: &Record) -> (String, Vec<[f64; 2]>) {
         let results = results(record, &Words::default());
         assert!(keys(&results).eq(KEYS.split(' ')));

@@ -70,7 +70,7 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     out
 }
 
-/// Formats a path as Markdown code that the path cannot end.
+/// Formats a path as Markdown code, so that no character of the path can end the code.
 fn file(path: &str) -> String {
     if path.contains('`') { markdown(path) } else { format!("`{}`", line(path)) }
 }

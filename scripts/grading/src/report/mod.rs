@@ -77,8 +77,8 @@ pub(crate) fn write(
     Ok(())
 }
 
-/// Returns the records as a page shows them. If several have the same name, the submission's name
-/// is added.
+/// Returns the records as a page shows them. If several records have the same name, the names of
+/// the submissions are added.
 fn shown(records: &[Record]) -> Vec<Record> {
     let mut shown: Vec<Record> = records.iter().map(Record::shown).collect();
     let mut many: BTreeMap<String, usize> = BTreeMap::new();

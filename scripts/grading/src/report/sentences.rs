@@ -29,7 +29,8 @@ pub(crate) fn measured(measure: &Measure) -> String {
 
 /// Returns a person's decisions about a task or a measure as sentences.
 ///
-/// Without a task, these are decisions about the whole submission, and its lateness.
+/// Without a task, the sentences are about decisions on the whole submission, and about its
+/// lateness.
 pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
     let mut remarks = Vec::new();
     let late = record.marked.late.as_ref().filter(|_| record.has_mark());

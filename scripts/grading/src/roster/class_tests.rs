@@ -76,7 +76,7 @@ fn canvas_gets_its_own_columns_back() {
     let (records, attendance, marks) = marked(&files, &names);
     assert_eq!(records[0].marked.student.as_deref(), Some("Lovelace, Ada"));
     assert_eq!((attendance.absent, attendance.strangers), (vec!["Hopper, Grace".into()], vec![1]));
-    // 60 of 100 are 30 of 50. The rest of the file is unchanged.
+    // 60 of 100 points become 30 of 50 points. The rest of the file is unchanged.
     let marks = marks.unwrap();
     assert!(marks.contains("\"Lovelace, Ada\",11,S1,ada,One,30,3\n"), "{marks}");
     assert!(marks.contains("\"Hopper, Grace\",12,S2,ghopper,One,,\n"), "{marks}");
@@ -105,7 +105,7 @@ fn moodle_tells_two_of_one_name_apart() {
         marks.contains("Participant 4712,Ada Lovelace,ada2@example.org,,30,\"50,00\""),
         "{marks}"
     );
-    // The name fits both students.
+    // The submission's name fits both students.
     let (_, attendance, _) = marked(&files, &["Ada Lovelace"]);
     assert_eq!(attendance.strangers, [0]);
 }
@@ -243,7 +243,8 @@ fn days_are_those_of_the_calendar_in_the_course_s_zone() {
         let (records, ..) = marked(&[("class.toml", &class_toml), ("t.csv", &times)], &["ada"]);
         records[0].marked.late.as_ref().map_or(0, |late| late.days)
     };
-    // The night before has 25 hours in autumn, and 23 in spring.
+    // Because of clock changes, the day after the deadline has 25 hours in October and 23 hours in
+    // March.
     for (day, next) in [("10-24", "10-25"), ("03-28", "03-29"), ("11-20", "11-21")] {
         let late = format!("deadline = \"2026-{day} 23:59\"\nzone = \"Europe/Berlin\"");
         assert_eq!(days(&late, &format!("2026-{day} 23:59:59")), 0, "{day}");

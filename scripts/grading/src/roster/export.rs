@@ -29,7 +29,7 @@ pub(super) struct HandIn {
 #[derive(Debug)]
 pub(super) struct Member {
     pub(super) name: String,
-    /// E-mail address, number and name, as far as the file has them.
+    /// E-mail address, number and name, as far as the file contains them.
     pub(super) keys: Vec<String>,
 }
 

@@ -10,7 +10,7 @@ use crate::record::{Attempt, Record};
 use crate::submission::names::{bare, composed};
 use lab_kit::escape::line;
 
-/// Rule for the submission that counts if a student has several.
+/// Rule that determines which submission counts if a student has several submissions.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Attempts {
@@ -29,11 +29,13 @@ pub(crate) struct Attendance {
     pub(crate) absent: Vec<String>,
     /// Students with several submissions: name, the submission that counts, and all submissions.
     pub(crate) twice: Vec<(String, Option<usize>, Vec<usize>)>,
-    /// Rule for the submission that counts; `None` if no submission counts without a decision.
+    /// Rule that determines which submission counts; `None` if no submission counts without a
+    /// decision.
     pub(crate) attempts: Option<Attempts>,
     /// Submissions whose student is not in the roster.
     pub(crate) strangers: Vec<usize>,
-    /// Submissions with nothing to mark whose students have no other submission that counts.
+    /// Submissions that contain nothing to mark, and whose students have no other submission that
+    /// counts.
     pub(crate) unmarked: Vec<usize>,
 }
 
@@ -72,7 +74,7 @@ impl Attendance {
         all.into_iter().filter(|(_, who)| !who.is_empty()).collect()
     }
 
-    /// Prints these matters on stdout.
+    /// Prints the matters for the instructor to stdout.
     pub(crate) fn say(&self, records: &[Record]) {
         for (what, who) in self.words(records) {
             println!("{what}: {}", line(&who.join("; ")));
@@ -107,8 +109,8 @@ pub(super) struct Join<'a> {
 }
 
 impl<'a> Join<'a> {
-    /// Joins submissions and students by name, number or e-mail address. Entries of `names` have
-    /// priority over Gradescope's export.
+    /// Joins submissions and students by name, number or e-mail address. Entries of `names` take
+    /// precedence over Gradescope's export.
     pub(super) fn new(
         roster: Option<&'a Roster>,
         names: &BTreeMap<String, Members>,
@@ -158,13 +160,14 @@ impl<'a> Join<'a> {
         })
     }
 
-    /// Returns the names of a submission's students; `None` if no student of the roster has it.
+    /// Returns the names of a submission's students; `None` if no student of the roster handed it
+    /// in.
     pub(super) fn student(&self, submission: usize) -> Option<String> {
         let names = self.whose[submission].iter().map(|at| self.students[*at].name.as_str());
         Some(names.collect::<Vec<_>>().join(" and ")).filter(|names| !names.is_empty())
     }
 
-    /// Finds out who handed in, and which of several submissions counts.
+    /// Finds out who handed in a submission, and which of several submissions counts.
     pub(super) fn attendance(&self, attempts: Option<Attempts>, records: &[Record]) -> Attendance {
         let mut all = Attendance { attempts, ..Attendance::default() };
         if self.students.is_empty() {
@@ -225,7 +228,7 @@ impl<'a> Join<'a> {
     }
 }
 
-/// Finds the roster's entry for a student in Gradescope's file.
+/// Finds the roster entry of a student who is listed in Gradescope's file.
 fn the_member(students: &[Student], member: &Member) -> Option<usize> {
     member.keys.iter().find_map(|key| the_one(students, key))
 }
@@ -246,9 +249,9 @@ fn all_named(students: &[Student], name: &str) -> Vec<usize> {
 /// Finds the only student whom a submission's name denotes.
 ///
 /// Platforms join names, numbers and the name of the uploaded file with underscores. If several
-/// students have a name, later parts of the submission's name choose among them. A number that
-/// belongs to a different student is a coincidence. A word that belongs to a different student is a
-/// contradiction, and then no student is found.
+/// students share a name, later parts of the submission's name decide between them. A number that
+/// belongs to a different student is ignored as a coincidence. A word that belongs to a different
+/// student is a contradiction, so no student is found.
 fn by_parts(students: &[Student], name: &str) -> Option<usize> {
     let mut meant: Vec<usize> = Vec::new();
     for part in [name, bare(name)].into_iter().chain(name.split('_').map(bare)) {

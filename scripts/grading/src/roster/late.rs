@@ -21,20 +21,21 @@ use lab_kit::Lab;
 pub(super) struct Late {
     /// Deadline, such as `2026-11-20 23:59`.
     deadline: Moment,
-    /// The course's time zone, such as `Europe/Berlin`; this machine's if it is not given.
+    /// The course's time zone, such as `Europe/Berlin`; this machine's time zone if the entry is
+    /// missing.
     zone: Option<String>,
     /// Minutes after the deadline without a penalty.
     #[serde(default)]
     grace: f64,
     /// Penalty for each day that has begun, in per cent of the points.
     penalty: f64,
-    /// Number of days after which a submission gets no points; unlimited if it is not given.
+    /// Number of days after which a submission gets no points; unlimited if the entry is missing.
     #[serde(default = "no_end")]
     days: u32,
     /// Path of a CSV file with students and hand-in times. Without it, the modification times of
     /// the submitted files count.
     times: Option<PathBuf>,
-    /// Students and times of that file.
+    /// Students and times from the file of times.
     #[serde(skip)]
     listed: Vec<(String, Timestamp)>,
     /// Deadline in the course's time zone.
@@ -77,8 +78,8 @@ impl Late {
         Some(format!("{} ({zone})", due.strftime("%Y-%m-%d %H:%M, UTC%:z")))
     }
 
-    /// Computes the lateness of a hand-in time; `None` if it is in time. `days` replaces the days
-    /// that the clock gives.
+    /// Computes the lateness of a submission from its hand-in time; `None` if it is in time. If
+    /// `days` is given, it is the number of days late.
     pub(super) fn lateness(&self, time: Option<Timestamp>, days: Option<u32>) -> Option<Lateness> {
         let begun = time.zip(self.due.as_ref()).map_or(0, |(time, due)| self.begun(time, due));
         let days = days.unwrap_or(begun);

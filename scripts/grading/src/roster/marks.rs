@@ -8,7 +8,7 @@ use csv::{StringRecord, Writer};
 use super::students::{Form, Roster, column};
 use crate::record::points;
 
-/// Name of Canvas's row with the possible points.
+/// Name of the row in Canvas's file that contains the possible points.
 const POSSIBLE: &str = "Points Possible";
 
 impl Roster {

@@ -1,9 +1,9 @@
 //! `class.toml` in the folder of records: an instructor's information about a class.
 //!
-//! It contains the students ([`students`], joined with submissions by [`join`], written with marks by [`marks`]), the
-//! penalties for lateness ([`late`]), and a person's decisions ([`Decision`]). [`ClassFile::tell`] writes this
-//! information into the records. Points are computed only from the records, so marks can be computed again without
-//! losing this information.
+//! It contains the students ([`students`], joined with submissions by [`join`], written with marks
+//! by [`marks`]), the penalties for lateness ([`late`]), and a person's decisions ([`Decision`]).
+//! [`ClassFile::tell`] writes this information into the records. Points are computed only from the
+//! records, so marks can be recomputed without losing this information.
 
 pub(crate) mod export;
 mod join;
@@ -106,7 +106,8 @@ impl ClassFile {
 
     fn parse(folder: &Path, text: &str, rubric: &Facts) -> Result<Self> {
         let mut class: Self = basic_toml::from_str(text).map_err(|error| {
-            // In a well-formed file, the parser's location of a wrong entry is not reliable.
+            // In a well-formed file, the location that the parser reports for a wrong entry is not
+            // reliable.
             let is_toml = basic_toml::from_str::<serde_json::Value>(text).is_ok();
             let message = error.to_string();
             let end = message.rfind(" at line ").filter(|_| is_toml).unwrap_or(message.len());
@@ -180,13 +181,14 @@ impl ClassFile {
         Ok(self.attendance(records))
     }
 
-    /// Returns the lab's rubric, or the rubric of its core tasks if the class does only these.
+    /// Returns the lab's rubric, or the rubric of its core tasks if the class does only the core
+    /// tasks.
     fn rubric(&self, rubric: &Facts) -> Facts {
         if self.core { rubric.clone().core() } else { rubric.clone() }
     }
 
-    /// Finds out who handed in, from records with points. Writes into each record whether it
-    /// counts.
+    /// Finds out who handed in a submission, from records with points. Writes into each record
+    /// whether its submission counts.
     fn attendance(&self, records: &mut [Record]) -> Attendance {
         let join = Join::new(self.students.as_ref(), &self.names, &self.export, records);
         let attendance = join.attendance(self.attempts, records);

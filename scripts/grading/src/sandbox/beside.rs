@@ -1,4 +1,5 @@
-//! Memory of a sandbox that belongs to no process: files in memory, and unread data in connections.
+//! Memory that a sandbox uses outside its processes: files in memory, and unread data in
+//! connections.
 
 use std::fs;
 use std::os::unix::fs::MetadataExt;
@@ -23,7 +24,7 @@ pub(super) fn held(number: u32) -> u64 {
 fn in_files(number: u32) -> u64 {
     let root = Path::new("/proc").join(number.to_string()).join("root");
     let folders = FOLDERS.iter().map(|folder| (root.join(folder), Path::new("/").join(folder)));
-    // A sandbox that is being made still has the machine's folders.
+    // While a sandbox is being made, it still has the machine's folders.
     let own = folders.filter(|(own, machine)| device(own) != device(machine));
     let disks = own.filter_map(|(own, _)| statvfs(own).ok());
     let bytes = disks.map(|disk| {

@@ -1,10 +1,10 @@
 //! Distinguishes a fault of the machine from a mistake of a submission.
 //!
-//! A full disk or a lack of processes stops a right program in the same way as a mistake. The error
-//! messages of a program prove nothing, because a submission can print the same text. So each run
-//! that a fault could have stopped is followed by a control run, which succeeds on a machine that
-//! works. A failure counts only if it occurs in [`RUNS`] runs and the control succeeds after each
-//! of them. If a control fails, the submission is not graded.
+//! A full disk or a lack of processes stops a correct program in the same way as a mistake does.
+//! The error messages of a program prove nothing, because a submission can print the same text. So
+//! each run that a fault could have stopped is followed by a control run, which succeeds on a
+//! machine that works. A failure counts only if it occurs in [`RUNS`] runs and the control succeeds
+//! after each of them. If a control fails, the submission is not graded.
 
 use std::os::unix::process::ExitStatusExt;
 use std::thread::sleep;
@@ -45,7 +45,8 @@ const SIGNS: [&str; 11] = [
 /// Exit codes of a shell that cannot start a program, and of a sandbox whose program was killed.
 const CODES: [i32; 3] = [126, 127, 137];
 
-/// Calls `once`, and repeats it while its result `is_doubtful`: the machine may have ended the run.
+/// Calls `once`, and repeats the call as long as its result `is_doubtful`. A result is doubtful if
+/// a fault of the machine may have ended the run.
 ///
 /// # Errors
 /// If the control fails, which is a fault of the machine.

@@ -66,7 +66,7 @@ fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
         // `clone`.
         SYS_clone3,
     ];
-    // Refuses a call if the comparison of argument `at`, counted from 0, with the number is true.
+    // Refuses a call if the comparison of its argument `at` (counted from 0) with `number` is true.
     let if_argument = |at, comparison, number| -> Result<_> {
         let condition = SeccompCondition::new(at, SeccompCmpArgLen::Dword, comparison, number)?;
         Ok(vec![SeccompRule::new(vec![condition])?])
@@ -91,7 +91,7 @@ fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
     Ok(filter.try_into()?)
 }
 
-/// Writes no filter, because only Linux has them.
+/// Writes no filter, because only Linux has such filters.
 #[cfg(not(target_os = "linux"))]
 pub(super) fn write(_folder: &Path, _loopback: bool) -> Result<Option<PathBuf>> {
     Ok(None)

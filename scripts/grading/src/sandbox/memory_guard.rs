@@ -97,7 +97,7 @@ fn held(all: &BTreeMap<u32, Process>, root: u32) -> u64 {
     bytes + youngest.map_or(0, beside::held)
 }
 
-/// Returns an amount of the machine's memory in bytes: `MemTotal:` or `MemAvailable:`.
+/// Returns the machine's total (`MemTotal:`) or available (`MemAvailable:`) memory in bytes.
 fn memory(which: &str) -> Option<u64> {
     let text = fs::read_to_string("/proc/meminfo").ok()?;
     let line = text.lines().find_map(|line| line.strip_prefix(which))?;
@@ -127,8 +127,8 @@ mod tests {
         let mut child = command.spawn().unwrap();
         let own = std::process::id();
         let number = child.id();
-        // The child of another test may hold equally little memory, so only this child is passed
-        // on.
+        // The child processes of other tests must survive, so only this test's child and that
+        // child's own children are checked.
         let offered = || {
             let mut all = all();
             all.retain(|it, process| *it == number || process.parent == number);
@@ -136,8 +136,8 @@ mod tests {
         };
         end_the_greedy(&offered(), own, u64::MAX);
         assert!(child.try_wait().unwrap().is_none(), "it holds little");
-        // A process that has just started may hold no counted memory yet, so several checks are
-        // needed.
+        // The system may not report any memory of a process that has just started, so several
+        // checks are needed.
         for _ in 0..50 {
             end_the_greedy(&offered(), own, 0);
             thread::sleep(GLANCE / 10);

@@ -106,7 +106,7 @@ const ENVIRONMENT: [(&str, &str); 8] = [
     // The component `x86` would query each processor by moving there, but no program may change its
     // processors.
     ("HWLOC_COMPONENTS", "-x86"),
-    // Reading another rank's memory needs a right that no rank has here.
+    // Reading another rank's memory requires a permission that no rank has in the sandbox.
     ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),
 ];
 
@@ -236,7 +236,7 @@ impl Sandbox {
     }
 
     /// Returns a command that runs the program `name` in `folder`. If the program may write the
-    /// file `written`, its path is the first argument.
+    /// file `written`, the file's path is the first argument.
     pub(crate) fn program(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
         let mut command = Command::new(folder.join(name));
         if self.as_nobody {
@@ -259,8 +259,9 @@ impl Sandbox {
     /// Returns a command that starts the sandbox, with `folder` as `/kit`. The caller appends a
     /// program and its arguments. The program may write only the file `written`.
     fn inside(&self, folder: &Path, written: Option<&Path>) -> Command {
-        // Processes are counted by user. The limit is set inside the sandbox, so that only its own
-        // processes count. Otherwise one fork bomb would keep every other submission from starting.
+        // The system counts processes by user. The limit is set inside the sandbox, so that only
+        // the sandbox's own processes count. Otherwise one fork bomb would keep every other
+        // submission from starting.
         let mut command = if getuid().is_root() {
             let mut command = launcher("setpriv");
             command.args(["--reuid", NOBODY, "--regid", NOBODY, "--clear-groups", SHELL]);
@@ -295,8 +296,8 @@ impl Sandbox {
 
 /// Returns a command that makes the sandbox.
 ///
-/// Code inside could read the environment of this command, in which a shell also puts its folder.
-/// So the environment contains only `PATH`.
+/// Code inside the sandbox could read the environment of this command, to which a shell also adds
+/// its current folder. Therefore the environment contains only `PATH`.
 fn launcher(program: &str) -> Command {
     let mut command = Command::new(program);
     command.env_clear().current_dir("/");

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-/// Clock ticks in a second, in the files of `/proc`.
+/// Clock ticks per second in the times that the files of `/proc` contain.
 const TICKS: f64 = 100.0;
 
 /// Bytes that a socket buffers by default: Linux's `net.core.wmem_default`.

@@ -1,5 +1,5 @@
-//! Temporary folders that are removed when grading ends. If grading is killed, the next grading
-//! removes them.
+//! Temporary folders that are removed when grading ends. If a grading run is killed, the next run
+//! removes its folders.
 //!
 //! All these folders are in one folder, which is locked. The system releases a lock when its
 //! process ends, for whatever reason. So a folder that can be locked belongs to no running process,
@@ -41,7 +41,7 @@ impl Scratch {
         self.folder.path()
     }
 
-    /// Makes a folder inside it that every user can read.
+    /// Makes a folder that every user can read, inside this folder.
     pub(crate) fn folder(&self) -> Result<TempDir> {
         let unmade = || format!("cannot make a folder in {}", self.folder.path().display());
         let folder = tempfile::tempdir_in(self.folder.path()).with_context(unmade)?;
@@ -50,8 +50,8 @@ impl Scratch {
     }
 }
 
-/// Removes folders in `parent` that killed gradings of this user left. A folder that cannot be
-/// removed does not prevent grading.
+/// Removes folders in `parent` that killed grading runs of this user left behind. A folder that
+/// cannot be removed does not prevent grading.
 fn remove_left(parent: &Path) {
     for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
         let path = entry.path();

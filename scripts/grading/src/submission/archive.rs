@@ -72,7 +72,7 @@ pub(super) fn head(file: impl Read) -> io::Result<Vec<u8>> {
 
 /// Unpacks an archive: a zip or a tar, or either of them compressed by gzip, bzip2 or xz.
 ///
-/// If it contains no lab but a single other archive, this one is unpacked.
+/// If the archive contains no lab but a single other archive, that inner archive is unpacked.
 pub(crate) fn unpack(packed: impl Read) -> Result<HandedIn> {
     let outer = unpack_layers(packed)?;
     match &outer.archives[..] {

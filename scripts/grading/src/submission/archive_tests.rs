@@ -29,7 +29,7 @@ fn taken((name, bytes): &Archive) -> Result<Submission> {
     take(&Kit::find().unwrap(), "1".parse().unwrap(), &given(), &path)
 }
 
-/// Returns the given files of a lab with one file.
+/// Returns the description of a lab with one file that has a task.
 fn given() -> Given {
     Given { tasks: ["src/lib.rs".to_owned()].into(), ..Given::default() }
 }
@@ -92,7 +92,7 @@ fn renamed(name: &[u8; 2]) -> Vec<u8> {
     bytes
 }
 
-/// Makes a tar with one entry, whose header `header` can change freely.
+/// Makes a tar with one entry. The function `header` can change the entry's header freely.
 fn tar_of(header: impl FnOnce(&mut tar::Header), bytes: &[u8]) -> Vec<u8> {
     let mut of_one = tar::Header::new_gnu();
     of_one.set_path("labs/lab1/src/lib.rs").unwrap();

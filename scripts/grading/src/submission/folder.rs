@@ -1,4 +1,4 @@
-//! Reads submissions. They are foreign data, so they are read into memory and never unpacked to a
+//! Reads submissions. They are untrusted data, so they are read into memory and never unpacked to a
 //! disk.
 
 use std::fs::{self, File};

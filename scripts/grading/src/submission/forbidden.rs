@@ -26,16 +26,16 @@ pub(crate) fn find(sources: &Sources) -> Option<String> {
     })
 }
 
-/// Returns the first forbidden code of a file, and its line from 1.
+/// Returns the first forbidden code of a file, and its line number, counted from 1.
 fn find_in(source: &str) -> Option<(&'static str, usize)> {
     match TokenStream::from_str(source) {
         Ok(tokens) => in_tokens(tokens),
-        // The compiler may accept what this library does not, so every mention counts.
+        // The compiler may accept sources that this library does not, so every mention counts.
         Err(_) => in_text(source),
     }
 }
 
-/// Searches tokens, without recursion: a file may nest brackets deeply to exhaust the stack.
+/// Searches tokens without recursion, because a file may nest brackets deeply to exhaust the stack.
 fn in_tokens(tokens: TokenStream) -> Option<(&'static str, usize)> {
     let mut open = vec![tokens.into_iter()];
     let mut after_unsafe = false;

@@ -99,16 +99,16 @@ impl HandedIn {
     }
 }
 
-/// Part of a submission that is graded.
+/// The part of a submission that the grader uses.
 #[derive(Default)]
 pub(crate) struct Submission {
     /// Sources by path below the lab's folder; empty if there is no file with a task.
     ///
-    /// They include the kit's given files.
+    /// The sources include the kit's provided files.
     pub(crate) files: Sources,
     /// Files that are left out.
     pub(crate) left_out: Vec<LeftOut>,
-    /// Given files that the student changed.
+    /// Provided files that the student changed.
     pub(crate) changed: Vec<String>,
 }
 
@@ -224,7 +224,8 @@ pub(crate) fn holds(kit: &Kit, lab: Lab, path: &Path) -> Result<bool> {
     Ok(read(path)?.labs.contains_key(&lab))
 }
 
-/// Returns the message about a submission that has no file with a task. It names a similar file.
+/// Returns the message about a submission that has no file with a task. The message names a similar
+/// file if there is one.
 pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
     let other = left_out
         .iter()
@@ -244,8 +245,8 @@ fn is_similar(lab: Lab, left: &LeftOut) -> bool {
     leads || left.reason.starts_with(MISPLACED)
 }
 
-/// Whether the path leads to the kit's own solutions. A link to them does not count, because it may
-/// be in a class.
+/// Whether the path leads to the kit's own solutions. A link to them does not count, because the
+/// link may be a student's submission.
 fn own_solutions(kit: &Kit, path: &Path) -> bool {
     let solutions = kit.path("solutions").canonicalize().ok();
     !path.is_symlink() && solutions.is_some() && path.canonicalize().ok() == solutions

@@ -35,10 +35,11 @@ pub(crate) fn difference(right: &[f64], given: &[f64], stray: f64) -> Option<Str
     })
 }
 
-/// Whether a program that should sum like the solution has the serial program's last digits
-/// instead.
+/// Whether a program has exactly the serial program's result, although the solution's result
+/// differs.
 ///
-/// Then it is the serial program, or a parallel program of another lab that sums in the same order.
+/// If so, it is the serial program, or a parallel program of a different lab that sums in the
+/// serial order.
 pub(crate) fn is_another(own: &[f64], serial: &[f64], solution: &[f64]) -> bool {
     let same =
         |a: &[f64], b: &[f64]| a.iter().map(|x| x.to_bits()).eq(b.iter().map(|x| x.to_bits()));

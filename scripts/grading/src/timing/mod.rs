@@ -54,7 +54,7 @@ pub(crate) fn time(
     let mut runs = plan(rubric, findings.seed, lab_kit::machine::cores());
     let start = Instant::now();
     (findings.timed, findings.runs) = (true, Vec::new());
-    // The scene is random: no program has seen it before, and no letter names its seed.
+    // The scene is random, so no program has seen it before. No letter contains its seed.
     let mut random = Random::new(RandomState::new().hash_one(()));
     for round in 0..MOST {
         one_round(sandbox, folders, &mut runs, round, scene(&mut random))?;
@@ -72,7 +72,7 @@ fn scene(random: &mut Random) -> u32 {
     random.bits() as u32 | 1
 }
 
-/// Whether every measure is graded that can be graded on a machine with this many cores.
+/// Whether every measure that can be graded on a machine with this many cores is graded.
 pub(crate) fn is_done_on(cores: usize, findings: &Findings, rubric: &Facts) -> bool {
     // On a machine with one core, scaling is never graded.
     let cannot_scale = cores == 1;

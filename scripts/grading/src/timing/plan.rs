@@ -5,7 +5,7 @@ use lab_kit::machine::doubled_up_to;
 use lab_kit::{Facts, Workers};
 use oracle::Random;
 
-/// Name of the best serial program, which is lab 2's.
+/// Name of the best serial program, which is a program of lab 2.
 pub(crate) const SERIAL: &str = "sorted";
 
 /// Returns the seven sizes of a complexity measure, each twice the previous size, up to `most`.
@@ -114,7 +114,8 @@ mod tests {
         }
         let count = jobs.len();
         let own = jobs.iter().filter(|job| job.whose == Whose::Own).count();
-        // 7 sizes; 2 and 3 workers on all particles and on a third each.
+        // There are 7 sizes for complexity. For scaling, 2 workers and 3 workers each run on the
+        // full scene and on a scene that grows with their number.
         assert!(own == 7 + 4 && count < 40, "{own} of {count}");
     }
 

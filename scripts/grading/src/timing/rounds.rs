@@ -24,7 +24,7 @@ struct Right {
     taken: Taken,
 }
 
-/// Runs every program once, forwards or backwards in the list, and compares the states.
+/// Runs every program once, in the order of the list or in reverse, and compares the states.
 pub(crate) fn one_round(
     sandbox: &Sandbox,
     (own, solution): (&Path, &Path),

@@ -15,7 +15,7 @@ use lab_kit::{Kit, Lab, wrong};
 pub(super) struct Line {
     /// File, by its path below the lab's folder.
     pub(super) path: String,
-    /// Number of the line, from 0.
+    /// Number of the line, counted from 0.
     pub(super) at: usize,
     /// Line without its indent.
     pub(super) text: String,
@@ -31,11 +31,11 @@ pub(super) struct Change {
     pub(super) line: Line,
     /// New text; empty if the line is removed.
     pub(super) new: String,
-    /// Description of the mistake, if it is a known one.
+    /// Description of the mistake; `None` if the change is not a known mistake.
     pub(super) story: Option<String>,
 }
 
-/// Operators and calls that a mutation replaces.
+/// Operators and calls that a mutation replaces, each with its replacement.
 const SWAPS: [(&str, &str); 12] = [
     (" < ", " <= "),
     (" <= ", " < "),

@@ -1,8 +1,8 @@
 //! `cargo lab viva`: writes a sheet of oral questions about each student's own program.
 //!
-//! Some questions show the program with one line changed ([`changes`]). Others are about its lines
-//! as they run ([`trace`]). Every key comes from a run: of the changed program on the lab's tests,
-//! or of the program with probes.
+//! Some questions show the program with one line changed ([`changes`]). Others ask how its lines
+//! run ([`trace`]). Every key comes from a run of the changed program on the lab's tests, or from a
+//! run of the program with probes.
 
 mod changes;
 mod sheet;
@@ -147,7 +147,8 @@ impl Examiner<'_> {
             tries += 1;
             let mut changed = sources.clone();
             change.apply(&mut changed);
-            // A change shows in the tests of its task. Questions about all tasks would take longer.
+            // The tests of a line's task are enough to reveal a change. Running the tests of all
+            // tasks would take longer.
             let task = change.line.task.map(|task| task.to_string());
             let tasks = task.as_ref().map_or(tasks.clone(), |task| vec![task]);
             let Ok(failures) = self.failures(&changed, &tasks, seed)? else { continue };
@@ -199,7 +200,7 @@ impl Examiner<'_> {
         }
         let mut probed = sources.clone();
         probe(&mut probed, lines);
-        // A line that cannot have a probe stops the build. The sheet then has other questions.
+        // If a line cannot have a probe, the build fails. The sheet then has other questions.
         let Ok(folder) = self.tree.build_some(&self.sandbox, &probed, &[PROGRAM])? else {
             return Ok(());
         };

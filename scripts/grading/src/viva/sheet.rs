@@ -11,8 +11,8 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    /// Adds a question about a line. The sheet shows the function around it, with `new` in its
-    /// place.
+    /// Adds a question about a line. The sheet shows the function that contains the line, with
+    /// `new` in place of the line.
     pub(super) fn ask(
         &mut self,
         sources: &Sources,
@@ -42,8 +42,8 @@ impl Sheet {
     }
 }
 
-/// Returns the function around a line as a diff, with `new` instead of the line. If `new` is the
-/// line itself, an arrow marks it.
+/// Returns the function that contains a line as a diff, with `new` instead of the line. If `new` is
+/// the line itself, an arrow marks it.
 fn function(sources: &Sources, line: &Line, new: &str) -> String {
     let text = String::from_utf8_lossy(sources.get(&line.path).map_or(&[], Vec::as_slice));
     let lines: Vec<&str> = text.lines().collect();

@@ -19,8 +19,8 @@ const PAUSE: u128 = 1_000_000;
 
 /// Number of times that a line's probe waits.
 ///
-/// An inner loop runs a line ten thousand times. If each time took a millisecond, a trace would
-/// take minutes.
+/// An inner loop runs a line ten thousand times. If the probe waited a millisecond each time, a
+/// trace would take minutes.
 const PAUSES: u32 = 10;
 
 /// Number of particles of a traced run.
@@ -35,7 +35,7 @@ const LIMIT: Duration = Duration::from_secs(60);
 pub(super) struct Trace {
     /// Number of executions of each line.
     pub(super) counts: BTreeMap<usize, usize>,
-    /// For each line, the lines that other workers began while one worker was at it.
+    /// For each line, the lines that other workers began while one worker was running this line.
     pub(super) together: BTreeMap<usize, BTreeSet<usize>>,
 }
 

@@ -1,7 +1,7 @@
 //! Cheats, and their expected results.
 //!
-//! Every cheat is the solution with an addition. So a cheat without full marks lost marks because
-//! of its addition, and a cheat with full marks gained nothing.
+//! Every cheat is the solution with an addition. So if a cheat does not get full marks, it lost
+//! marks because of its addition. If it gets full marks, it gained nothing.
 
 use crate::code::{
     BEFORE_MAIN, DEADLOCK, EARLY_ANSWER, ENDLESS_LOOP, ENDLESS_OUTPUT, EXIT, FORGED, FORK_BOMB,
@@ -59,8 +59,8 @@ fn hides() -> Cheat {
     ("hides".to_owned(), files, Expected::ends(NOT_BUILT, "the grader cannot call it"))
 }
 
-/// Returns the cheat of a student who changes given code. It has no effect, and the page reports
-/// it.
+/// Returns the cheat of a student who changes provided code. The change has no effect, and the page
+/// reports it.
 fn drives() -> Cheat {
     (
         "drives".to_owned(),
@@ -69,7 +69,7 @@ fn drives() -> Cheat {
     )
 }
 
-/// Returns the solution with a given file changed.
+/// Returns the solution with one provided file changed.
 fn changed(lab: u8, path: &str, from: &str, to: &str) -> Files {
     let mut files = with(lab, &[]);
     let text = files.get_mut(path).expect("the lab has it");
@@ -145,7 +145,7 @@ fn takers() -> Vec<Cheat> {
     cheats.map(cheat).into()
 }
 
-/// Returns a cheat whose code would run before `main`. It is not compiled.
+/// Returns a cheat whose code would run before `main`. The grader does not compile it.
 fn early() -> Cheat {
     let files = with(QUICK, &[(TASK, BEFORE_MAIN)]);
     ("constructor".to_owned(), files, Expected::ends(REFUSED, "unsafe("))
@@ -153,7 +153,7 @@ fn early() -> Cheat {
 
 /// Returns programs that answer every question correctly but cheat when they are timed.
 ///
-/// A cheat whose whole program is wrong loses the program's last task.
+/// If the whole program of a cheat is wrong, the cheat loses the points of the program's last task.
 pub(crate) fn timed() -> Vec<Cheat> {
     let cheats: [(&str, &str, &str, &[&str], Times); 9] = [
         ("prints-its-own-time", "3.9", SLOW_AND_BOASTS, &[], Times::Slow(75.0)),

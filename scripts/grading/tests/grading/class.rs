@@ -77,8 +77,8 @@ impl Class {
         class
     }
 
-    /// Makes a class of cheats against the clock, right submissions, an untouched one, and wrong
-    /// ones.
+    /// Makes a class of cheats against the clock, an untouched starter, and right and wrong
+    /// submissions.
     pub(crate) fn mixed() -> Self {
         let mut class = Self::small(TIMED, &[]);
         for (name, files, expected) in cheats::timed().into_iter().chain(cheats::blinders()) {
@@ -91,7 +91,7 @@ impl Class {
         class
     }
 
-    /// Makes a small class: right submissions, an untouched one, and wrong ones.
+    /// Makes a small class of an untouched starter, and right and wrong submissions.
     pub(crate) fn small(lab: u8, wrongs: &[&str]) -> Self {
         let mut class = Self::empty(lab);
         for (name, form) in [("solved", Form::Folder), ("solved-too", Form::Zip)] {

@@ -56,7 +56,7 @@ pub(crate) const MEMORY: &str = r#"
     let mut all = Vec::new();
     loop { all.push(vec![0u8; 256 << 20]); }"#;
 
-/// Adds 5 ms to every timed step, and prints that it took no time.
+/// Adds 5 ms to every timed step, and prints a message that the run took no time.
 pub(crate) const SLOW_AND_BOASTS: &str = r#"
     println!("Simulation Time = 0.000001 seconds for 100000 particles.");
     if std::env::args().count() == 3 {
@@ -104,7 +104,7 @@ pub(crate) const KNOWS_THE_SIZES: &str = r#"
         return;
     }"#;
 
-/// Is right only while a member has few particles.
+/// Is right only as long as each member has few particles.
 pub(crate) const SMALL_MAIL: &str = "if bins.particles().len() > 20_000 { return; }";
 
 pub(crate) const SLOW_UNLESS_TIMED: &str = r#"

@@ -7,7 +7,7 @@ use serde_json::Value;
 /// Expected result of a submission.
 pub(crate) enum Expected {
     /// The submission loses exactly these tasks. The record names the files that were left out, and
-    /// the given files that were changed.
+    /// the provided files that were changed.
     Graded { lost: Vec<String>, left_out: &'static [&'static str], times: Times },
     /// Grading stops before there are marks.
     Ends { status: &'static str, message: String },
@@ -50,7 +50,8 @@ impl Expected {
         Self::Ends { status, message: message.into() }
     }
 
-    /// Describes how a record differs from the expected result; `None` if it does not.
+    /// Describes how a record differs from the expected result; `None` if the record agrees with
+    /// it.
     pub(crate) fn differs(&self, record: &Value) -> Option<&'static str> {
         let holds = |field: &str, text: &str| record[field].to_string().contains(text);
         match self {

@@ -1,4 +1,4 @@
-//! Tests a class that is graded already, and the output during grading.
+//! Tests a class that has already been graded, and the output during grading.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -33,7 +33,7 @@ fn without_compiler(top: &Path) -> String {
 
 /// Returns the parts of a record that must not depend on the inputs.
 ///
-/// The points of a wrong task depend on them, because a wrong task has partial points.
+/// The points of a wrong task depend on the inputs, because a wrong task gets partial points.
 fn marks(record: &Value) -> (&Value, Vec<[&Value; 3]>) {
     let tasks = record["tasks"].as_array().into_iter().flatten();
     let marks = tasks.map(|task| {
@@ -101,7 +101,7 @@ fn a_class_gets_the_same_marks_twice_and_is_then_passed_over_without_a_build() {
     assert_eq!(again(), (true, String::new()));
     assert_eq!(records(&class, &into), before);
 
-    // With `--again` it is graded again.
+    // With `--again`, the submission is graded again.
     let (well, words) = with(&["--no-timing", "--again", "--only", "untouched"]);
     assert!(!well && words.contains("the solution of lab 1 cannot be built"), "{words}");
     assert_eq!(records(&class, &into), before);

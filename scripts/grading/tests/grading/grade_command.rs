@@ -1,4 +1,4 @@
-//! Runs `cargo lab grade` like an instructor.
+//! Runs `cargo lab grade` as an instructor does.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -20,8 +20,8 @@ use crate::solution::kit;
 /// Variable of the grader's environment that an attack looks for.
 const SECRET: (&str, &str) = ("CUTOFF_TEST_SECRET", "31415926");
 
-/// Time limit of a question in seconds. Most questions take less than one, and a submission that
-/// hangs takes all of them.
+/// Time limit of a question in seconds. Most questions take less than a second, but a submission
+/// that hangs takes the whole time.
 const LIMIT: &str = "10";
 
 /// Part of the message on a machine without a sandbox.
@@ -41,7 +41,7 @@ pub(crate) fn compile_what_all_need() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let class = Class::alone(QUICK);
-        // If it fails, the tests report the reason.
+        // If grading fails here, the tests report the reason.
         let _ = grade_as_it_is(&class, &class.temporary().join("records"), TASKS).output();
     });
 }
@@ -86,7 +86,7 @@ pub(crate) fn records(class: &Class, into: &Path) -> BTreeMap<String, Value> {
     names.filter_map(|name| Some((name.clone(), record(into, name)?))).collect()
 }
 
-/// Lists the submissions whose marks differ from the expected ones.
+/// Lists the submissions whose marks differ from the expected marks.
 pub(crate) fn complaints(class: &Class, into: &Path) -> Vec<String> {
     let complaints = class.members.iter().filter_map(|(name, expected)| {
         let Some(record) = record(into, name) else { return Some(format!("{name}: no record")) };

@@ -1,6 +1,7 @@
 //! Tests faults of the machine.
 //!
-//! No submission loses a mark, and the next grading grades the submissions that were not graded.
+//! No submission loses a mark, and the next grading run grades the submissions that were not
+//! graded.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
@@ -11,8 +12,8 @@ use crate::grade_command::{NO_SANDBOX, TASKS, grade, program, record, script};
 
 /// Faults: a phase of grading, and the shell commands that run instead of it.
 ///
-/// The first two builds are the solution's, so a fault affects only later builds, or the questions
-/// after them.
+/// The first two builds are builds of the solution, so a fault affects only later builds, or the
+/// questions after the builds.
 const FAULTS: [(&str, &str); 2] = [
     ("building", "echo 'error: failed to write x: No space left on device' >&2; exit 101"),
     ("asking", "echo '/bin/sh: 1: exec: bwrap: not found' >&2; exit 127"),
@@ -20,8 +21,8 @@ const FAULTS: [(&str, &str); 2] = [
 
 /// Writes a bubblewrap that can fail.
 ///
-/// It fails while its folder has a file `building` or `asking`, and runs the commands in that file
-/// instead.
+/// While its folder contains a file `building` or `asking`, it runs the commands in that file and
+/// fails.
 fn lay(class: &Class) -> std::path::PathBuf {
     let folder = class.temporary().join("bin");
     fs::create_dir_all(&folder).unwrap();
@@ -74,7 +75,7 @@ fn a_fault_of_the_machine_costs_no_marks() {
 #[test]
 fn records_that_cannot_be_written_are_noticed_before_a_build() {
     let class = Class::alone(1);
-    // No user can make a folder there.
+    // No user can make a folder in `/proc`.
     let mut command: Command = grade(&class, "/proc/records".as_ref(), TASKS);
     let output = command.output().unwrap();
     let message = String::from_utf8_lossy(&output.stderr);

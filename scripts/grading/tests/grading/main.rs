@@ -1,6 +1,7 @@
 //! Grades classes as an instructor does: `cargo lab grade CLASS --lab 1`.
 //!
-//! The quick tests grade a class of cheats in lab 1. The whole class, with times, is run by hand:
+//! The quick tests grade a class of cheats in lab 1. The test of the whole class, with times, is
+//! run by hand:
 //!
 //! ```text
 //! cargo test --package lab-grading --test grading -- --ignored --nocapture

@@ -1,4 +1,4 @@
-//! Tests that without a sandbox, foreign code does not run unless the instructor allows it.
+//! Tests that submissions do not run without a sandbox unless the instructor allows it.
 
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -47,7 +47,7 @@ fn without_a_sandbox_it_refuses_unless_the_code_is_trusted() {
     let message = refusal(command(&[]));
     assert!(message.contains("there is no bwrap"), "{message}");
 
-    // This bubblewrap may not make namespaces, as in most containers.
+    // This bubblewrap is not allowed to make namespaces, as in most containers.
     let bwrap = path.join("bwrap");
     script(&bwrap, "echo 'bwrap: No permissions to create new namespace' >&2; exit 1");
     let message = refusal(command(&[]));

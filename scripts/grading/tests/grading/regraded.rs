@@ -57,7 +57,8 @@ fn regrade(kit: &Path, folder: &Path, options: &[&str]) -> [String; 2] {
     message
 }
 
-/// Makes a kit in which the two tasks of lab 1 are worth `points`, and two gradings of lab 1.
+/// Makes a kit in which the two tasks of lab 1 are worth `points`. It contains the records of two
+/// grading runs.
 fn kit_of(points: [u32; 2]) -> (TempDir, Kit) {
     let folder = tempfile::tempdir().unwrap();
     let [first, second] = points;
@@ -133,7 +134,8 @@ fn decisions_and_lateness_survive_a_regrade() {
     assert!(letter.contains("\u{201c}Walls\u{201d} in Lab 1"), "{letter}");
     assert!(read("class.csv").contains("\ngrace,"));
     assert!(read("gradescope/grace.json").contains("\"output_format\": \"md\""));
-    // (20 + 12.5) less a tenth; 50 by hand are 50.
+    // The marks are 20 + 12.5 less a tenth. Points that a person gave have no penalty: 50 remain
+    // 50.
     assert!(marks.contains("\"Lovelace, Ada\",1,ada,A,29.25\n"), "{marks}");
     assert!(marks.contains("\"Hopper, Grace\",2,grace,A,50\n"), "{marks}");
     assert!(marks.contains("\"Turing, Alan\",3,alan,A,\n"), "{marks}");
@@ -154,7 +156,7 @@ fn decisions_and_lateness_survive_a_regrade() {
         "{page}"
     );
 
-    // A submission without a decision has the grader's points again.
+    // Without the decision, the submission has the grader's points again.
     put("class.toml", "");
     regrade(kit(), folder.path(), &[]);
     assert_eq!(serde_json::from_str::<Value>(&read("grace.json")).unwrap()["points"], 20.0);

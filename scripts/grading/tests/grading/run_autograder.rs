@@ -91,7 +91,7 @@ fn graded(hand_in: impl Fn(&Path)) -> Value {
 
 /// Runs the autograder with a bubblewrap that fails; `None` if this machine cannot do that.
 ///
-/// The autograder runs as root of a namespace. Every user finds the compiler there.
+/// The autograder runs as root of a namespace, in which every user can find the compiler.
 fn graded_without_namespaces(hand_in: impl Fn(&Path)) -> Option<Value> {
     let is_root = fs::metadata("/proc/self").is_ok_and(|own| own.uid() == 0);
     let unshare = || Command::new("unshare").args(["--mount", "true"]).status();

@@ -28,7 +28,7 @@ struct Loss {
     error_in_radii: f64,
 }
 
-/// Draws the error of positions and the share of collisions that the rule keeps, against the step.
+/// Plots the error of positions and the share of collisions that the rule keeps against the step.
 fn greedy(file: &Path) -> Result<Sheet> {
     let losses = Losses::deserialize(DataFile::read(file)?.results)?.steps;
     let errors = losses.iter().map(|loss| (loss.way_in_radii, loss.error_in_radii)).collect();
@@ -74,7 +74,8 @@ struct Point {
     efficiency: [f64; 3],
 }
 
-/// Draws the time of a step on one scene, and the efficiency on scenes that grow.
+/// Plots strong and weak scaling against the number of ranks. The charts show the time of a step
+/// for a scene of fixed size, and the efficiency for scenes that grow.
 fn model(file: &Path) -> Result<Sheet> {
     let curves = Curves::deserialize(DataFile::read(file)?.results)?.curves;
     let halo = &curves[1];

@@ -14,7 +14,8 @@ type Figure = (&'static str, fn() -> Result<Chart>);
 pub(super) const CHARTS: [Figure; 3] =
     [("force.svg", force), ("potential.svg", potential), ("energy.svg", time_steps)];
 
-/// Draws how much one neighbour changes a particle's velocity in a step, against the distance.
+/// Plots the change that one neighbour makes to a particle's velocity in a step against the
+/// distance.
 fn force() -> Result<Chart> {
     // Points are evenly spaced on a logarithmic axis, and denser close to the cutoff, where the
     // force ends.
@@ -36,8 +37,8 @@ fn force() -> Result<Chart> {
     .with(Series::new(Kind::Guide, "velocity 1, as fast as most particles are", speed)))
 }
 
-/// Draws the potential of a pair against its distance. Lines show the energies of an average and of
-/// the fastest pair.
+/// Plots the potential of a pair against its distance. Lines show the energies of an average pair
+/// and of the fastest pair.
 fn potential() -> Result<Chart> {
     let points: Vec<(f64, f64)> = (0..=150)
         .map(|k| 0.75 + f64::from(k) * 0.002)
@@ -61,7 +62,7 @@ fn potential() -> Result<Chart> {
 /// Total time of a run.
 const TIME: f64 = 0.15;
 
-/// Draws the energy of a hundred particles against time, for three time steps.
+/// Plots the energy of a hundred particles against time for three time steps.
 fn time_steps() -> Result<Chart> {
     let mut chart = Chart::new(
         "What the time step does to the energy of 100 particles",

@@ -20,7 +20,7 @@ pub(crate) struct Row {
 /// Whether a proof succeeded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Proof {
-    /// The proof succeeded. The text is the result in the table.
+    /// The proof succeeded. The text appears as the result in the table.
     Proven(&'static str),
     /// The proof failed.
     Faulty,

@@ -64,7 +64,8 @@ impl Axis {
         self
     }
 
-    /// Starts a linear axis at this value if the data are above it, as an efficiency starts at 0.
+    /// Starts a linear axis at this value if all data are greater. For example, efficiencies start
+    /// at 0.
     #[must_use]
     pub fn starting_at(mut self, value: f64) -> Self {
         self.from = Some(value);
@@ -159,8 +160,8 @@ impl ValueFormatter<f64> for Fitted {
 
 /// Returns the positions of labels on a logarithmic axis, and the positions between them.
 ///
-/// Labels are powers of ten, and also 2 and 5 times these if there are fewer than three. If there
-/// are more than `most` powers, only some of them have labels.
+/// Labels are powers of ten. If there are fewer than three, 2 and 5 times the powers have labels
+/// too. If there are more than `most` powers, only some of them have labels.
 fn decades(positions: (f64, f64), most: usize) -> (Vec<f64>, Vec<f64>) {
     let ticks = multiples(&[1], positions);
     let between = multiples(&[2, 3, 4, 5, 6, 7, 8, 9], positions);
@@ -184,7 +185,7 @@ fn multiples(of: &[u8], (low, high): (f64, f64)) -> Vec<f64> {
     positions
 }
 
-/// Returns multiples of 1, 2 or 5 times a power of ten, at most `most` + 1 of them.
+/// Returns at most `most` + 1 multiples of one step, which is 1, 2 or 5 times a power of ten.
 fn round_steps((low, high): (f64, f64), most: usize) -> Vec<f64> {
     let rough = (high - low) / most as f64;
     let power = 10f64.powf(rough.log10().floor());

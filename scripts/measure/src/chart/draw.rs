@@ -11,8 +11,8 @@ use super::plane::draw_plane;
 
 /// Draws rows of charts as one SVG document with a white background and standard fonts.
 ///
-/// Charts in a row show the same series and have one legend. On a phone, each chart is below the
-/// previous chart.
+/// Charts in a row show the same series and have one legend. In a figure for phones, each chart is
+/// below the previous chart.
 pub fn svg(rows: &[Vec<Chart>], form: Form) -> String {
     let layouts: Vec<Layout> = rows.iter().map(|row| Layout::of(row, form)).collect();
     let heights = rows.iter().zip(&layouts).map(|(row, layout)| layout.height(row.len()));

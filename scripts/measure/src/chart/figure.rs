@@ -32,9 +32,10 @@ pub struct Series {
     /// Name in the legend; empty for a series that is not in the legend.
     pub(super) name: String,
     pub(super) kind: Kind,
-    /// Points in ascending x. For a part of bars, they are the start and the end, bar by bar.
+    /// Points in ascending order of x. For parts of bars, each pair of points is the start and the
+    /// end of a part.
     pub(super) points: Vec<(f64, f64)>,
-    /// Lower and upper bound (x, low, high), in ascending x; may be empty.
+    /// Lower and upper bounds (x, low, high) in ascending order of x; may be empty.
     pub(super) band: Vec<(f64, f64, f64)>,
 }
 
@@ -47,7 +48,7 @@ pub enum Kind {
     Apart,
     /// Measurements that are shown only for comparison: grey marks.
     Behind,
-    /// One of many similar lines, of which only one is named: thin and grey, without marks.
+    /// One of many similar lines that share one name: thin and grey, without marks.
     Crowd,
     /// Numbers of a course report, named after the report: dashes with hollow marks.
     Published,
@@ -120,7 +121,8 @@ impl Chart {
         chart
     }
 
-    /// Shades the area from this x on, such as more workers than cores, and writes `what` in it.
+    /// Shades the area to the right of this x, and writes `what` in it. An example is the area with
+    /// more workers than cores.
     #[must_use]
     pub fn shaded_beyond(mut self, x: Option<f64>, what: &str) -> Self {
         self.beyond = x.map(|x| (x, what.into()));

@@ -43,8 +43,8 @@ pub(super) struct Look {
 
 /// Chooses the looks of series.
 ///
-/// Guides and comparisons are grey, and reports have their colours. The other series take colours
-/// and marks in turn.
+/// Guides and comparisons are grey, and each report has its own colour. The other series take
+/// colours and marks in turn.
 pub(super) fn looks(all: &[Series]) -> Vec<Look> {
     let mut looks = Vec::new();
     let mut coloured = 0;
@@ -66,7 +66,7 @@ pub(super) fn looks(all: &[Series]) -> Vec<Look> {
     looks
 }
 
-/// Draws a series' line through points of the page.
+/// Draws the line of a series through points on the page.
 pub(super) fn draw_line(page: &Area<'_>, points: &[(i32, i32)], kind: Kind, look: &Look) -> Drawn {
     if kind == Kind::Part {
         return draw_bars(page, points, look);

@@ -124,7 +124,7 @@ fn pixels(plane: &Plane<'_, '_>, points: &[(f64, f64)]) -> Vec<(i32, i32)> {
 
 /// Writes the names of series, in the order of their lines' ends.
 ///
-/// A name is as near to its line's end as the other names allow, and never below the plot. A name
+/// A name is as close to its line's end as the other names allow, but never below the plot. A name
 /// with a mark is to the right of all ends, where no line crosses it.
 fn names(all: &[Visible<'_>], plane: &Plane<'_, '_>, page: &Area<'_>) -> Drawn {
     let mut labels = Vec::new();

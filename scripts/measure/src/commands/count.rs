@@ -68,7 +68,7 @@ pub struct Options {
 const COLUMNS: [&str; 4] =
     ["instructions", "first-level misses", "last-level misses", "mispredicted branches"];
 
-/// Number of a program's locations in the table.
+/// Number of locations of a program that the table shows.
 const LOCATIONS: usize = 12;
 
 /// Counts of a program, per particle and step.
@@ -102,7 +102,7 @@ impl Row {
     }
 }
 
-/// Counts, and prints and writes the results.
+/// Counts instructions and cache misses, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let named = options.programs.of_one_kind()?;
     let hard = named[0].is_hard();
@@ -132,7 +132,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Makes a job for each variant that is named, at each value of the varied quantity.
+/// Makes a job for each named variant and each value of the varied quantity.
 fn jobs(options: &Options, runner: &Runner, named: &[Program]) -> Result<Vec<Job>> {
     let mut programs = Vec::new();
     for program in named {

@@ -42,7 +42,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// Measures, and prints and writes the results.
+    /// Takes the measurements, then prints the results and writes them to a file.
     ///
     /// # Errors
     /// A measurement fails.
@@ -63,7 +63,7 @@ impl Command {
         }
     }
 
-    /// Returns the figure of results that the command wrote, and the figure's file.
+    /// Returns a figure of the results that the command wrote, and the path of the figure's file.
     ///
     /// Returns `None` if the command draws no figure.
     ///

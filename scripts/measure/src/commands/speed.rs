@@ -48,7 +48,7 @@ const MOST_PASSES: u64 = 1_000_000;
 /// Number of passes that are counted, and number of passes before them.
 const COUNTED: u64 = 10;
 
-/// Times the loops and prints the reason for each slow one.
+/// Times the loops, and for each slow loop prints the reason why it is slow.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let Options { lab, solution, caches } = options;
     let races = kit.facts(lab)?.races;

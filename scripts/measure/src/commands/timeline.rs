@@ -69,7 +69,7 @@ impl Options {
     }
 }
 
-/// Runs the programs, and prints and writes the results.
+/// Runs the programs, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     ensure!(package.has_ranks(), "lab {} has no ranks", package.lab);

@@ -86,7 +86,7 @@ impl Options {
     }
 }
 
-/// Counts, and prints and writes the results.
+/// Counts the messages, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     ensure!(

@@ -23,8 +23,8 @@ const SAMPLE: usize = 1 << 14;
 
 /// A lattice whose rows are divided into strips with about the same number of discs each.
 ///
-/// The strips depend on the discs, and not on the number of workers: a worker takes strip after
-/// strip.
+/// The strips depend on the discs but not on the number of workers, because each worker takes one
+/// strip after another until no strip is left.
 #[derive(Debug)]
 pub(super) struct Cut {
     /// The lattice.

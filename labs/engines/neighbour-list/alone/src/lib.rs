@@ -61,7 +61,7 @@ fn is_drawn(config: &Config) -> bool {
 const CHUNK: usize = 64;
 
 /// Number of passes until the distances of all pairs repeat. With fewer passes, the processor would
-/// learn all branches by heart.
+/// learn to predict all branches.
 const SHIFTS: usize = 512;
 
 /// The data of a loop. Particles are at rest and there are no forces, so every step does the same
@@ -91,11 +91,11 @@ struct Plain<'a>(&'a mut Loop);
 /// Calls [`collect`](Primitives::collect) for nearly all particles, each with the next three
 /// particles.
 ///
-/// If near pairs are random, a particle is compared with the next zero to six particles instead.
+/// If the near pairs are to be random, each particle is compared with a random number of following
+/// particles (0 to 6) instead.
 struct Collect<'a, P>(&'a mut Loop, PhantomData<P>);
 
-/// Calls [`filter`](Primitives::filter) with pairs of a particle and the next one, for nearly all
-/// particles.
+/// Calls [`filter`](Primitives::filter) with nearly every pair of consecutive particles.
 struct Filter<'a, P>(&'a mut Loop, PhantomData<P>);
 
 impl Loop {
@@ -156,7 +156,7 @@ impl<P: Primitives> Kernel for Collect<'_, P> {
         let reach = if drawn { 0.4 * self.0.size } else { 0.0 };
         let mut len = 0;
         for i in 0..n {
-            // The last bits of a position are as good as a die.
+            // The low bits of a position serve as a random number.
             let count = if drawn { positions.x[i].to_bits() as usize % 7 } else { 3 };
             let range = i + 1..(i + 1 + count).min(n);
             make_room(&mut pairs, len + range.len() + EIGHT);
@@ -176,7 +176,7 @@ impl<P: Primitives> Kernel for Filter<'_, P> {
         let mut found = 0;
         let positions = self.0.positions();
         let size = self.0.size;
-        // Of all pairs of random particles in the box, one in ten is so near.
+        // One in ten pairs of random particles in the box is at most this far apart.
         let squared = if self.0.drawn { 0.036 * size * size } else { -1.0 };
         let pairs = &self.0.pairs[..positions.x.len().saturating_sub(1)];
         for some in pairs.chunks(ROOM) {

@@ -33,7 +33,7 @@ pub struct Plan {
     pub fastest: f64,
     /// Mean number of other particles in a disc whose radius is the cutoff, around a particle.
     pub neighbours: f64,
-    /// Number of particles per area around a particle, averaged over all particles.
+    /// Number of particles per unit area around a particle, averaged over all particles.
     pub density: f64,
 }
 
@@ -57,13 +57,14 @@ pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     Plan { strategy, margin, fastest, neighbours, density }
 }
 
-/// Number of particles in the area of a cutoff disc. Above it, lists are cheaper than windows.
+/// Number of particles per cutoff disc above which lists are cheaper than windows.
 ///
 /// The number was measured on the machine of the book.
 const MAX_NEIGHBOURS_IN_WINDOWS: f64 = 0.12;
 /// Greatest number of particles in a square as wide as the reach of a window's list.
 const FULL: f64 = 20.0;
-/// Pairs whose free flights come closer than the cutoff plus this margin are computed; in cutoffs.
+/// Margin in units of the cutoff. A pair is computed if its free flights come closer than the
+/// cutoff plus this margin.
 const MARGIN: f64 = 0.05;
 /// The margin for divided steps: windows are short then, and a force bends a path less.
 const SMALL_MARGIN: f64 = 0.02;
@@ -88,7 +89,7 @@ fn max_neighbours_in_windows(divide: u32) -> f64 {
     (MAX_NEIGHBOURS_IN_WINDOWS + 0.25 * f64::from(divide.max(1) - 1)).min(1.2)
 }
 
-/// Returns the number of particles per area around a particle, averaged over all particles.
+/// Returns the number of particles per unit area around a particle, averaged over all particles.
 ///
 /// It counts other particles in the same cell, four cutoffs wide. As a particle does not count
 /// itself, the count in a regular lattice is too low. Therefore the result is never less than the

@@ -41,7 +41,8 @@ impl Layout {
         self.margin + WATCHED_MARGIN
     }
 
-    /// Returns the number of windows that a list should last, for `density` particles per area.
+    /// Returns the number of windows that a list should last, for `density` particles per unit
+    /// area.
     ///
     /// A list for few windows must be built often, and a list for many windows costs more in each
     /// of them.

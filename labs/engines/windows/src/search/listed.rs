@@ -25,8 +25,8 @@ impl Listed {
     /// Sorts `bodies` and lists their pairs, unless the list still contains every pair of the
     /// window.
     ///
-    /// `density` is the number of particles per area. Returns the number of pairs that were tested,
-    /// or `None` if the list was kept.
+    /// `density` is the number of particles per unit area. Returns the number of pairs that were
+    /// tested, or `None` if the list was kept.
     pub(crate) fn renew(
         &mut self,
         bodies: &mut Bodies,
@@ -75,8 +75,8 @@ fn farthest(bodies: &Bodies, x: &[f64], y: &[f64]) -> f64 {
     most.into_iter().fold(0.0, f64::max).sqrt()
 }
 
-/// Returns the differences of up to eight coordinates. If there are fewer coordinates, the other
-/// differences are 0.
+/// Returns the differences between up to eight pairs of coordinates. If there are fewer pairs, the
+/// other differences are 0.
 #[inline(always)]
 fn off(now: &[f64], then: &[f64]) -> [f64; EIGHT] {
     std::array::from_fn(|l| if l < now.len() { now[l] - then[l] } else { 0.0 })

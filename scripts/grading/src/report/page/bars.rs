@@ -40,7 +40,8 @@ pub(crate) fn histogram(records: &[Record], full: f64) -> Markup {
     }
 }
 
-/// Draws how many submissions solve each task, with the most frequent message to the others.
+/// Draws the number of submissions that solve each task. Adds the most frequent message to the
+/// other submissions.
 pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
     let tasks = records.first().map_or(&[][..], |first| &first.tasks);
     html! {
@@ -67,8 +68,8 @@ fn having(records: &[Record], id: &str) -> usize {
     tasks.filter(|task| task.id == id && task.passed).count()
 }
 
-/// Returns the most frequent message about a task, and how often it occurs. `None` if no message
-/// occurs twice.
+/// Returns the most frequent message about a task, and the number of times it occurs. `None` if no
+/// message occurs twice.
 ///
 /// Numbers in a message come from each submission's own inputs, so they are ignored.
 fn commonest(records: &[Record], id: &str) -> Option<(String, usize)> {

@@ -113,7 +113,7 @@ fn distinct(records: &[Record], of: fn(&Record) -> &str) -> String {
     line(&all.into_iter().collect::<Vec<_>>().join("; "))
 }
 
-/// Writes on which machines and compilers the marks depend, and whether there was a sandbox.
+/// Writes the machines and compilers that the marks depend on, and whether there was a sandbox.
 fn provenance(records: &[Record]) -> Markup {
     html! {
         p.soft {

@@ -7,7 +7,7 @@ use crate::timing::plan::sizes;
 use lab_measure::autograder::{complexity_grade, slopes};
 use lab_measure::clock::Span;
 
-/// Ratio of times on the largest scene that makes the grader suspect a program of waiting.
+/// Ratio to the solution's time at which the grader suspects a program of waiting.
 ///
 /// A program that waits on small scenes appears to scale well. If such a program takes this
 /// multiple of the solution's time on the largest scene, its slope is computed from the solution's
@@ -22,7 +22,7 @@ pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {
     for &n in &sizes {
         let own = runs.find(Whose::Own, n, 1)?;
         if own.outcome == Outcome::TooSlow {
-            // The program took longer than this, so the slope is steeper still.
+            // The program took longer than this, so the real slope is even steeper.
             slow = Some(own);
             let longest = own.seconds.iter().copied().fold(0.0, f64::max);
             points.push((n as f64, Span { min: longest, median: longest }));

@@ -97,8 +97,8 @@ fn who_is_too_slow_for_the_large_scenes_is_not_flat_either() {
     assert!(words.contains("there was no result"), "{words}");
 }
 
-/// Returns a record of a submission that takes `own` seconds for n particles and p workers. A
-/// serial program takes 2e-6 n seconds and the solution takes p times less.
+/// Returns a record of a submission that takes `own` seconds for n particles and p workers. The
+/// serial program takes 2e-6 n seconds, and the solution takes this time divided by p.
 fn scaling(own: impl Fn(f64, f64) -> f64) -> Record {
     let rubric = Facts { scaling: timed(100_000), ..Facts::default() };
     record(&rubric, 2, |whose, n, p| match whose {
@@ -127,7 +127,8 @@ fn one_worker_at_work_does_not_scale() {
     let (verdict, grade, words) = grade_of_scaling(&scaling(|n, _| 2e-6 * n));
     assert_eq!((verdict, grade), (Verdict::Graded, Some(0.0)), "{words}");
     assert!(words.contains("no faster than one"), "{words}");
-    // A serial program that is faster than the grader's still runs on one worker.
+    // A submitted program that is faster than the grader's serial program may still run on one
+    // worker.
     let mut record = scaling(|n, _| 1e-6 * n);
     assert_eq!(grade_of_scaling(&record).1, Some(100.0));
     for run in record.found.runs.iter_mut().filter(|run| run.whose == Whose::Own) {
@@ -149,7 +150,7 @@ fn where_the_solution_does_not_scale_nobody_loses() {
     {
         run.seconds.iter_mut().for_each(|seconds| *seconds *= 1.7);
     }
-    // Submissions are measured by the scaling that the solution reaches.
+    // Submissions are graded relative to the scaling that the solution reaches.
     let (verdict, grade, words) = grade_of_scaling(&record);
     assert!(verdict == Verdict::Graded && (97.0..99.5).contains(&grade.unwrap()), "{words}");
     for run in

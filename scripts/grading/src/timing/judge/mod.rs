@@ -79,7 +79,7 @@ fn all<'r>(findings: &Findings, rubric: &'r Facts) -> Vec<Judged<'r>> {
     found
 }
 
-/// Grades the time relative to the solution's.
+/// Grades the time relative to the solution's time.
 fn speed(runs: &Runs<'_>) -> Result<Found, Without> {
     let n = runs.timed.n;
     let most = runs.of(Whose::Own).filter(|run| run.n == n).map(|run| run.workers).max();
@@ -118,7 +118,7 @@ fn measure(runs: &[Run], kind: Kind, timed: &Timed, found: Result<Found, Without
         Ok(Found { grade, words }) => (Verdict::Graded, Some(grade.min), words),
         Err((verdict, why)) => (verdict, (verdict == Verdict::Wrong).then_some(0.0), why),
     };
-    // Two decimals are enough: half points occur, and sixteen digits would only confuse.
+    // Round to two decimals, because half points occur and sixteen digits would only confuse.
     let points = (timed.points * grade.unwrap_or(0.0)).round() / 100.0;
     let variant = timed.variant.clone();
     Measure { kind, variant, verdict, message, grade, points, out_of: timed.points }

@@ -9,11 +9,12 @@ use lab_measure::clock::{Span, Times};
 /// change a grade.
 const QUIET: f64 = 1.06;
 
-/// Greatest possible ratio of the speeds of two programs on equally many processors. The kit's
-/// fastest program is 25 times as fast as the slowest program that is timed.
+/// Greatest possible ratio of the speeds of two programs on the same number of processors. The
+/// kit's fastest program is 25 times as fast as the slowest program that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// Smallest share of its time that a program on a free processor computes, unless it waits.
+/// Smallest share of its time that a program computes if its processor is free and it does not
+/// wait.
 const MOSTLY: f64 = 0.7;
 /// Seconds in a take above which a pause counts as waiting. Shorter pauses are errors of the clock.
 const LONG: f64 = 0.01;
@@ -104,8 +105,8 @@ pub(crate) fn waited(run: &Run) -> Option<f64> {
     (run.outcome == Outcome::Timed && waits).then_some(share)
 }
 
-/// Returns the seconds of a run's shortest take, without start and result. `None` if the run is not
-/// valid.
+/// Returns the seconds of a run's shortest take. The time for making the scene and sending the
+/// result is subtracted. `None` if the run is not valid.
 pub(crate) fn seconds_of(findings: &Findings, run: &Run) -> Option<f64> {
     let timed = run.outcome == Outcome::Timed;
     timed.then(|| net(&findings.runs, run).ok())?.map(|span| span.min)

@@ -29,7 +29,8 @@ pub(crate) fn scaling(runs: &Runs<'_>) -> Result<Found, Without> {
     let theirs = average_efficiencies(runs, Whose::Solution, &workers)?;
     let grade =
         |[strong, weak]: &[Span; 2]| Span::both(|way| scaling_grade(way(strong), way(weak)));
-    // Grades are relative to the solution's, because no student can reach more on this machine.
+    // Grades are relative to the solution's grade, because no student can reach a better one on
+    // this machine.
     let own_grade = grade(&own);
     let most = grade(&theirs);
     if let Some(most) = [most.min, most.median].into_iter().find(|most| *most < FIT) {
@@ -52,7 +53,8 @@ pub(crate) fn scaling(runs: &Runs<'_>) -> Result<Found, Without> {
     Ok(Found { grade: Span::both(|way| (100.0 * way(&own_grade) / way(&most)).min(100.0)), words })
 }
 
-/// Returns the strong and the weak efficiency, averaged over the numbers of workers.
+/// Returns the strong-scaling and the weak-scaling efficiency, averaged over the numbers of
+/// workers.
 fn average_efficiencies(
     runs: &Runs<'_>,
     whose: Whose,

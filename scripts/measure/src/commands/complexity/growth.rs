@@ -7,10 +7,11 @@ use crate::published::{self, HARD_STEPS, SOFT_STEPS};
 /// Greatest slope for which the chart shows the time per particle.
 const NEARLY_LINEAR: f64 = 1.5;
 
-/// Draws the time per particle if all programs are nearly linear in n, otherwise the time of a run.
+/// Plots times against n. If all programs are nearly linear in n, the chart shows the time per
+/// particle, and otherwise the time of a run.
 ///
 /// The chart includes the tables of the course reports. If there are several numbers of workers,
-/// only the greatest is drawn.
+/// the chart shows only the greatest number.
 pub(super) fn chart(lines: &[Line]) -> Chart {
     let most = lines.iter().map(|line| line.workers).max().unwrap_or(1);
     let lines: Vec<&Line> = lines.iter().filter(|line| line.workers == most).collect();

@@ -94,7 +94,7 @@ impl Line {
             .table(&self.points)
     }
 
-    /// Returns the slope of `y` from the previous scene to this one; `None` if one of them has no
+    /// Returns the slope of `y` from the previous point to `point`; `None` if one of them has no
     /// `y`.
     fn slope_to(&self, point: &Point, y: fn(&Point) -> Option<f64>) -> Option<String> {
         let at = self.points.iter().position(|other| std::ptr::eq(other, point))?;

@@ -59,7 +59,7 @@ impl Options {
     }
 }
 
-/// Measures, and prints and writes the results.
+/// Takes the measurements, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let hard = options.subject.package()?.is_hard();
     let from = options.from;

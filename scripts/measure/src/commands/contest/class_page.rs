@@ -66,7 +66,7 @@ pub(super) fn write(kit: &Kit, folder: &Path) -> Result<()> {
 /// Reads the entries of all students, by name. The order of the files reveals no name.
 ///
 /// # Errors
-/// If two files have different scenes, or if a file is not of a contest.
+/// If two files have different scenes, or if a file does not contain a contest.
 fn read(folder: &Path) -> Result<Vec<(String, Vec<Entry>)>> {
     let unread = || format!("cannot read {}", folder.display());
     let mut files = Vec::new();
@@ -97,7 +97,8 @@ fn read(folder: &Path) -> Result<Vec<(String, Vec<Entry>)>> {
     Ok(files.into_iter().map(|(_, name, entries)| (name, entries)).collect())
 }
 
-/// Returns a student's entry with the most points. Among equals, the fastest entry is chosen.
+/// Returns a student's entry with the most points. If several entries have the most points, the
+/// fastest of them is chosen.
 fn best(
     name: String,
     entries: Vec<Entry>,

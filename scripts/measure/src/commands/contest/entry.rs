@@ -65,8 +65,8 @@ impl Entry {
         self.faults.push(format!("{}, seed {}: {why}", drawn.kind.name(), drawn.seed));
     }
 
-    /// Whether the entry had a fault on a scene of this kind. It then runs no further scenes of the
-    /// kind.
+    /// Whether the entry had a fault on a scene of this kind. If so, the entry runs no further
+    /// scenes of this kind.
     pub(super) fn gave_up(&self, kind: Kind) -> bool {
         self.faults.iter().any(|fault| fault.starts_with(kind.name()))
     }
@@ -102,7 +102,7 @@ impl Entry {
 pub(super) mod tests {
     use super::*;
 
-    /// Makes an entry with these times and errors in all kinds.
+    /// Makes an entry with these times and errors for every kind.
     pub(in super::super) fn entry(rounds: &[(f64, f64)]) -> Entry {
         let mut entry = Entry::new("solution2:sorted".parse().unwrap());
         for kind in Kind::ALL {

@@ -30,7 +30,8 @@ use crate::runner::Runner;
 use entry::Entry;
 use racing::Contest;
 
-/// The reference engine: times are multiples of its time. Its steps are official steps.
+/// The reference engine, which takes official steps. Times in the contest are multiples of its
+/// time.
 const REFERENCE: &str = "solution2:sorted";
 
 /// Measurements of the kit's own engines, which this command has written.
@@ -76,7 +77,7 @@ pub struct Options {
     pub(super) files: Files,
 }
 
-/// All results: the entries, and the settings that they depend on.
+/// All results of the command: the entries, and the settings that the results depend on.
 #[derive(Deserialize, Serialize)]
 pub(crate) struct Results {
     seed: u32,
@@ -93,7 +94,7 @@ impl Options {
     }
 }
 
-/// Measures, and prints and writes the results.
+/// Takes the measurements, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     if let Some(folder) = &options.class {
         class_page::write(kit, folder)?;
@@ -141,7 +142,8 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Reads the landmarks; empty if the kit has none. A program that was measured now is omitted.
+/// Reads the landmarks; empty if the kit has none. A landmark that is also an entry of this contest
+/// is omitted.
 fn landmarks(kit: &Kit, entries: &[Entry]) -> Vec<Entry> {
     let file = DataFile::read(&kit.path(LANDMARKS)).ok();
     let results = file.and_then(|file| Results::deserialize(file.results).ok());

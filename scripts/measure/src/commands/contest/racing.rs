@@ -17,8 +17,8 @@ use crate::job::Job;
 use crate::runner::Runner;
 use crate::scene;
 
-/// Error below which no difference counts: a ten-millionth of a cutoff. This error is added to all
-/// errors.
+/// Error below which differences do not count: a ten-millionth of a cutoff. This error is added to
+/// all errors.
 const LEAST: f64 = 1e-7 * CUTOFF;
 
 /// Greatest distance (rms) between the ends of two runs, as a share of the official step's error.
@@ -41,7 +41,7 @@ pub(super) struct Contest {
 }
 
 impl Contest {
-    /// Draws the scenes of all rounds and computes their exact ends.
+    /// Generates the random scenes of all rounds and computes their exact ends.
     pub(super) fn scenes(&self, rounds: u32) -> Result<Vec<Drawn>> {
         eprintln!("computing the exact motion of {} scenes", 5 * rounds);
         let kinds = (0..rounds).flat_map(|round| Kind::ALL.map(|kind| (kind, self.seed + round)));
@@ -73,7 +73,8 @@ impl Contest {
             }
             match run(&entry.program)? {
                 Ok(end) => {
-                    // The reference runs before and after each entry, and its shorter run counts.
+                    // The reference runs before and after each entry, and the shorter of its two
+                    // runs counts.
                     let after = run(&self.reference)?.map_err(anyhow::Error::msg)?.seconds;
                     let beside = seconds.min(after);
                     seconds = after;
@@ -86,7 +87,7 @@ impl Contest {
         Ok(())
     }
 
-    /// Runs the first scene again, and runs it for longer. Two faults are possible: the second run
+    /// Runs the first scene again, and then for more steps. Two faults are possible: the second run
     /// ends differently, by more than rounding, or the memory grows with the steps.
     pub(super) fn repeat(&self, runner: &Runner, drawn: &Drawn, entry: &mut Entry) -> Result<()> {
         if !entry.faults.is_empty() {

@@ -1,4 +1,4 @@
-//! Three rankings. A difference that the rounds do not decide is a tie.
+//! Three rankings. Two entries are tied if the rounds do not decide which one is better.
 
 use super::entry::Entry;
 use crate::clock::Span;
@@ -10,11 +10,11 @@ pub(super) const ACCURATE: f64 = 1.05;
 /// A ranking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ranking {
-    /// By time, among the entries that are at most as wrong as the official step.
+    /// By time, among the entries whose error is at most the official step's error.
     Fastest,
-    /// By error, among the entries that are at most as slow as the reference.
+    /// By error, among the entries whose time is at most the reference's time.
     MostAccurate,
-    /// By counted instructions, among the entries that are at most as wrong as the official step.
+    /// By counted instructions, among the entries whose error is at most the official step's error.
     FewestInstructions,
 }
 

@@ -66,7 +66,7 @@ fn range(span: Span) -> String {
     format!("{} {}", three_digits(span.min), three_digits(span.median))
 }
 
-/// Draws error against time, with the front that no entry beats.
+/// Plots run time against error, with the front that no entry beats.
 pub(super) fn chart(entries: &[Entry], landmarks: &[Entry]) -> Chart {
     let all = entries.iter().chain(landmarks).filter(|entry| entry.faults.is_empty());
     let points: Vec<(f64, f64)> = all.filter_map(point).collect();

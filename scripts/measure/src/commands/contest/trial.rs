@@ -29,7 +29,7 @@ pub(super) struct End {
 }
 
 impl Drawn {
-    /// Draws a scene with a `shrink`-th of the particles that the contest uses.
+    /// Generates a random scene with the contest's number of particles divided by `shrink`.
     pub(super) fn new(kind: Kind, shrink: usize, seed: u32) -> Result<Self> {
         let scene = kind.scene(kind.n() / shrink, seed);
         let exact =

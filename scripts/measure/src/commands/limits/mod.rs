@@ -60,7 +60,7 @@ impl Options {
     }
 }
 
-/// Measures, and prints and writes the results.
+/// Takes the measurements, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut counted = Vec::new();
     let mut caches = None;
@@ -97,7 +97,7 @@ fn shares_work(kit: &Kit, program: &Program) -> Result<bool> {
 }
 
 impl Results {
-    /// Draws work per nanosecond against work per byte: a mark for each program, and the machine's
+    /// Plots work per nanosecond against work per byte: a mark for each program, and the machine's
     /// maximum.
     fn roof(&self, title: &str, what: &str, peak: f64, work: fn(&Row) -> Option<f64>) -> Chart {
         let mut chart = Chart::new(

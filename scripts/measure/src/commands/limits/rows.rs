@@ -25,7 +25,8 @@ const MOVE: f64 = 8.0;
 pub(super) struct Row {
     pub(super) program: Program,
     pub(super) n: usize,
-    /// Measured nanoseconds per particle and step. `bounds` and `least` follow from the counts.
+    /// Measured nanoseconds per particle and step. In contrast, `bounds` and `least` are computed
+    /// from the counts.
     pub(super) time: f64,
     bounds: Bounds,
     least: f64,
@@ -33,7 +34,7 @@ pub(super) struct Row {
     /// program.
     reached: f64,
     held_by: String,
-    /// Nanoseconds in which a particle can be streamed once.
+    /// Nanoseconds that streaming takes for one particle.
     pub(super) streaming: f64,
     pub(super) instructions: f64,
     /// Bytes that are loaded into the first-level cache, per particle and step.
@@ -105,7 +106,8 @@ fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
 impl Shared {
     fn new(runner: &Runner, run: &Counted, time: f64, alone: f64) -> Result<Self> {
         let job = run.job(machine::cores(), run.after + run.row.job.steps);
-        // Ranks report their waiting only if they record events, which not all programs can do.
+        // Ranks report their waiting time only if they record events, but not all programs can
+        // record events.
         let recorded = job.program.has_ranks().then(|| Job { events: true, ..job.clone() });
         let recorded = recorded.and_then(|job| runner.run(&job).ok());
         let output = recorded.map_or_else(|| runner.run(&job), Ok)?;

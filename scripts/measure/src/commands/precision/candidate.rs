@@ -21,7 +21,8 @@ pub(super) const STEPS: u64 = 100;
 /// Number of official steps until the energy is measured.
 const LATE: u64 = 2000;
 
-/// Finest division for which the energy is measured. A finer division would take minutes.
+/// Finest division for which the energy is measured. With a finer division, the measurement would
+/// take minutes.
 const MOST_DIVIDED: u32 = 10;
 
 /// Number of particles in the scene whose energy is measured.
@@ -97,8 +98,8 @@ impl Candidate {
         STEPS as f64 * f64::from(self.divide)
     }
 
-    /// Measures the greatest relative change of energy until t = 1, over seeds 1 to `seeds`; `None`
-    /// if that is 0, or if the division is finer than [`MOST_DIVIDED`].
+    /// Measures the greatest relative change of energy until t = 1, over seeds 1 to `seeds`.
+    /// Returns `None` if `seeds` is 0, or if the division is finer than [`MOST_DIVIDED`].
     pub(super) fn drift(&self, runner: &Runner, seeds: u32) -> Result<Option<f64>> {
         let mut greatest: Option<f64> = None;
         for seed in (1..=seeds).take_while(|_| self.divide <= MOST_DIVIDED) {

@@ -24,10 +24,10 @@ pub(super) fn table(group: &Group) -> String {
     )
 }
 
-/// Draws error against seconds, with a line for each variant that divides its step.
+/// Plots run time against error, with a line for each variant that divides its step.
 ///
-/// The programs of a lab that does not divide its steps take the official step, and differ only in
-/// time. They are drawn as marks, in grey if no program of the lab is on the front.
+/// If a lab does not divide its steps, all its programs take the official step, so they differ only
+/// in time. They are drawn as marks, in grey if no program of the lab is on the front.
 pub(super) fn chart(group: &Group) -> Chart {
     let mut labs: Vec<Lab> = group.points.iter().map(|point| point.program.lab).collect();
     labs.sort();

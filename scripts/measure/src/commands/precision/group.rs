@@ -27,7 +27,7 @@ pub(crate) struct Point {
     pub(super) energy_drift: Option<f64>,
     /// Whether the point is on the Pareto front.
     ///
-    /// No other point is then at least as good in both seconds and error, and better in one of
+    /// If so, no other point is at least as good in both seconds and error, and better in one of
     /// them.
     pub(super) on_front: bool,
 }

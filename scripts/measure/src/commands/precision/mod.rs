@@ -57,7 +57,7 @@ impl Options {
     }
 }
 
-/// Measures, and prints and writes the results.
+/// Takes the measurements, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let mut divisions = vec![1, 2, 5, 10, 20, 50];
     if options.quick {

@@ -26,7 +26,7 @@ pub(super) fn table(curves: &[Curve]) -> Option<Table> {
     (!names.is_empty()).then(|| columns.table(&rows))
 }
 
-/// Draws a counter against the number of workers.
+/// Plots a counter against the number of workers.
 ///
 /// # Errors
 /// No program has the counter, or several counters contain the name.

@@ -36,7 +36,7 @@ pub(super) struct Point {
     efficiencies: Option<Span>,
     /// Efficiency relative to the same variant with one worker.
     pub(super) own_efficiency: f64,
-    /// Whether the point counts for the grade. Points with more workers than cores do not.
+    /// Whether the point counts for the grade. Points with more workers than cores do not count.
     pub(super) graded: bool,
 }
 
@@ -76,12 +76,12 @@ impl Curve {
         }
     }
 
-    /// Returns the average strong efficiency for marks, without the point of one worker.
+    /// Returns the average strong-scaling efficiency for marks, without the point of one worker.
     pub(super) fn strong_for_marks(&self) -> Option<f64> {
         Some(mean(&self.strong, 2)?.min)
     }
 
-    /// Returns the average weak efficiency for marks, without the point of one worker.
+    /// Returns the average weak-scaling efficiency for marks, without the point of one worker.
     pub(super) fn weak_for_marks(&self) -> Option<f64> {
         Some(mean(&self.weak, 2)?.min)
     }

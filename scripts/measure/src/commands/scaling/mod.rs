@@ -96,7 +96,7 @@ impl Options {
     }
 }
 
-/// Measures, and prints and writes the results.
+/// Takes the measurements, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     ensure!(
@@ -199,7 +199,7 @@ fn verdict(curve: &Curve) -> String {
     text
 }
 
-/// Returns a text with the weak efficiency; empty if there is none.
+/// Returns a text with the weak-scaling efficiency; empty if there is none.
 fn and_weak(efficiency: Option<f64>) -> String {
     efficiency.map_or_else(String::new, |weak| format!(", weak {weak:.2}"))
 }

@@ -25,7 +25,8 @@ impl Results {
         self.curves.iter().flat_map(|curve| &curve.strong)
     }
 
-    /// Draws speed-up, strong efficiency and, if it was measured, weak efficiency, side by side.
+    /// Plots speed-up and efficiencies side by side. The efficiency of weak scaling is included if
+    /// it was measured.
     pub(super) fn charts(&self) -> Vec<Chart> {
         let best = self.serial.first().map(|timing| timing.job.program.to_string());
         let title = format!("Speed-up over {}", best.unwrap_or_default());
@@ -42,8 +43,8 @@ impl Results {
         charts
     }
 
-    /// Draws a line for each curve against the number of workers, with the lines of the reports and
-    /// the ideal.
+    /// Plots each curve against the number of workers, with the lines of the reports and the ideal
+    /// line.
     fn chart(
         &self,
         title: String,
@@ -83,8 +84,8 @@ impl Results {
 
     /// Separates the curves with a name from the others.
     ///
-    /// A reader cannot distinguish more than a few lines. If there are many lines, lines with less
-    /// than half the best efficiency have no name.
+    /// A reader cannot distinguish more than a few lines. If there are many lines, the lines whose
+    /// efficiency is less than half the best have no name.
     fn named_and_crowd(&self) -> (Vec<&Curve>, Vec<&Curve>) {
         const MOST_NAMES: usize = 6;
         let efficiencies = self.curves.iter().filter_map(|curve| curve.average_strong_efficiency);
@@ -113,7 +114,8 @@ impl Results {
         })]
     }
 
-    /// Returns a value between the greatest number of workers with a core each and the next number.
+    /// Returns the x beyond which a chart shows more workers than cores. It is √2 times the
+    /// greatest measured number of workers that does not exceed the number of cores.
     fn beyond_the_cores(&self) -> Option<f64> {
         let within = self.strong().filter(|point| point.graded).map(|point| point.workers).max()?;
         Some(within as f64 * 2_f64.sqrt())

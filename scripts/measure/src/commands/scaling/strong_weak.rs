@@ -17,8 +17,8 @@ pub(super) struct Plan {
     pub(super) strong: Scene,
     /// Scene of the weak scaling, for one worker.
     ///
-    /// For hard discs it is `None` unless the user asks for it: if all pairs are tested, p times
-    /// the discs are p² times the work.
+    /// For hard discs it is `None` unless the user asks for it, because p times as many discs mean
+    /// p² times as much work if all pairs are tested.
     pub(super) weak: Option<Scene>,
     /// Whether ranks record their activities.
     pub(super) events: bool,

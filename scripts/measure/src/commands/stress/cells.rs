@@ -122,8 +122,8 @@ struct Line {
     points: Vec<(f64, f64)>,
 }
 
-/// Draws the energy that pairs gain in a head-on collision. Programs that take the same step share
-/// a line.
+/// Plots the energy that pairs gain in a head-on collision against their relative speed. Programs
+/// with the same points share a line.
 pub(super) fn chart(rows: &[Pairs]) -> Chart {
     let mut lines: Vec<Line> = Vec::new();
     for row in rows {

@@ -54,14 +54,14 @@ impl Lab<'_> {
         let mut job = Job::new(self.program.clone(), scene);
         job.steps = asked.steps;
         job.every = Some(asked.every);
-        // If two workers waited for each other a million times, the load of the machine would
-        // decide.
+        // If two workers waited for each other a million times, the time would depend mostly on the
+        // machine's load.
         job.workers = if asked.steps > 5_000 { 1 } else { 2 };
         if self.known.has("stretch") {
             job.program.parameters.push(("stretch".into(), asked.stretch));
         } else if self.known.has("substeps") {
-            // A long step, `stretch` official steps, has about ten small steps in all. More would
-            // not matter in free flight.
+            // A long step, which lasts `stretch` official steps, has about ten small steps in all.
+            // More small steps would make no difference in free flight.
             job.program.parameters.push(("substeps".into(), (10.0 / asked.stretch).floor()));
             job.steps = (asked.steps as f64 * asked.stretch) as u64;
             job.every = Some((asked.every as f64 * asked.stretch) as u64);

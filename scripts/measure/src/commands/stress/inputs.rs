@@ -1,4 +1,4 @@
-//! Bad inputs: a program must refuse each with one line that names the fault.
+//! Bad inputs. A program must refuse each of them with a one-line message that names the fault.
 
 use std::fs;
 use std::path::Path;

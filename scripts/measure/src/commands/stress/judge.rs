@@ -1,4 +1,4 @@
-//! The verdict about a measured number, a figure. It passes, it is a limit of the method, or it
+//! The verdict on a measured number (a figure). The figure passes, is a limit of the method, or
 //! shows a mistake.
 
 use serde::Serialize;

@@ -1,7 +1,7 @@
 //! The expected step of a program, according to the oracle.
 //!
-//! The oracle's model takes the official step. Its exact motion is close to the step of every
-//! better method, if the step is short compared with the events in it.
+//! The oracle's model takes the official step. The oracle's exact motion is close to the step of
+//! every better method if the step is short compared with the events during it.
 
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use oracle::Model;

@@ -1,4 +1,5 @@
-//! Tests with known mistakes: each mistake must fail, and the correct method must pass.
+//! Tests with known mistakes. A program with such a mistake must fail, and the correct method must
+//! pass.
 
 use common::soft::{CUTOFF, DT, Particle};
 use oracle::Model;

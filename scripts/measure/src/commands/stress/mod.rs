@@ -1,9 +1,9 @@
 //! `cargo lab stress`: scenes that are hard for a program.
 //!
-//! The energy is not enough to judge a program: a correct one also gains energy if its step is too
-//! long. So each step of a program is compared with the oracle's step, see [`method`]. If a program
-//! follows its method, a bad figure is a limit of the method, and the chapter has a section about
-//! it. All other bad figures are failures.
+//! The energy is not enough to judge a program, because a correct program also gains energy if its
+//! step is too long. So each step of a program is compared with the oracle's step ([`method`]). If
+//! a program follows its method, a bad figure is a limit of the method, and the chapter has a
+//! section about it. All other bad figures are failures.
 
 mod cells;
 mod engine;
@@ -57,7 +57,7 @@ impl Options {
     }
 }
 
-/// Runs the trials, and prints and writes the results.
+/// Runs the trials, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let packages = options.programs.packages(kit, options.quick)?;
     let mut runner = Runner::build(kit, &packages)?;

@@ -142,7 +142,8 @@ fn follow(method: Method, scene: &Scene, frames: &[Vec<Particle>]) -> Result<f64
     Ok(worst)
 }
 
-/// Measures the pairs of a head-on scene, speed by speed. The `frames` are `dt` apart.
+/// Measures the pairs of a head-on scene, speed by speed. The time between two of the `frames` is
+/// `dt`.
 fn pairs_met(scene: &Scene, frames: &[Vec<Particle>], phases: u32, dt: f64) -> Vec<Met> {
     let Some(end) = frames.last() else { return Vec::new() };
     let mut met = Vec::new();
@@ -166,7 +167,8 @@ fn pairs_met(scene: &Scene, frames: &[Vec<Particle>], phases: u32, dt: f64) -> V
 
 /// Whether a pair in the middle of the box changed sides before either particle could reach a wall.
 ///
-/// A particle that is thrown back fast enough changes sides at the wall.
+/// Later changes do not count, because a particle that is thrown back fast enough changes sides at
+/// the wall.
 fn passed(frames: &[Vec<Particle>], first: usize, size: f64, dt: f64) -> bool {
     let mut way = 0.0;
     for frame in frames {

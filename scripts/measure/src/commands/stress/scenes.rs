@@ -131,8 +131,8 @@ pub(super) fn walls() -> Scene {
     scene(size, particles)
 }
 
-/// Makes pairs across edges and corners of bins, and on them. Distances are a cutoff, or an ulp
-/// less or more.
+/// Makes pairs across the edges and corners of bins, and pairs exactly on the edges and corners.
+/// Distances are a cutoff, or an ulp less or more.
 pub(super) fn edges() -> Scene {
     let size = 30.0 * CUTOFF;
     let mut particles = Vec::new();

@@ -14,8 +14,8 @@ pub(super) struct Trial {
     /// One or more scenes. A figure is the worst number of all scenes.
     pub(super) scenes: Vec<Scene>,
     pub(super) steps: u64,
-    /// Number of steps between two observed states. If it is 1, each step is compared with the
-    /// method's step.
+    /// Number of steps between two observed states. If the number is 1, each step is compared with
+    /// the method's step.
     pub(super) every: u64,
     /// Length of a step in official steps. Every program supports 1.
     pub(super) stretch: f64,
@@ -122,8 +122,8 @@ pub(super) fn short(phases: u32) -> Vec<Trial> {
         Trial::new("a crowd", vec![crowd(1)], 10, Energy, &[column("crowd", 0.01, FLUNG)]),
         Trial::new("one that is very fast", fast(), 20, Off, &[strict("fast", 1e-3)]),
         Trial::new("absurd numbers", absurd(), 20, Inside, &[strict("absurd", 0.0)]),
-        // A method of low order may differ from the exact motion by this much. Official steps must
-        // agree except for rounding.
+        // A method of low order may differ from the exact motion by 0.05 cutoffs. Official steps
+        // must agree except for rounding.
         Trial::new("walls and corners", vec![walls()], 20, Off, &[strict("walls", 0.05)]),
         Trial::new("edges of bins", vec![edges()], 10, Off, &[strict("edges", 0.05)]),
     ];

@@ -58,8 +58,8 @@ impl Cell {
         }
     }
 
-    /// Returns the milliseconds that kernels take in a step, by the device's clock. `None` if it
-    /// has no clock.
+    /// Returns the milliseconds that kernels take in a step, by the device's clock. `None` if the
+    /// device has no clock.
     pub(super) fn kernels(&self) -> Option<f64> {
         Some(1e3 * self.timing.per_step("kernel time [s]")?)
     }

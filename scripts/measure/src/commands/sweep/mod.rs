@@ -77,7 +77,7 @@ impl Options {
     }
 }
 
-/// Measures, and prints and writes the results.
+/// Takes the measurements, then prints the results and writes them to a file.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let first = &programs[0];
@@ -100,8 +100,8 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Prints the description of a device, and returns its name. The name of a software device contains
-/// the information that it is not a GPU.
+/// Prints the description of a device, and returns its name. For a software device, the name
+/// includes a note that it is not a GPU.
 fn device_name(kit: &Kit, runner: &Runner) -> Result<String> {
     let mut cargo = kit.cargo();
     cargo.args(["run", "--release", "--quiet", "--package", "device"]);
@@ -131,7 +131,7 @@ fn table(varied: &Varied, cells: &[Cell]) -> Table {
         .table(cells)
 }
 
-/// Draws the shortest takes against the quantity, and the report's numbers as dashed lines.
+/// Plots the shortest times against the varied quantity, and the report's numbers as dashed lines.
 fn chart(title: String, varied: &Varied, cells: &[Cell]) -> Chart {
     let mut names: Vec<&str> = Vec::new();
     for cell in cells {
@@ -161,7 +161,7 @@ fn across(varied: &Varied, cells: &[Cell]) -> Axis {
     let at = cells.iter().map(|cell| cell.at);
     match varied {
         Varied::N => Axis::log(varied.label()),
-        // A number of threads is an integer, so only measured values have labels.
+        // Numbers of workers are integers, so only the measured values have labels.
         _ if varied.is_workers() || varied.is_workgroup() => {
             Axis::log(varied.label()).with_ticks(at)
         }

@@ -47,12 +47,12 @@ pub trait Primitives: Default + Send + Sync + 'static {
 
     /// Whether a list with this `skin` may lack a pair within the cutoff, and so has expired.
     ///
-    /// Since the list was built, no particle has gone further than `displacement`.
+    /// Since the list was built, no particle has moved further than `displacement`.
     fn expired(displacement: f64, skin: f64) -> bool;
 
     /// Returns the skin that makes a step cheapest. It is positive.
     ///
-    /// There are `density` particles per area, and the fastest particle goes `displacement` in a
-    /// step.
+    /// There are `density` particles per unit area, and the fastest particle moves a distance of
+    /// `displacement` in a step.
     fn best_skin(density: f64, displacement: f64) -> f64;
 }

@@ -38,7 +38,7 @@ impl Budget {
 /// Returns the number of steps that an inner list should last. `None` if steps without an inner
 /// list are cheaper.
 ///
-/// The outer list contains the pairs within the cutoff plus `skin`, and no particle goes further
+/// The outer list contains the pairs within the cutoff plus `skin`, and no particle moves further
 /// than `displacement` in a step.
 pub fn lasting(skin: f64, displacement: f64) -> Option<f64> {
     let share = |steps: f64| {

@@ -34,7 +34,7 @@ const SAVED_DISPLACEMENTS: f64 = 0.8;
 pub struct Limits {
     /// The speed that a particle may have without being an outlier.
     usual: f64,
-    /// The distance that a particle goes in a step at the speed `usual`.
+    /// The distance that a particle moves in a step at the speed `usual`.
     displacement: f64,
     /// Number of steps that an inner list should last; `None` if there is no inner list.
     steps: Option<f64>,
@@ -62,7 +62,7 @@ impl Limits {
     /// Chooses the usual speed for a new list, and decides whether to use inner lists. Returns the
     /// list's skin.
     ///
-    /// `skin(displacement)` is the best skin if no particle goes further than `displacement` in a
+    /// `skin(displacement)` is the best skin if no particle moves further than `displacement` in a
     /// step.
     pub fn renew(&mut self, bodies: &Bodies, dt: f64, size: f64, skin: impl Fn(f64) -> f64) -> f64 {
         self.outliers = Outliers::default();

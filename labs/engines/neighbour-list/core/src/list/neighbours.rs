@@ -59,7 +59,7 @@ impl<P: Primitives> Neighbours<P> {
         P::best_skin(self.density(bodies.len()), displacement)
     }
 
-    /// Returns the number of particles per area around a particle, according to the list of `n`
+    /// Returns the mean number of particles per unit area around a particle, from the list of `n`
     /// particles.
     pub fn density(&self, n: usize) -> f64 {
         let reach = CUTOFF + self.budget.skin;
