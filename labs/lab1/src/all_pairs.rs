@@ -17,8 +17,8 @@ pub struct AllPairs<O> {
 impl<O: Observer> AllPairs<O> {
     /// Sets each `accelerations[i]` to the acceleration of particle i due to all particles.
     ///
-    /// - The sum starts at zero and takes the neighbours in ascending order, j = 0 … n−1. The sum
-    ///   may include j = i, because this pair adds zero.
+    /// - Start the sum at zero, and add the neighbours' contributions in ascending order,
+    ///   j = 0 … n−1. The sum may include j = i, because this pair adds zero.
     /// - [`Particle::to`] returns the vector from a particle to its neighbour. [`add_pair`] adds the
     ///   acceleration that this neighbour causes.
     /// - All forces come from the positions at the *start* of the step, so no particle moves before all

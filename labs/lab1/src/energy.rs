@@ -32,14 +32,14 @@ pub fn kinetic_energy(particles: &[Particle]) -> f64 {
     todo!("task 1.5c: the energy of motion")
 }
 
-/// Returns the momentum, the sum of m v over all particles. The forces of pairs do not change it,
-/// but walls do.
+/// Returns the momentum, the sum of m v over all particles. Forces between particles do not
+/// change it, but walls do.
 pub fn momentum(particles: &[Particle]) -> Vec2 {
     todo!("task 1.5d: the momentum")
 }
 
-/// The all-pairs program, which also computes the energy after every step. The exact energy is
-/// constant, so any change is the error of the time step.
+/// A variant of the all-pairs program that also computes the energy after every step. The exact
+/// energy is constant, so any change is an error caused by the finite time step.
 #[derive(Default)]
 pub struct WithEnergy {
     inner: AllPairs<Tally>,

@@ -26,11 +26,11 @@ pub fn advance(particle: &mut Particle, a: Vec2, size: f64) {
 ///   changes its sign. A particle on a wall is inside.
 /// - Most particles need no reflection, and a few need one. A very fast particle in a small box may
 ///   need millions. So after exactly `MOST_REFLECTIONS` reflections, compute the rest without a loop: the path
-///   repeats every 2 `size`, and [`f64::rem_euclid`] folds it. A folded coordinate beyond `size`
-///   belongs to a particle on its way back.
+///   repeats every 2 `size`, and [`f64::rem_euclid`] folds it. If the folded coordinate is
+///   beyond `size`, the particle is on its way back: reflect it again.
 ///
-/// The loop and the fold round differently, and all labs must compute the same last digits. Therefore
-/// the number `MOST_REFLECTIONS` is fixed.
+/// The loop and the fold have different rounding errors, and all labs must compute the same last
+/// digits. Therefore the number `MOST_REFLECTIONS` is fixed.
 ///
 /// Book: chapter 1, *Walls*.
 #[inline]

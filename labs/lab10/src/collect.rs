@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use neighbour_list_core::kernels::{EIGHT, Pair, Positions, Signs, pack};
 
-/// Writes a pair [i, j] into `list` for every particle j of `range` within `reach` of particle `i`.
+/// For every particle j of `range` that is within `reach` of particle `i`, writes [i, j] into `list`.
 ///
 /// Returns the index in `list` at which the pairs now end. The new pairs are in ascending order. A
 /// particle exactly at `reach` is within reach.
@@ -22,8 +22,9 @@ use neighbour_list_core::kernels::{EIGHT, Pair, Positions, Signs, pack};
 /// [`Positions::eight`] fetches eight positions, and [`pack`] writes the pairs that you select from
 /// eight.
 ///
-/// [`Signs::negative`] takes eight `f32`. Compute in `f64`, and convert only the difference, at the very
-/// end. The conversion keeps the sign of even the smallest difference, and a difference of 0 becomes +0.
+/// [`Signs::negative`] takes eight `f32`. Compute the differences whose signs you need in `f64`,
+/// and convert only these differences. The conversion keeps the sign of even the smallest
+/// difference, and a difference of 0 becomes +0.
 ///
 /// Book: chapter 10, *The neighbours of a particle*.
 #[inline(always)]

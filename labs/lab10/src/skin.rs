@@ -23,7 +23,7 @@ pub fn expired(displacement: f64, skin: f64) -> bool {
 /// The candidates are 0.05, 0.1, … 3 cutoffs. If several skins cost the same, the result is the
 /// narrowest.
 ///
-/// - `density`: particles per area in the part of the box that contains particles.
+/// - `density`: particles per unit area in the part of the box that contains particles.
 /// - `displacement`: the greatest distance that a particle moves in a step.
 ///
 /// A wide skin makes lists long, and a narrow skin makes rebuilds frequent. From the book's

@@ -45,8 +45,8 @@ oracle::questions! {
     task_10_3 {
         expiry_table => "A displacement and a skin, in the same unit of length: whether the list has expired. Both \
                          particles of a pair may have moved by the displacement.",
-        skins_table => "Some mean numbers of neighbours, and some distances that a particle goes in a step, in units \
-                        of the cutoff c: the cheapest skin, in cutoffs.",
+        skins_table => "Several average numbers of neighbours, and several distances that a particle moves in a \
+                        step, in units of the cutoff c: the cheapest skin, in cutoffs.",
         expiry => "A displacement of exactly half a skin, or a rounding error more or less: whether the list has \
                    expired.",
         skins => "Any density and any displacement: the cheapest of the skins 0.05, 0.1, … 3 cutoffs.",
@@ -89,7 +89,7 @@ oracle::questions! {
         margins after "10.2, 10.4" => "Two particles whose distance is a rounding error greater than the cutoff plus \
                                        the skin: the pairs in both lists. Both lists must contain the pair.",
         chosen_skins after "10.2, 10.3, 10.4" => "Lists for which no skin is given: the skins of both lists. They \
-                                                  follow from the distance that the fastest particle goes in a step.",
+                                                  follow from the distance that the fastest particle moves in a step.",
     }
     task_10_6 {
         forces_table after "10.2, 10.4, 10.5" => "Four particles at rest, of which particle 3 has no neighbour: the \
@@ -103,7 +103,7 @@ oracle::questions! {
                                                    then once more with an empty list.",
         ages after "10.1, 10.2, 10.3, 10.4, 10.5" => "Particles that push each other apart: the displacements of both \
                                                       lists after each step. They must grow by the distance that the \
-                                                      fastest particle goes in this step.",
+                                                      fastest particle moves in this step.",
         two_meet after "10.1, 10.2, 10.3, 10.4, 10.5" => "Two particles that meet after each of them has gone half a \
                                                           skin: the state after each of 40 steps.",
         steps after "10.1, 10.2, 10.3, 10.4, 10.5" => "Your engine with both lists, without an inner list, and with a \

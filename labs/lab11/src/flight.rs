@@ -5,12 +5,13 @@
 use neighbour_list::kernels::larger;
 use windows::Span;
 
-/// Advances one coordinate `x` of particles in free flight by `steps` steps of length `dt`.
+/// Advances `x`, one coordinate of each particle in free flight, by `steps` steps of length `dt`.
 ///
 /// `v` contains the velocity of each particle. No wall is near.
 ///
-/// The result must have the bits of single steps: each step rounds the product `v * dt` once, adds it to
-/// the position, and rounds the sum. But fetch each particle from memory only once.
+/// The result must be, bit for bit, the result of single steps. Each step rounds the product
+/// `v * dt` once, adds it to the position, and rounds the sum. But fetch each particle from memory
+/// only once.
 ///
 /// Book: chapter 11, *Free flight*.
 #[inline(always)]

@@ -11,7 +11,7 @@ const SWEPT: f64 = 0.14;
 
 /// Returns the number of steps of a window, at least 1 and at most [`LONGEST`].
 ///
-/// - `density`: particles per area.
+/// - `density`: particles per unit area.
 /// - `speed`: the mean speed of the particles.
 ///
 /// With longer windows, the engine sorts and searches less often, but more particles meet in a window. In

@@ -64,18 +64,18 @@ oracle::questions! {
                                                   (2) the number of windows that are computed again.",
     }
     task_11_6 {
-        window_lengths => "The number of particles per area, and the mean speed of the particles: the number of steps \
-                           in a window.",
+        window_lengths => "The density (particles per unit area) and the mean speed of the particles: the number of \
+                           steps in a window.",
         lengths => "Any density and any speed: the number of steps in a window.",
-        plans => "The official scene, stretched or compressed: the choice of the programs `planned` and `substep`, \
-                  which is windows or a list.",
+        plans => "The official scene, stretched or compressed: whether the programs `planned` and `substep` choose \
+                  windows or a list.",
         a_crystal => "Particles in a crystal, three cutoffs apart: the number of neighbours that the planner expects.",
         a_fast_particle => "A nearly empty box, and the same box with one fast particle: the planner's choice. It \
                             must be windows in the first case, and a list in the second.",
         threads_that_pay => "The variant `planned` and a given number of threads: the number of threads that work.",
         steps_counted = |_, ask| steps_on_a_list(ask)
-            => "The variant `planned` in a long run with a list: how often, on average, a particle is touched in a \
-                step.",
+            => "The variant `planned` in a long run with a list: how often, on average, a particle is accessed \
+                (read or written) in a step.",
         planned after "11.1, 11.2, 11.3, 11.4, 11.5" = |_, ask| follows_the_model(ask, by_choice("11.6"), 200)
             => "The variant `planned` with the planner's choice: the state after each step, compared with the model.",
         planned_in_windows after "11.1, 11.2, 11.3, 11.4, 11.5" = |_, ask| follows_the_model(ask, in_windows("11.6"), 40)

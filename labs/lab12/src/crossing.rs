@@ -35,16 +35,16 @@ pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
 ///
 /// The step is so short that the slope changes its sign at most once.
 ///
-/// - If the number is at most 0 at the start and its slope is negative, it falls at once: the result is 0.
+/// - If the number is at most 0 at the start and its slope is negative, the result is 0.
 /// - If the number is at most 0 at the start and rises, an event has just happened. The number falls again
 ///   only after its top, where the slope falls through zero. If the number is at most 0 at the top, the
 ///   result is the top itself. If the number rises until the end, the result is `None`, whatever its
 ///   value at the end.
-/// - If the number is above 0 at both ends, falls first and then rises, it may be below 0 between the two
-///   ends. Check the bottom, where the slope rises through zero.
+/// - If the number is above 0 at both ends but first falls and then rises, it may be below 0
+///   between the two ends. Check the bottom, where the slope rises through zero.
 ///
-/// You may treat a slope of exactly 0 as falling or as rising, because both give the same moment. Only
-/// the first rule needs a slope below 0.
+/// The first rule needs a slope below 0. In all other rules, you may treat a slope of exactly 0 as
+/// falling or as rising, because both give the same moment.
 ///
 /// Book: chapter 12, *Is there a zero crossing?*.
 pub fn first_fall(

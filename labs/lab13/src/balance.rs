@@ -26,8 +26,9 @@ pub fn load(particles: usize, pairs: usize) -> u64 {
 /// The rank's load is divided among its rows in proportion to the particles in them. Each share is
 /// rounded down. If the rank has no particles, every share is 0.
 ///
-/// Strips are cut by the sum over all ranks ([`solution6::balanced`]). A clock would measure the
-/// cost of a row better, but two runs would then make different cuts and yield different bits.
+/// The strips are cut according to these costs, summed over all ranks ([`solution6::balanced`]). A
+/// clock would measure the cost of a row better, but two runs would then make different cuts and
+/// yield different bits.
 ///
 /// Loads and counts are large: the product of `load` and a count may exceed a `u64`.
 ///

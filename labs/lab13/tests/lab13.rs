@@ -39,7 +39,7 @@ use widths::*;
 
 oracle::questions! {
     task_13_1 {
-        widths_of_ghosts => "The distance that the fastest particle goes in a step, and a number of steps: the \
+        widths_of_ghosts => "The distance that the fastest particle moves in a step, and a number of steps: the \
                              necessary width of ghosts, all in cutoffs.",
         widths = |random, ask| widths(random, ask, false)
             => "Particles that are at rest, slow or fast, and 1 to 70,000 steps: the necessary width of ghosts.",
@@ -123,11 +123,11 @@ oracle::questions! {
             => "20,000 particles on two ranks: (1) the number of steps per list, which must be above four, (2) the \
                 number of messages of a rank in a step, which must be below four.",
         program after "13.1, 13.2, 13.3, 13.4, 13.5" = |_, ask| program("13.6", "strips", ask)
-            => "The lab's own program on ranks: (1) the official output, (2) the end of the whole job after one rank \
+            => "The lab's own program on ranks: (1) the official output, (2) whether the whole job ends after one rank \
                 is killed.",
     }
     task_13_7 {
-        depths_of_ghosts => "The distance that the fastest particle goes in a step, and a number of steps: the \
+        depths_of_ghosts => "The distance that the fastest particle moves in a step, and a number of steps: the \
                              necessary depth of ghosts, all in cutoffs.",
         depths = |random, ask| widths(random, ask, true)
             => "Particles that are at rest, slow or fast, and 1 to 70,000 steps: the necessary depth of ghosts.",
@@ -184,7 +184,7 @@ oracle::questions! {
                 the number of messages of a rank in a step, which must be far below one, (3) the number of epochs \
                 rolled back, which must be at most two.",
         program after "13.2, 13.5, 13.7" = |_, ask| program_of_epochs(ask)
-            => "The lab's own program on ranks: (1) the official output, (2) the end of the whole job after one rank \
+            => "The lab's own program on ranks: (1) the official output, (2) whether the whole job ends after one rank \
                 is killed.",
     }
 }

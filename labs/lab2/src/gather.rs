@@ -22,7 +22,7 @@ pub struct Gather {
 impl Gather {
     /// Returns the acceleration of `particle` due to the `candidates` within the cutoff.
     ///
-    /// - The sum starts at zero and takes the neighbours in ascending order of ids.
+    /// - Start the sum at zero, and add the neighbours' contributions in ascending order of ids.
     /// - `candidates` are the bins around the particle, as slices. The slices and the particles in each
     ///   slice may be in any order. No particle occurs twice.
     /// - If `particle` itself is among the candidates, leave it out.

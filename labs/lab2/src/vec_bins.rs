@@ -23,7 +23,7 @@ impl VecBins {
         Self { grid, bins: vec![Vec::new(); grid.bins()] }
     }
 
-    /// Makes empty bins for the box of `scene`, at least `bin_size` cutoffs wide.
+    /// Makes empty bins, each at least `bin_size` cutoffs wide, for the box of `scene`.
     pub fn of_scene(scene: &Scene, bin_size: f64) -> Self {
         Self::new(Grid::of_scene(scene, bin_size))
     }
@@ -40,7 +40,7 @@ impl VecBins {
         &self.bins
     }
 
-    /// The bins, row by row, for changes. `chunks_mut(columns)` yields the rows.
+    /// The bins, row by row, as a mutable slice. `chunks_mut(columns)` yields the rows.
     #[inline]
     pub fn bins_mut(&mut self) -> &mut [Vec<Particle>] {
         &mut self.bins
@@ -69,7 +69,8 @@ impl VecBins {
     /// Returns the acceleration of `particle` due to the particles in its bin and in the bins
     /// around it.
     ///
-    /// - The sum starts at zero and takes the neighbours in the order in which they are found.
+    /// - Start the sum at zero, and add the neighbours' contributions in the order in which you find
+    ///   the neighbours.
     /// - The rows and columns of [`Grid::near`] contain nine bins, or fewer at a wall. Visit each
     ///   bin once.
     /// - The particle's own bin contains the particle itself, which adds zero.

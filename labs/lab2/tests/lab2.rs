@@ -49,7 +49,8 @@ oracle::questions! {
                                         in a different bin: (1) the acceleration of particle 0, (2) the number of \
                                         particles against which particle 0 was tested, including itself.",
         nine_bins after "2.2" => "A particle among any number of others: (1) its acceleration, (2) the number of \
-                                  particles in the bins around it against which it was tested, including itself.",
+                                  particles against which it was tested. These are the particles in the bins around \
+                                  it, including itself.",
         edges after "2.1, 2.2, 2.3" = |_, ask| edges(ask, &rebuild())
             => "Pairs 0.9995 cutoffs apart, across every edge between bins and in every direction: the state after \
                 one step.",

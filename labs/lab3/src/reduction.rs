@@ -7,7 +7,8 @@ use rayon::prelude::*;
 
 /// Adds up `parts` in one total, which a lock protects.
 ///
-/// Rayon's threads share the parts. A thread holds the lock while it adds a part to the total.
+/// The parts are divided among Rayon's threads. A thread holds the lock while it adds a part to the
+/// total.
 ///
 /// Book: chapter 3, *A reduction, three ways*.
 pub fn under_a_lock<O: Observer>(parts: &[O]) -> O {
@@ -65,7 +66,7 @@ impl Default for AtomicStatistics {
     }
 }
 
-/// Adds up `parts` with [`AtomicStatistics`]. Rayon's threads share the parts.
+/// Adds up `parts` with [`AtomicStatistics`]. The parts are divided among Rayon's threads.
 pub fn with_atomics(parts: &[Statistics]) -> Statistics {
     let total = AtomicStatistics::default();
     parts.par_iter().for_each(|part| total.add(part));
@@ -75,11 +76,11 @@ pub fn with_atomics(parts: &[Statistics]) -> Statistics {
 /// The number of parts in a block. One thread adds up a whole block.
 pub const BLOCK: usize = 64;
 
-/// Adds up `parts` without a lock, with the same bits on any number of threads.
+/// Adds up `parts` without a lock. The result has the same bits on any number of threads.
 ///
-/// The parts are cut into blocks of [`BLOCK`] parts; the last block may be shorter. Rayon's threads
-/// share the blocks. Each block is summed from zero, in the order of its parts. Finally, one thread
-/// adds up the sums of the blocks, in the order of the blocks.
+/// The parts are cut into blocks of [`BLOCK`] parts; the last block may be shorter. The blocks are
+/// divided among Rayon's threads. Each block is summed from zero, in the order of its parts.
+/// Finally, one thread adds up the sums of the blocks, in the order of the blocks.
 ///
 /// Book: chapter 3, *A reduction, three ways*.
 pub fn in_order<O: Observer>(parts: &[O]) -> O {

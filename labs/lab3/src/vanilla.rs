@@ -44,7 +44,7 @@ impl<O: Observer> Vanilla<O> {
 
     /// Writes the acceleration of each particle i to `accelerations[i]`, in parallel.
     ///
-    /// - The threads of `pool` share the particles.
+    /// - The particles are divided among the threads of `pool`.
     /// - As in lab 1, the acceleration of particle i is the sum over all particles, in ascending
     ///   order.
     /// - `seen[i]` becomes a new observer in each step. Report the pairs of particle i to this

@@ -110,9 +110,10 @@ oracle::questions! {
                                         after both loops.",
         all_workers after "3.4, 3.5" => "Few workers and many workers: x, y, vx, vy of each particle after both \
                                          loops.",
-        shared_workers after "3.4, 3.5" => "A pool of threads that runs both loops over workers: the share of the \
-                                            work that each thread did. In each loop, every thread must do some work, \
-                                            and no thread may do nearly all of it.",
+        shared_workers after "3.4, 3.5" => "A pool of threads that runs both loops, each of which is a loop over \
+                                            the workers: the share of the work that each thread did. In each \
+                                            loop, every thread must do some work, and no thread may do nearly \
+                                            all of it.",
     }
     task_3_7 {
         rebin_table = handover_examples::rebinning_by_one
@@ -126,11 +127,12 @@ oracle::questions! {
     }
     task_3_8 {
         arrival_table = handover_examples::rebinning_by_all
-            => "Four particles in bins and in three change buffers, and two workers that take their arrivals one \
-                after the other: the bin of each particle before and after each worker has taken its arrivals.",
+            => "Four particles in bins and in three change buffers, and two workers that take their arrivals in \
+                turn, first one worker and then the other: the bin of each particle before and after each worker has \
+                taken its arrivals.",
         own_arrivals = buffers::by_all
             => "Any number of particles in any number of change buffers, from which a worker takes its arrivals: \
-                for each particle, the bins in the worker's rows that contain it afterwards.",
+                for each particle, which bins of the worker's rows contain it afterwards.",
         parallel_rebin after "3.3, 3.4, 3.5, 3.6" => "Runs of `parallel-rebin` on 1 to 17 threads: the state, which \
                                                       must have the same bits as in `all-pairs`, and the statistics \
                                                       of each step.",

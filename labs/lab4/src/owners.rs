@@ -113,7 +113,7 @@ fn sum_one_way<O: Observer>(
     }
 }
 
-/// Sums the forces of each pair once, in the thread that owns the lower row.
+/// Computes the force of each pair once, in the thread that owns the row with the lower number.
 ///
 /// The accelerations of the next owner's particles are stored separately, in `across`. The next
 /// owner adds them when all threads have finished.

@@ -15,7 +15,7 @@ pub fn post(cut: Cut, queues: &[SegQueue<Change>], change: Change) {
     todo!("task 4.7: post a change to the owners of its bins")
 }
 
-/// Makes the changes in the queue of region `own`, until the queue is empty.
+/// Carries out the changes in the queue of region `own`, until the queue is empty.
 ///
 /// `bins` are the bins of region `own`. No thread posts while this runs. [`apply_own`] makes the
 /// changes.
@@ -35,7 +35,7 @@ pub fn send(cut: Cut, senders: &[Sender<Change>], change: Change) {
     todo!("task 4.8: send a change to the owners of its bins")
 }
 
-/// Makes the changes that have been sent to the owner of region `own`, and returns without waiting.
+/// Carries out the changes sent so far to the owner of region `own`, and returns without waiting.
 ///
 /// `bins` are the bins of region `own`. The senders still exist, because the next step needs them.
 /// So a loop that ends when all senders are gone ([`iter`](Receiver::iter)) would wait forever.

@@ -110,11 +110,11 @@ oracle::questions! {
             => "Three changes in three buffers: the particles in each bin (1) before the changes, (2) after one \
                 thread has made all changes, (3) after each owner has made its own changes.",
         by_one after "4.1" = handovers::by_one
-            => "Any changes in any number of buffers: (1) the bins that contain each particle after one thread has \
-                made the changes, (2) the number of locks that this thread takes, which must be 0.",
+            => "Any set of changes in any number of buffers: (1) the bins that contain each particle after one thread \
+                has made the changes, (2) the number of locks that this thread takes, which must be 0.",
         by_owners after "4.1" = handovers::by_owners
-            => "Any changes in any number of buffers: the bins that contain each particle after the owners have made \
-                the changes.",
+            => "Any set of changes in any number of buffers: the bins that contain each particle after the owners have \
+                made the changes.",
         buffers_by_one after "4.1, 4.4" => "Runs of `buffers-by-one` on 1 to 17 threads: the state, which must have \
                                             the same bits as in `all-pairs`, and the statistics of each step.",
         buffers_by_all after "4.1, 4.4" => "Runs of `buffers-by-all` on 1 to 17 threads: the state, which must have \

@@ -102,7 +102,7 @@ oracle::questions! {
             => "The official scene on 1 to 4 ranks: the state after each of 200 steps, which must have the same bits \
                 as in `all-pairs`.",
         program after "5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7"
-            => "The lab's own program on ranks: (1) the official output, (2) the end of the whole job after one rank \
+            => "The lab's own program on ranks: (1) the official output, (2) whether the whole job ends after one rank \
                 is killed.",
     }
     task_5_9 {

@@ -45,8 +45,8 @@ where
 
 /// Sends `lists[k]` to rank k, for every k, and returns the items that all ranks sent to this rank.
 ///
-/// There is one list for each rank, including this rank. Most lists are empty. The result contains
-/// the received lists in sequence, in the order of ranks.
+/// There is one list for each rank, including this rank. Most lists are empty. The result is
+/// the received lists joined end to end, in the order of ranks.
 ///
 /// Two collective operations are needed. First exchange the counts
 /// ([`CommunicatorCollectives::all_to_all_into`]). Then exchange the items

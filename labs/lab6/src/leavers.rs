@@ -22,6 +22,6 @@ pub fn sort_leavers(
     leavers: &[Wire],
 ) -> Leavers {
     let mut sorted = Leavers::default();
-    todo!("task 6.6: movers to the neighbours, and further");
+    todo!("task 6.6: movers to the neighbours and beyond");
     sorted
 }

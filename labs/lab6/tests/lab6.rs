@@ -119,7 +119,7 @@ oracle::questions! {
             => "The official scene on 1 to 4 ranks: the state after each of 200 steps, which must have the same bits \
                 as in `all-pairs`.",
         program after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
-            => "The lab's own program on ranks: (1) the official output, (2) the end of the whole job after one rank \
+            => "The lab's own program on ranks: (1) the official output, (2) whether the whole job ends after one rank \
                 is killed.",
     }
 }

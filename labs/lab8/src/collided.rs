@@ -34,10 +34,10 @@ pub fn collided(
 /// Moves a worker's discs to the end of the previous step, then inserts the discs that `arrived`.
 ///
 /// - `held` are the ranges of the worker's disc numbers.
-/// - If `moves` is true, each held disc flies straight by its velocity, whether it has collided or
-///   not. A disc that has collided is among the discs that arrived, and is overwritten.
+/// - If `moves` is true, each held disc moves in a straight line for one step, whether it has
+///   collided or not. A disc that has collided is among the discs that arrived, and is overwritten.
 /// - `moves` is false if there was no previous step, or if all held discs arrive.
-/// - Use exactly the sums `x + vx` and `y + vy`. The master computes the same sum, and the bits must
+/// - Use exactly the sums `x + vx` and `y + vy`. The master computes the same sums, and the bits must
 ///   agree.
 ///
 /// Book: chapter 8, *What a worker cannot know*.

@@ -10,8 +10,8 @@ use crate::deal::deal_out;
 /// Decides which of all workers' `candidates` happen, and moves the discs.
 ///
 /// Only the master calls this. Take the candidates that happen, with lab 7's [`take_in_order`].
-/// Move the discs that are still free straight on. Carry out the collisions that were taken, with
-/// lab 7's [`resolve`].
+/// Advance the discs that are still free in a straight line. Carry out the collisions that were
+/// taken, with lab 7's [`resolve`].
 ///
 /// `engine.taken` contains the collisions of the previous step: replace them. `engine.tally.taken`
 /// counts the new collisions.

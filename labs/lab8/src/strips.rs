@@ -18,8 +18,8 @@ pub fn reached(strips: &Strips, disc: &DiscWire, reach: f64) -> Reach {
 
 /// Whether `rank` is the rank that tests a pair of discs.
 ///
-/// `a` and `b` are the strips that the two discs reach. Exactly one of the ranks that have both
-/// discs tests the pair. No rank needs a message to know which rank this is. If the discs reach no
+/// `a` and `b` are the strips that the two discs reach. Of the ranks that have both discs, exactly
+/// one tests the pair. No rank needs a message to know which rank this is. If the discs reach no
 /// strip in common, they cannot meet, and no rank tests the pair.
 ///
 /// A pair that meets at a cut is known on both sides of it. Lab 7 has the same problem with a pair

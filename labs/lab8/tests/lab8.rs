@@ -106,7 +106,7 @@ oracle::questions! {
             => "The report's program, which the lab gives you, on 1 to 5 ranks: the state after each step, which must \
                 have the same bits as in lab 7's `sequential`.",
         program_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
-            => "The lab's own program: (1) the end of the whole job after one rank is killed, (2) the error message \
+            => "The lab's own program: (1) whether the whole job ends after one rank is killed, (2) the error message \
                 if the input is not a scene.",
     }
     task_8_8 {
@@ -181,6 +181,6 @@ oracle::questions! {
         memory_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"
             => "1000 discs in a long run on 2 ranks: the memory in use, which must not grow with the number of steps.",
         program_with_cuts after "8.5, 8.8, 8.9, 8.10, 8.11, 8.12"
-            => "The lab's own program: the end of the whole job after one rank is killed.",
+            => "The lab's own program: whether the whole job ends after one rank is killed.",
     }
 }

@@ -36,21 +36,21 @@ impl Launcher for Lab9 {
         todo!("task 9.1b: one invocation for each item")
     }
 
-    /// Does `work`, and returns an error if the device or wgpu refused any of it.
+    /// Runs `work`, and returns an error if the device or wgpu refused any of it.
     ///
     /// The wgpu calls that make kernels and launches return no errors. Like CUDA, wgpu continues
     /// with an invalid object, and a refused launch leaves all buffers as they were. An *error
     /// scope* catches the errors inside it:
     ///
     /// 1. Open a scope for [`ErrorFilter::Validation`] with `gpu.device.push_error_scope`.
-    /// 2. Do the work.
+    /// 2. Run `work`.
     /// 3. Close the scope with `pop`. It returns a future of an `Option` of an error.
     ///    `pollster::block_on` waits for the future.
     ///
     /// Book: chapter 9, *A launch that never ran*.
     ///
     /// # Errors
-    /// [`GpuError::Refused`], with `what` was refused and the reason.
+    /// [`GpuError::Refused`], which contains `what` and the reason.
     fn checked<T>(gpu: &Gpu, what: &str, work: impl FnOnce() -> T) -> Result<T, GpuError> {
         todo!("task 9.1c: a refusal is an error")
     }

@@ -110,8 +110,8 @@ oracle::questions! {
     task_9_6 {
         summed_blocks => "Nine counts that three workgroups of three invocations sum: for each count, the sum of the \
                           counts before it (1) in its own block, (2) in all blocks.",
-        meetings => "Numbers that a workgroup shares: (1) the first conflict, (2) the invocations that come to each \
-                     barrier, which must be all. A conflict is two accesses to one number by two invocations without \
+        meetings => "Numbers that a workgroup shares: (1) the first conflict, (2) the number of invocations that reach \
+                     each barrier (all must). A conflict is two accesses to one number by two invocations without \
                      a barrier in between. A round needs two barriers.",
         scans => "Few and many numbers, and workgroups of any size: for each number, the sum of the numbers before \
                   it.",

@@ -190,7 +190,7 @@ pub(crate) fn rebuilds(random: &mut Random, ask: &mut impl Ask) {
         found.push(100.0 / counted(&engine, "steps per rebuild"));
         let question = format!(
             "{n} particles in a box like the official box, skin {skin:.4} cutoffs: (1) for each of 100 steps, the \
-             distance that the fastest particle goes in the step, (2) the number of outer lists built"
+             distance that the fastest particle moves in the step, (2) the number of outer lists built"
         );
         ask.judge(&question, || found, |found| are_rebuilt(skin * CUTOFF, found));
     }

@@ -250,7 +250,7 @@ pub(crate) fn chosen_skins(random: &mut Random, ask: &mut impl Ask) {
             case.scene.len() as f64 / ((extent.width + CUTOFF) * (extent.height + CUTOFF));
         engine.rebuild(AnyProcessor);
         let name = format!(
-            "{}, the fastest particle goes {:.4} cutoffs in a step",
+            "{}, the fastest particle moves {:.4} cutoffs in a step",
             case.name(),
             goes / CUTOFF
         );

@@ -31,7 +31,7 @@ pub(crate) fn skins(random: &mut Random, ask: &mut impl Ask) {
         let density = if case < 99 { random.magnitude(1.0, 1e7) } else { 0.0 };
         let displacement = if case < 98 { random.magnitude(1e-4, 10.0) * CUTOFF } else { 0.0 };
         let question = format!(
-            "{density:.1} particles per area, which go {:.4} cutoffs in a step: cheapest skin, in cutoffs",
+            "{density:.1} particles per unit area, which move {:.4} cutoffs in a step: cheapest skin, in cutoffs",
             displacement / CUTOFF
         );
         let found = || vec![best_skin(density, displacement) / CUTOFF];

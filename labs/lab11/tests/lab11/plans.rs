@@ -25,7 +25,7 @@ pub(crate) fn lengths(random: &mut Random, ask: &mut impl Ask) {
             _ => {}
         }
         let question = format!(
-            "{density:?} particles per area and a mean speed of {speed:?}: number of steps in a window"
+            "{density:?} particles per unit area and a mean speed of {speed:?}: number of steps in a window"
         );
         let found = || vec![f64::from(window_length(density, speed))];
         ask.judge(&question, found, |found| right_length(found, density, speed));

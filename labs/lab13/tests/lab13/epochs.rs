@@ -68,7 +68,7 @@ pub(crate) fn confirmations(random: &mut Random, ask: &mut impl Ask) {
             let mut all = sent[rank.number].clone();
             let right = rank.call("confirm", |world| confirm(world, &mut all, steps, width));
             let name = format!(
-                "{}, {steps} steps, ghosts {width:?} deep. The numbers of the ranks are {sent:?}",
+                "{}, {steps} steps, ghosts {width:?} deep. The ranks sent the numbers {sent:?}",
                 rank.name()
             );
             ask.exact(

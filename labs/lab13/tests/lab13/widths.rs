@@ -12,7 +12,7 @@ pub(crate) fn widths(random: &mut Random, ask: &mut impl Ask, deep: bool) {
     for steps in random.sizes(70_000).into_iter().filter(|&steps| steps > 0) {
         for fastest in [0.0, random.magnitude(1e-15, 1e9), CUTOFF * random.magnitude(1e-3, 1e3)] {
             let question = format!(
-                "the fastest particle goes {fastest:?} in each of {steps} steps: how {} the ghosts must be for these \
+                "the fastest particle moves {fastest:?} in each of {steps} steps: how {} the ghosts must be for these \
                  steps",
                 if deep { "deep" } else { "wide" }
             );

@@ -128,8 +128,8 @@ impl Crowd {
             || self.acceleration(own),
         );
         let question = format!(
-            "{name}: number of particles in the bins around this particle against which it was tested (`tested`), \
-             including itself"
+            "{name}: number of particles against which this particle was tested (`tested`), which are the particles in \
+             the bins around it, including itself"
         );
         let looked_at = || integers([count.tested as usize]);
         ask.exact(&question, looked_at, || integers([self.around(own).count()]));

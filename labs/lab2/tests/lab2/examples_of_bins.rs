@@ -110,7 +110,7 @@ pub(crate) fn nine_bins_table(_: &mut Random, ask: &mut impl Ask) {
     });
 }
 
-/// Positions of a neighbour, in cutoffs: in each of nine bins, and further away.
+/// Positions of a neighbour, in cutoffs: in each of nine bins, and beyond them.
 const AROUND: [(f64, f64); 11] = [
     (-0.6, -0.6),
     (0.0, -0.6),

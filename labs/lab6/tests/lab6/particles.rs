@@ -85,7 +85,7 @@ fn some_rows_beside(random: &mut Random, rows: &mut [usize], rank: usize) -> [Op
     }
 }
 
-/// Asks about particles that move to the neighbours, and further.
+/// Asks about particles that move to the neighbours and beyond.
 pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..150 {
         let left = Left::drawn(random);
