@@ -138,8 +138,8 @@ oracle::questions! {
         parts => "A loop of any length in fixed parts: the begin and the end of each worker's part.",
         queues => "A loop of any length from the queue. Sometimes the first iterations are taken already: the begin \
                    and the end of each part. No part may come after the end of the loop.",
-        interrupted_queue => "Two workers take parts from one queue. The second worker takes a part whenever the \
-                              first is at a load or before a store: the begin and the end of each part.",
+        interrupted_queue => "Two workers take parts from one queue. The second worker takes a part just before \
+                              and just after the first changes the count: the begin and the end of each part.",
     }
     task_7_9 {
         loop_table after "7.8" => "Six discs, two workers and fixed parts: the list that receives each pair of discs \
@@ -168,8 +168,9 @@ oracle::questions! {
                        The slot must not be written until then.",
         no_lock => "Two workers that append without a lock: whether one worker must wait for the other. It is an \
                     error if either has to wait.",
-        interrupted_count => "Two workers that append without a lock. The second worker appends whenever the first is \
-                              at a load or before a store: the candidates in the list. No candidate may be missing.",
+        interrupted_count => "Two workers that append without a lock. The second worker appends just before and just \
+                              after the first changes the count: the candidates in the list. No candidate may be \
+                              missing.",
         pairs_in_one_list after "7.2, 7.8, 7.9" => "Scenes of all kinds, three threads and one list: the pairs found.",
     }
     task_7_11 {

@@ -11,8 +11,8 @@ use hard_discs::Candidate;
 /// - Within a kind, the candidate with the lower first disc number comes first. If the first
 ///   numbers are equal, the lower second number decides.
 ///
-/// Compare times exactly. With a tolerance («closer than 1e-10 is the same»), a = b and b = c are
-/// possible while a < c, and a sort by such an order may do anything. Two zeros are the same time
+/// Compare times exactly. With a tolerance ("times closer than 1e-10 are equal"), a = b and b = c
+/// are possible while a < c, and a sort by such an order may do anything. Two zeros are the same time
 /// even if one of them is −0.0, so [`f64::total_cmp`] is not the right comparison. No time is NaN.
 ///
 /// Book: chapter 7, *The earliest first*.

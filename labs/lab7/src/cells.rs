@@ -10,8 +10,9 @@ use hard_discs::Entry;
 /// where their boxes begin. Directly after entry `k` come the entries whose boxes begin in its own
 /// column or in the `further` columns after it. The last column of a row and the first column of
 /// the next row have consecutive numbers, but no box extends beyond the last column.
+/// So the partners of an entry are never in the next row.
 ///
-/// Over all k, this yields every pair of entries of a row whose boxes share a column exactly once.
+/// Over all k, this yields exactly once every pair of entries in a row whose boxes share a column.
 /// Two discs may share several rows. The pair is then found in each of these rows, and the caller
 /// removes the duplicates.
 ///

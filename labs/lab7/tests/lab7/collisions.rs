@@ -205,8 +205,8 @@ pub(crate) fn pushes(random: &mut Random, ask: &mut impl Ask) {
         let mut a = Disc::new(4.0 * unit + time * speed, 50.0 * unit, -speed, 0.0);
         let mut b = Disc::new(2.0 * unit, 50.0 * unit, 0.0, 0.0);
         let question = format!(
-            "{} pushes {} of radius {unit:?} at the wall behind it at λ = {time:?}: x y vx vy of the second disc, its \
-             number of collisions with discs and its number of collisions with walls",
+            "{} pushes {} of radius {unit:?} against the wall behind it at λ = {time:?}: x y vx vy of the second \
+             disc, its number of collisions with discs and its number of collisions with walls",
             words(&a),
             words(&b)
         );

@@ -1,9 +1,10 @@
 //! Questions about counts that two workers share: tasks 7.8 and 7.10.
 //!
-//! The first worker is interrupted at a load, before a store or an addition, or after it has
-//! released a lock. At that point the other worker does all of its own work on the count. Therefore
-//! a correct program gives the same result as two threads that meet at the worst moment, and a
-//! wrong program is caught in every run.
+//! The first worker is interrupted before and after it changes the count, or after it has released
+//! a lock. At that point the other worker does all of its own work on the count. Therefore a correct
+//! program gives the same result as two threads that meet at the worst moment, and a wrong program
+//! is caught in every run. Reads are not interrupted, because a submission could use up the
+//! interruptions with reads that it does not need.
 
 use std::iter::from_fn;
 use std::ops::Range;
@@ -160,10 +161,10 @@ fn holds_all(found: &[f64], own: u32) -> Result<(), String> {
 /// Returns the question about a list of two workers.
 fn appended(own: u32, how: &str, places: Places) -> String {
     format!(
-        "one worker appends the candidates of discs 1 to {own} {how}. A second worker appends the candidate of disc \
-         {OTHERS}, then of the next disc, and so on, each time the first worker is interrupted, {}: number of \
-         candidates that the second worker has appended, then the first disc of each candidate in the list, in \
-         ascending order",
+        "one worker appends the candidates of discs 1 to {own} {how}. A second worker appends one candidate each time \
+         the first worker is interrupted, {}. It begins with the candidate of disc {OTHERS}, and continues with the \
+         next disc each time: (1) number of candidates that the second worker has appended, (2) the first disc of \
+         each candidate in the list, in ascending order",
         places.words()
     )
 }
@@ -187,7 +188,7 @@ pub(crate) fn interrupted_lock(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Asks about appending while another worker appends at each load and before each store.
+/// Asks about appending while another worker appends before and after each change of the count.
 pub(crate) fn interrupted_count(random: &mut Random, ask: &mut impl Ask) {
     for (places, is_long) in Places::drawn(random, 6) {
         let own = if is_long { 2000 } else { 2 };

@@ -40,7 +40,7 @@ fn looks(
     looks.concat()
 }
 
-/// Returns the lab's fixed parts of all loops of up to `n` iterations: begin and end of each
+/// Returns the lab's fixed parts of all loops of up to `n` iterations: start and end of each
 /// worker's part. Another task checks whether these parts are correct.
 fn own_parts(n: usize, workers: usize) -> Vec<usize> {
     let all = (0..=n).flat_map(|n| (0..workers).map(move |worker| fixed_part(n, workers, worker)));

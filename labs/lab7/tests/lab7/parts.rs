@@ -12,7 +12,7 @@ pub(crate) fn parts(random: &mut Random, ask: &mut impl Ask) {
         for workers in [1, 2, 3, 7, 8, 9, 33, 49, 256, 257, 1 + random.below(300)] {
             let part = |worker: usize| fixed_part(n, workers, worker);
             let question = format!(
-                "{n} iterations in fixed parts for {workers} workers: begin and end of each worker's part"
+                "{n} iterations in fixed parts for {workers} workers: start and end of each worker's part"
             );
             ask.judge(
                 &question,
@@ -23,8 +23,8 @@ pub(crate) fn parts(random: &mut Random, ask: &mut impl Ask) {
     }
 }
 
-/// Checks that the numbers are begin and end of consecutive parts of `0..n` whose lengths differ by
-/// at most 1.
+/// Checks that the numbers are the starts and ends of consecutive parts of `0..n` whose lengths
+/// differ by at most 1.
 fn are_even_parts(found: &[f64], n: usize, workers: usize) -> Result<(), String> {
     if found.len() != 2 * workers {
         return Err(format!("the answer has {} numbers", found.len()));
@@ -69,7 +69,7 @@ pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
             };
             let question = format!(
                 "{n} iterations from the queue in chunks of {chunk}. {begin} iterations are taken already, and at \
-                 least two calls come after the end of the loop: begin and end of each part"
+                 least two calls come after the end of the loop: start and end of each part"
             );
             ask.exact(&question, found, || {
                 integers((begin..n).step_by(chunk).flat_map(|start| [start, n.min(start + chunk)]))

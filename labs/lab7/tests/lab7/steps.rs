@@ -140,7 +140,7 @@ pub(crate) fn steps_in_windows(_: &mut Random, ask: &mut impl Ask) {
         );
         ask.exact(
             &format!(
-                "{name}: begin and end of each window for which the finder is called (9 for the end of the step), and \
+                "{name}: start and end of each window for which the finder is called (9 for the end of the step), and \
                  number of free discs at that moment"
             ),
             || done.asked.concat(),
@@ -180,7 +180,7 @@ struct Walls {
 }
 
 impl Walls {
-    /// Draws times at the begin and end of windows, at the neighbouring numbers, and at the end of
+    /// Draws times at the start and end of windows, at the neighbouring numbers, and at the end of
     /// the step.
     fn drawn(random: &mut Random, case: usize) -> Self {
         let count = [1, 2, 3, 8, 64][case % 5];

@@ -7,8 +7,8 @@ type Interruption<T> = Box<dyn Fn(&T) + Send + Sync>;
 
 /// An atomic counter that several threads share.
 ///
-/// A test can make the counter do another thread's work at the worst moments: before each
-/// operation, and after each `load` ([`SharedCount::interrupted`]). Without a test this costs the
+/// A test can make the counter do another thread's work at the worst moments: just before and just
+/// after each change of the value ([`SharedCount::interrupted`]). Without a test this costs the
 /// comparison of an `Option` with `None`.
 #[derive(Default)]
 pub struct SharedCount {
@@ -17,8 +17,7 @@ pub struct SharedCount {
 }
 
 impl SharedCount {
-    /// Returns a counter at 0 that calls `interruption` before each operation, and after each
-    /// `load`.
+    /// Returns a counter at 0 that calls `interruption` before and after each change of the value.
     pub fn interrupted(interruption: impl Fn(&Self) + Send + Sync + 'static) -> Self {
         Self { value: AtomicUsize::new(0), interruption: Some(Box::new(interruption)) }
     }
@@ -29,10 +28,7 @@ impl SharedCount {
     /// Returns the current value, which another thread may change immediately.
     #[inline]
     pub fn load(&self) -> usize {
-        self.interrupt();
-        let value = self.value.load(Ordering::Relaxed);
-        self.interrupt();
-        value
+        self.value.load(Ordering::Relaxed)
     }
 
     /// Overwrites the value.
@@ -40,6 +36,7 @@ impl SharedCount {
     pub fn store(&self, value: usize) {
         self.interrupt();
         self.value.store(value, Ordering::Relaxed);
+        self.interrupt();
     }
 
     /// Adds to the value and returns the previous value. No other thread can change the value in
@@ -47,11 +44,13 @@ impl SharedCount {
     #[inline]
     pub fn fetch_add(&self, more: usize) -> usize {
         if more == 0 {
-            // Adding nothing is a load.
+            // The value does not change.
             return self.load();
         }
         self.interrupt();
-        self.value.fetch_add(more, Ordering::Relaxed)
+        let previous = self.value.fetch_add(more, Ordering::Relaxed);
+        self.interrupt();
+        previous
     }
 
     #[inline]
