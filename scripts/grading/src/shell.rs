@@ -48,7 +48,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     println!(
         "It is in /kit, and its sources in src. This asks a question of task {lab}.1 with seed 7 and shows what it\n\
          prints. tests/lab{lab}.rs lists the questions.\n\
-         ./answer /tmp/answers task_{lab}_1::QUESTION 7"
+         ./answer task_{lab}_1::QUESTION 7 0> /tmp/answers"
     );
     let status = sandbox.shell(folder.path()).status()?;
     Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })

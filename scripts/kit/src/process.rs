@@ -56,10 +56,15 @@ impl Drop for Started {
     }
 }
 
-/// Runs a command in its own process group. All processes of the group are killed when the command
-/// ends or exceeds its time limit.
+/// Runs a command with an empty standard input, in its own process group. All processes of the
+/// group are killed when the command ends or exceeds its time limit.
 pub fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {
-    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    run_with(command, Stdio::null(), limit)
+}
+
+/// Runs a command like [`run`], with this standard input.
+pub fn run_with(command: &mut Command, stdin: Stdio, limit: Duration) -> io::Result<Finished> {
+    command.stdin(stdin).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut started = start(command)?;
     let child = &mut started.child;
     let stdout = ends(child.stdout.take());

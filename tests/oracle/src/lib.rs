@@ -55,7 +55,9 @@ pub use count::Count;
 pub use frames::{read_frames, write_scene};
 pub use lab_machine::nanoseconds_each;
 pub use model::{Model, acceleration_of_pair, energy, fold, potential_of_pair};
-pub use questions::{Question, answer, judge, print as print_questions};
+#[cfg(unix)]
+pub use questions::answer;
+pub use questions::{Question, judge, print as print_questions};
 pub use random::Random;
 pub use runs::{Runs, States, statistics_of_run};
 pub use share::Share;

@@ -2,7 +2,10 @@
 //! from the table.
 
 use crate::Random;
-use crate::asking::{Judge, Recorder};
+use crate::asking::Judge;
+#[cfg(unix)]
+use crate::asking::Recorder;
+#[cfg(unix)]
 use crate::panics::name_the_lab;
 
 /// A row of the table: one question about one task.
@@ -42,14 +45,16 @@ pub fn print(questions: &[Question]) {
     }
 }
 
-/// Runs a submission: `answer FILE QUESTION SEED` writes the answers to a file.
+/// Runs a submission: `answer QUESTION SEED` writes the answers to the standard input, which the
+/// grader has connected to a socket.
 ///
 /// # Panics
-/// If the question does not exist, the file cannot be written, or the submission panics.
+/// If the question does not exist, the answers cannot be written, or the submission panics.
+#[cfg(unix)]
 pub fn answer(questions: &[Question], ask: fn(&str, &mut Random, &mut Recorder) -> bool) {
     name_the_lab();
-    let order = Order::read();
-    let mut recorder = Recorder::new(&order.file);
+    let order = Order::read(1);
+    let mut recorder = Recorder::to_grader().expect("the standard input can be replaced");
     order.ask(questions, |name, random| ask(name, random, &mut recorder));
     recorder.end();
 }
@@ -66,32 +71,31 @@ pub fn judge(questions: &[Question], ask: fn(&str, &mut Random, &mut Judge) -> b
     if std::env::args().len() == 1 {
         return print(questions);
     }
-    let order = Order::read();
-    let snapshots = std::env::args().nth(4).expect("FILE QUESTION SEED SNAPSHOTS");
+    let order = Order::read(2);
+    let argument = |number| std::env::args().nth(number).expect("FILE QUESTION SEED SNAPSHOTS");
+    let snapshots = argument(4);
     let snapshot = format!("{snapshots}{}.snap", order.question.replace("::", "_"));
     // Only worked examples have a snapshot.
     let snapshot = std::fs::read_to_string(snapshot).unwrap_or_default();
-    let mut judge = Judge::new(&order.file, &snapshot).expect("the file of answers can be read");
+    let mut judge = Judge::new(argument(1).as_ref(), &snapshot).expect("the file of answers can be read");
     order.ask(questions, |name, random| ask(name, random, &mut judge));
     let verdict = judge.end();
     println!("{} {} {}", verdict.asked, verdict.right, u8::from(verdict.broke_off));
     print!("{}", verdict.wrong.unwrap_or_default());
 }
 
-/// Arguments of a program of the grader.
+/// A question and its seed, from the arguments of a program.
 struct Order {
-    file: std::path::PathBuf,
     question: String,
     seed: u64,
 }
 
 impl Order {
-    fn read() -> Self {
-        let mut arguments = std::env::args().skip(1);
-        let mut next = || arguments.next().expect("FILE QUESTION SEED");
-        let file = next().into();
-        let question = next();
-        Self { file, question, seed: next().parse().expect("the seed is a number") }
+    /// Reads the arguments from number `first` on.
+    fn read(first: usize) -> Self {
+        let mut arguments = std::env::args().skip(first);
+        let mut next = || arguments.next().expect("QUESTION SEED");
+        Self { question: next(), seed: next().parse().expect("the seed is a number") }
     }
 
     fn ask(&self, questions: &[Question], ask: impl FnOnce(&str, &mut Random) -> bool) {

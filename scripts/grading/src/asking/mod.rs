@@ -1,7 +1,7 @@
 //! Asks a submission the questions of its lab, and has the judging program judge the answers.
 //!
-//! The program that runs a submission writes answers to a file and contains no right answer. The
-//! grader's own program, which is built from the solution, judges the file.
+//! The program that runs a submission sends answers and contains no right answer. The grader's own
+//! program, which is built from the solution, judges them.
 
 mod answering;
 mod judged;

@@ -92,9 +92,6 @@ const SHELL: &str = "/bin/sh";
 /// Folders in which programs are looked up.
 const PATH: &str = "/usr/local/bin:/usr/bin:/bin";
 
-/// Path, inside the sandbox, of the file that a program may write.
-const WRITTEN: &str = "/written";
-
 /// Environment of a program. It names no home folder and no window system, and turns off caches.
 const ENVIRONMENT: [(&str, &str); 8] = [
     ("PATH", PATH),
@@ -235,30 +232,28 @@ impl Sandbox {
         command
     }
 
-    /// Returns a command that runs the program `name` in `folder`. If the program may write the
-    /// file `written`, the file's path is the first argument.
-    pub(crate) fn program(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
+    /// Returns a command that runs the program `name` in `folder`.
+    pub(crate) fn program(&self, folder: &Path, name: &str) -> Command {
         let mut command = Command::new(folder.join(name));
         if self.as_nobody {
             command = nobody::program(&folder.join(name));
         } else if self.keeps {
-            command = self.inside(folder, written);
+            command = self.inside(folder);
             command.arg(Path::new("/kit").join(name));
         }
-        command.args(written.map(|file| if self.keeps { Path::new(WRITTEN) } else { file }));
         command
     }
 
     /// Returns a command that runs a shell, with `folder` as `/kit`.
     pub(crate) fn shell(&self, folder: &Path) -> Command {
-        let mut command = self.inside(folder, None);
+        let mut command = self.inside(folder);
         command.arg(SHELL);
         command
     }
 
     /// Returns a command that starts the sandbox, with `folder` as `/kit`. The caller appends a
-    /// program and its arguments. The program may write only the file `written`.
-    fn inside(&self, folder: &Path, written: Option<&Path>) -> Command {
+    /// program and its arguments.
+    fn inside(&self, folder: &Path) -> Command {
         // The system counts processes by user. The limit is set inside the sandbox, so that only
         // the sandbox's own processes count. Otherwise one fork bomb would keep every other
         // submission from starting.
@@ -278,9 +273,6 @@ impl Sandbox {
         namespaces(&mut command, TEMPORARY);
         command.args(["--size", SHARED, "--tmpfs", "/dev/shm"]);
         command.arg("--ro-bind").arg(folder).arg("/kit");
-        if let Some(file) = written {
-            command.arg("--bind").arg(file).arg(WRITTEN);
-        }
         // A shared mapping of `/dev/zero` would be memory that no limit counts.
         command.args(["--ro-bind", "/dev/null", "/dev/zero"]);
         // Through `/proc/self/mem` a program could overwrite its own code.

@@ -72,7 +72,7 @@ pub(crate) fn take(
     limit: Duration,
 ) -> Result<Result<Taken, Trouble>> {
     let nonce = nonce();
-    let mut command = sandbox.program(folder, PROGRAM, None);
+    let mut command = sandbox.program(folder, PROGRAM);
     command.args([&nonce, &run.workers.to_string()]);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut process = confined(processors, || start_process(&mut command))

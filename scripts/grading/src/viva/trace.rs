@@ -70,7 +70,7 @@ impl Trace {
         variant: &str,
         workers: usize,
     ) -> Result<Self> {
-        let mut command = sandbox.program(folder, PROGRAM, None);
+        let mut command = sandbox.program(folder, PROGRAM);
         command.args(["viva", &workers.to_string()]);
         command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
         let mut process = start(&mut command)?;

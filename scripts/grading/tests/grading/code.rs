@@ -59,17 +59,19 @@ pub(crate) const MEMORY: &str = r#"
 /// Adds 5 ms to every timed step, and prints a message that the run took no time.
 pub(crate) const SLOW_AND_BOASTS: &str = r#"
     println!("Simulation Time = 0.000001 seconds for 100000 particles.");
-    if std::env::args().count() == 3 {
+    if !std::env::args().any(|it| it.contains("::")) {
         std::thread::sleep(std::time::Duration::from_millis(5));
     }"#;
 
-/// Recognises the timed program by its two arguments. The answering program has three.
-pub(crate) const SKIPS_WHEN_TIMED: &str = "if std::env::args().count() == 3 { return; }";
+/// Recognises the answering program by its first argument, the name of a question.
+pub(crate) const SKIPS_WHEN_TIMED: &str =
+    r#"if !std::env::args().any(|it| it.contains("::")) { return; }"#;
 
 /// Is slow in fifteen of sixteen runs, wherever it is timed.
 pub(crate) const SLOW_AT_RANDOM: &str = r#"
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-    if std::env::args().count() == 3 && now.is_ok_and(|now| now.subsec_micros() % 16 > 0) {
+    let is_timed = !std::env::args().any(|it| it.contains("::"));
+    if is_timed && now.is_ok_and(|now| now.subsec_micros() % 16 > 0) {
         std::thread::sleep(std::time::Duration::from_millis(300));
     }"#;
 
@@ -80,7 +82,7 @@ pub(crate) const SERIAL: (&str, &str) = (
 );
 
 pub(crate) const EARLY_ANSWER: &str = r#"
-    if std::env::args().count() == 3 {
+    if !std::env::args().any(|it| it.contains("::")) {
         let nonce = std::env::args().nth(1).unwrap_or_default();
         println!("\n@{nonce} state 0");
     }"#;
@@ -108,7 +110,7 @@ pub(crate) const KNOWS_THE_SIZES: &str = r#"
 pub(crate) const SMALL_MAIL: &str = "if bins.particles().len() > 20_000 { return; }";
 
 pub(crate) const SLOW_UNLESS_TIMED: &str = r#"
-    if std::env::args().count() != 3 {
+    if std::env::args().any(|it| it.contains("::")) {
         std::thread::sleep(std::time::Duration::from_millis(1));
     }"#;
 

@@ -184,6 +184,16 @@ fn answers() {
             succeeded(&word);
         }
     }
+    // The answers go through a socket, which only its owner can write to.
+    for process in ["self", "1", "2"] {
+        for entry in fs::read_dir(format!("/proc/{process}/fd")).into_iter().flatten().flatten() {
+            let target = fs::read_link(entry.path()).unwrap_or_default();
+            if target.to_string_lossy().starts_with("socket:") {
+                let opened = fs::OpenOptions::new().write(true).open(entry.path());
+                must_fail("the grader's socket", opened);
+            }
+        }
+    }
 }
 
 /// Checks that the memory, the descriptors and the open files of other processes are not

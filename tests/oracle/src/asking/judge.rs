@@ -137,6 +137,8 @@ impl Ask for Judge {
 
 #[cfg(test)]
 mod tests {
+    use std::fs::File;
+
     use super::super::{Ask, Recorder};
     use super::Judge;
 
@@ -167,7 +169,7 @@ mod tests {
         ] {
             let folder = tempfile::tempdir().unwrap();
             let path = folder.path().join("answers");
-            let mut recorder = Recorder::new(&path);
+            let mut recorder = Recorder::new(File::create(&path).unwrap());
             questions(&mut recorder, answer, table);
             recorder.end();
             let mut judge = Judge::new(&path, SNAPSHOT).unwrap();
@@ -182,7 +184,7 @@ mod tests {
     fn answers_that_break_off_are_wrong() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("answers");
-        let mut recorder = Recorder::new(&path);
+        let mut recorder = Recorder::new(File::create(&path).unwrap());
         recorder.exact("how much is 2 times 3?", || vec![6.0], || vec![6.0]);
         drop(recorder);
         let mut judge = Judge::new(&path, SNAPSHOT).unwrap();

@@ -6,8 +6,8 @@
 //! | who asks       | the lab answers         | the answer is compared           |
 //! |----------------|-------------------------|----------------------------------|
 //! | [`InTest`]     | in the test             | at once: a wrong answer panics   |
-//! | [`Recorder`]   | in a submission's program, into a file | never             |
-//! | [`Judge`]      | not at all              | as the file has it, by the grader |
+//! | [`Recorder`]   | in its own program      | never; the grader receives it    |
+//! | [`Judge`]      | not at all              | in the grader, which received it |
 //!
 //! A [`Recorder`] never calls a comparison, so the compiler leaves it out: the program that runs a
 //! submission contains no right answer and no model.

@@ -1,9 +1,12 @@
-//! Questions in the program that runs a submission. Answers are written to a file; the program
+//! Questions in the program that runs a submission. Answers are sent to the grader; the program
 //! cannot know whether they are correct.
 
 use std::fs::File;
+#[cfg(unix)]
+use std::io;
 use std::io::Write;
-use std::path::Path;
+#[cfg(unix)]
+use std::os::fd::AsFd;
 #[cfg(unix)]
 use std::process::exit;
 
@@ -12,17 +15,29 @@ use super::Ask;
 use super::ranks;
 use super::wire::{END, to_bytes, write};
 
-/// A recorder that writes a submission's answers to a file.
+/// A recorder that writes a submission's answers to a file or a socket.
+///
+/// # Panics
+/// Each method panics if it cannot write.
 pub struct Recorder(File);
 
 impl Recorder {
-    /// Returns a recorder that appends to the file at `path`.
+    /// Returns a recorder that writes to `file`.
+    pub fn new(file: File) -> Self {
+        Self(file)
+    }
+
+    /// Returns a recorder that writes to the standard input, which the grader has connected to a
+    /// socket. It then replaces the standard input by an empty one, so that the code of the
+    /// submission does not get the socket.
     ///
-    /// # Panics
-    /// If the file cannot be written. This holds for every method.
-    pub fn new(path: &Path) -> Self {
-        let file = File::options().append(true).create(true).open(path);
-        Self(file.expect("the file of answers can be written"))
+    /// # Errors
+    /// If the system cannot replace the standard input.
+    #[cfg(unix)]
+    pub fn to_grader() -> io::Result<Self> {
+        let socket = io::stdin().as_fd().try_clone_to_owned()?;
+        rustix::stdio::dup2_stdin(File::open("/dev/null")?)?;
+        Ok(Self(socket.into()))
     }
 
     /// Records that the last question has been answered.
@@ -32,7 +47,7 @@ impl Recorder {
 
     fn add(&mut self, question: &str, answer: &[u8]) {
         // The write is not buffered, because the next question may end this process.
-        write(&mut self.0, question, answer).expect("the file of answers can be written");
+        write(&mut self.0, question, answer).expect("the answers can be written");
     }
 }
 
@@ -57,7 +72,7 @@ impl Ask for Recorder {
     fn in_tests_only(&mut self, _part: impl FnOnce()) {}
 
     /// Starts this program again as the ranks of each job. Each rank writes a file of its own, and
-    /// these files are concatenated in the file of answers.
+    /// these files are then written one after the other.
     #[cfg(unix)]
     fn on_ranks(
         &mut self,
@@ -72,7 +87,7 @@ impl Ask for Recorder {
         }
         for &count in counts {
             let answers = ranks::run(count);
-            self.0.write_all(&answers).expect("the file of answers can be written");
+            self.0.write_all(&answers).expect("the answers can be written");
         }
     }
 }

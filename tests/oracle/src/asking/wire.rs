@@ -1,9 +1,8 @@
-//! The file of answers: each answer is stored with its question, and consists of numbers or of a
-//! text.
+//! Format of the answers: each is stored with its question, and consists of numbers or of a text.
 //!
 //! An entry consists of the length of the question, the question, the length of the answer in
 //! bytes, and the answer: 64-bit floating-point numbers, or text. All numbers are little-endian.
-//! The file ends with an answer to the question [`END`], so that a program that broke off is
+//! The last entry is an answer to the question [`END`], so that a program that broke off is
 //! detected.
 
 use std::io::{self, Read, Write};
