@@ -126,14 +126,14 @@ fn explain(progress: &Progress, all: bool) {
     for outcome in failures.iter().take(shown) {
         print_failure(outcome);
     }
-    let (waiting, failing): (Vec<_>, Vec<_>) =
-        failures.iter().skip(shown).partition(|outcome| outcome.todo().is_some());
-    match failing.len() {
+    let others = &failures[shown.min(failures.len())..];
+    let waiting = others.iter().filter(|outcome| outcome.todo().is_some()).count();
+    match others.len() - waiting {
         0 => {}
         1 => println!("  One more test of this task fails: --all shows it.\n"),
         more => println!("  {more} more tests of this task fail: --all shows them.\n"),
     }
-    match waiting.len() {
+    match waiting {
         0 => {}
         1 => println!("  One more test needs an earlier task first: --all names it.\n"),
         more => println!("  {more} more tests need an earlier task first: --all names it.\n"),
