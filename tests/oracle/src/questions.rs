@@ -77,7 +77,8 @@ pub fn judge(questions: &[Question], ask: fn(&str, &mut Random, &mut Judge) -> b
     let snapshot = format!("{snapshots}{}.snap", order.question.replace("::", "_"));
     // Only worked examples have a snapshot.
     let snapshot = std::fs::read_to_string(snapshot).unwrap_or_default();
-    let mut judge = Judge::new(argument(1).as_ref(), &snapshot).expect("the file of answers can be read");
+    let mut judge =
+        Judge::new(argument(1).as_ref(), &snapshot).expect("the file of answers can be read");
     order.ask(questions, |name, random| ask(name, random, &mut judge));
     let verdict = judge.end();
     println!("{} {} {}", verdict.asked, verdict.right, u8::from(verdict.broke_off));
