@@ -1,4 +1,4 @@
-//! The scenes of the contest and their exact ends.
+//! The scenes of the contest and their exact final states.
 //!
 //! The kinds of scenes are public, but each scene is drawn from a seed. Computing the exact motion
 //! of 100,000 particles would take minutes. So it is computed only for the particles in a square,

@@ -80,7 +80,7 @@ pub(crate) struct Findings {
 
 /// Marks of a submission, and the decisions that they depend on.
 ///
-/// The decisions come from the class's roster, the clock and people.
+/// The decisions depend on the class's roster, on the time of the hand-in, and on the staff.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub(crate) struct Marked {

@@ -69,8 +69,9 @@ impl Job {
         }
     }
 
-    /// Returns a job that runs the ignored test `part` of this test program on `ranks` ranks, for
-    /// tests from inside.
+    /// Returns a job that runs the ignored test `part` of this test program on `ranks` ranks.
+    ///
+    /// A test uses it to check code that must run on a rank.
     pub fn part(task: &str, part: &str, ranks: usize) -> Self {
         let this = env::current_exe().expect("a program knows its own path");
         Self::new(task, this, ranks).args(["--exact", part, "--ignored", "--nocapture"])
@@ -102,8 +103,9 @@ impl Job {
         self
     }
 
-    /// Returns the same job, whose ranks write their process ids into files of `folder`, named by
-    /// their numbers.
+    /// Returns the same job, in which each rank also writes its process id to a file in `folder`.
+    ///
+    /// The name of each file is the rank's number.
     #[must_use]
     pub(super) fn ids_into(mut self, folder: &Path) -> Self {
         self.ids = Some(folder.into());
@@ -113,8 +115,8 @@ impl Job {
     /// Runs the job to its end, successful or not.
     ///
     /// # Panics
-    /// If the job does not end in time (all its processes are ended first), or MPI is not
-    /// installed.
+    /// If the job exceeds its time limit (its processes are killed before the panic), or if MPI is
+    /// not installed.
     pub fn run(&self) -> Ended {
         self.run_beside(|| {})
     }

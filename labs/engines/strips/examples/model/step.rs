@@ -68,9 +68,10 @@ impl Method {
     }
 }
 
-/// Returns the time of two gathers and a scatter. The counts for each are sent before it.
+/// Returns the time of two gathers and a scatter.
 ///
-/// So the root exchanges messages with all ranks six times in total.
+/// Counts are sent before each of the three. So the root exchanges messages with all ranks six
+/// times in total.
 fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 2.0);
     let crossing = blocks.borders() * blocks.crossing;
