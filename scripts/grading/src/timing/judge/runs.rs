@@ -13,13 +13,14 @@ const QUIET: f64 = 1.06;
 /// kit's fastest program is 25 times as fast as the slowest program that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// Smallest share of its time that a program computes if its processor is free and it does not
+/// Smallest share of its time in which a program computes, if it has a free processor and does not
 /// wait.
 const MOSTLY: f64 = 0.7;
-/// Seconds in a take above which a pause counts as waiting. Shorter pauses are errors of the clock.
+/// Length of a pause in a take, in seconds, above which the pause counts as waiting. Shorter pauses
+/// are errors of the clock.
 const LONG: f64 = 0.01;
 
-/// All runs of a record, and the measure that they are for.
+/// All runs of a record, and a measure that is computed from them.
 pub(crate) struct Runs<'r> {
     pub(crate) all: &'r [Run],
     pub(crate) timed: &'r Timed,
@@ -54,7 +55,7 @@ impl<'r> Runs<'r> {
         let same = |r: &&Run| r.whose != Whose::Own && (r.n, r.steps) == (run.n, run.steps);
         for trusted in self.all.iter().filter(same) {
             let shortest = span(run).map_or(f64::INFINITY, |span| span.min);
-            // `net` subtracts the time for making the scene. So every correct program needs at least
+            // `net` subtracts the time for making the scene. So a correct program needs at least
             // `work / IMPOSSIBLE` seconds of processor time.
             let work = net(self.all, trusted)?.min * trusted.workers as f64;
             if shortest * run.workers as f64 * IMPOSSIBLE < work {
