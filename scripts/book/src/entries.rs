@@ -189,8 +189,7 @@ impl Entry {
         self.field(name)?.as_str()
     }
 
-    /// Whether a field has this value. For the field `list`, the last parts of its value are
-    /// enough.
+    /// Whether a field has this value. The field `list` matches if its value ends with these parts.
     pub(crate) fn has(&self, name: &str, value: &str) -> bool {
         match self.field(name) {
             Some(Value::String(list)) if name == "list" => {

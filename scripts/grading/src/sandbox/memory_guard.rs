@@ -85,8 +85,8 @@ fn end_the_greedy(all: &BTreeMap<u32, Process>, own: u32, limit: u64) {
     }
 }
 
-/// Returns the bytes that a process and its descendants hold. The youngest descendant is inside the
-/// sandbox, if there is one.
+/// Returns the bytes that a process and its descendants hold. If there is a sandbox, the youngest
+/// descendant is inside it.
 fn held(all: &BTreeMap<u32, Process>, root: u32) -> u64 {
     let mut bytes = 0;
     let mut youngest = None;
