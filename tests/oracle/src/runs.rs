@@ -16,15 +16,14 @@ use crate::compare::one_step;
 use crate::single::Single;
 use crate::{Ask, Model, memory, scenes, within};
 
-/// Time limit of every run in seconds. The failure names the task.
+/// Time limit of a run, in seconds. The message of a failure names the task.
 const SECONDS: u64 = 120;
 
-/// Number of steps that are asked first in a longer run. A program that doubles particles then
-/// fails before memory is full.
+/// Number of steps of a short run that is asked for before a longer run. A program that duplicates
+/// particles fails in the short run, before the memory is full.
 const FIRST: usize = 8;
 
-/// Questions about runs of one variant of a lab on behalf of one task, with verdicts in the
-/// domain's words.
+/// Questions about runs of one variant of a lab, for one task. Verdicts use the terms of the field.
 #[derive(Clone)]
 pub struct Runs {
     task: &'static str,

@@ -1,7 +1,8 @@
 //! Scenes that expose wrong programs.
 //!
-//! The official scene is nearly blind: nine out of ten particles have no neighbour, and eight of 32
-//! typical wrong programs pass the original checker on it. The scenes here are not blind.
+//! The official scene exposes too few mistakes. Nine out of ten particles have no neighbour, and
+//! eight of 32 typical wrong programs pass the original checker on it. The scenes here expose more
+//! mistakes.
 
 use common::soft::{CUTOFF, Particle, Scene};
 

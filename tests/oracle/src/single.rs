@@ -20,9 +20,10 @@
 //! *The sum* of k forces adds k u Σ|f|. *The velocity* v + a dt is then off by
 //! δv = dt (Σe + k u Σ|f|) + 3 u dt Σ|f| + u |v|.
 //!
-//! *The position* has these errors: 8 u for v dt / h; at most 7 u for the reflections, which remove
-//! whole ways from wall to wall and back; one more u for the addition to the offset; and 4 u h for
-//! the offset itself, its floor and its mirror images. The sum is dt δv + 16 u dt |v| + 4 u h.
+//! *The position* has several errors. The first is 8 u for v dt / h. The reflections, which remove
+//! whole ways from wall to wall and back, add at most 7 u, and the addition to the offset adds u.
+//! The offset itself, its floor and its mirror images add 4 u h. The sum is dt δv + 16 u dt |v| + 4
+//! u h.
 //!
 //! Terms in u² are below a hundredth of these bounds, even at min_r. So the bounds are increased by
 //! a hundredth.

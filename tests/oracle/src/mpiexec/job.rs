@@ -20,18 +20,18 @@ use crate::watchdog::{OwnLimit, WATCH};
 /// Interval between two checks of a running job.
 const GLANCE: Duration = Duration::from_millis(5);
 
-/// Time that ranks have to report their positions.
+/// Time in which ranks can report the calls that they are in.
 const TO_SAY: Duration = Duration::from_secs(2);
 
 /// Time in which a launcher may end its ranks before it is killed.
 const LAST_WORDS: Duration = Duration::from_secs(5);
 
-/// Shell command with which a rank writes its process id into the folder `$0`, in a file named by
-/// its number, before it becomes the program.
+/// Shell command that writes a rank's process id to a file in the folder `$0`, and then becomes the
+/// program. The name of the file is the rank's number.
 const NOTE_ID: &str =
     r#"echo $$ > "$0/${OMPI_COMM_WORLD_RANK:-${PMIX_RANK:-$PMI_RANK}}" && exec "$@""#;
 
-/// A program to run on ranks on behalf of a task.
+/// A program to run on several ranks, for a task.
 #[derive(Clone, Debug)]
 pub struct Job {
     task: String,
@@ -239,7 +239,7 @@ fn end_group(child: &mut Child) {
     wait(child, LAST_WORDS);
 }
 
-/// Returns the tasks of which a job did not end. Their further jobs would not end either.
+/// Returns the tasks with a job that did not end. Further jobs of these tasks would not end either.
 fn tasks_that_hang() -> MutexGuard<'static, BTreeSet<String>> {
     static TASKS: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     TASKS.lock().unwrap_or_else(PoisonError::into_inner)
