@@ -36,7 +36,7 @@ pub trait Deciding: Messages {
     /// happen.
     fn take_certain(decisions: &mut Decisions);
 
-    /// Takes one step. All ranks call it together.
+    /// Takes one step. All ranks call this function together.
     fn step(engine: &mut SpatialCuts<Self>);
 }
 

@@ -50,7 +50,8 @@ impl Reach {
 impl Strips {
     /// Returns strips with equal numbers of discs, as far as cuts between rows allow.
     ///
-    /// `own` are the discs of this rank. All ranks call it together and get the same strips.
+    /// `own` are the discs of this rank. All ranks call this function together and get the same
+    /// strips.
     pub fn balanced(world: &SimpleCommunicator, own: &[DiscWire], traffic: &mut Traffic) -> Self {
         let low = own.iter().map(|disc| disc.y).fold(f64::INFINITY, f64::min);
         let high = own.iter().map(|disc| disc.y).fold(f64::NEG_INFINITY, f64::max);

@@ -30,7 +30,8 @@ impl<T: DeepHalo> Deep<T> {
     pub(crate) fn drop_ghosts(&mut self) {
         let n = self.domain.engine.bodies().len();
         let ghosts: Vec<usize> = (0..n).filter(self.is_ghost()).collect();
-        // The loop runs backwards, so that the particle that fills a gap is not a ghost.
+        // The last particle takes the place of a removed ghost. The loop runs backwards, so that
+        // the last particle is not a ghost.
         for index in ghosts.into_iter().rev() {
             self.domain.engine.bodies_mut().swap_remove(index);
         }
@@ -57,7 +58,8 @@ impl<T: DeepHalo> Deep<T> {
         let mut outgoing = vec![Vec::new(); partners.len()];
         self.ghosts.clear();
         let bodies = self.domain.engine.bodies_mut();
-        // The loop runs backwards, so that the particle that fills a gap has already been handled.
+        // A later particle takes the place of a removed particle. The loop runs backwards, so that
+        // the later particle has already been handled.
         for index in (0..bodies.len()).rev() {
             let y = bodies.y[index];
             if alone.contains(&y) {

@@ -5,7 +5,7 @@ use crate::span::Span;
 /// The decisions that windows depend on.
 ///
 /// Each decision may be wrong in one direction only. A rule may wrongly claim that two particles
-/// may meet, that a wall may be near, that a margin may have broken, or that a window should be
+/// may meet, that a wall may be near, that a pair may have been missed, or that a window should be
 /// short. This costs time, but no bit of the result changes.
 ///
 /// The engine calls the rules in its innermost loops: mark short rules with `#[inline(always)]`.

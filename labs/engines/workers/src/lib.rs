@@ -1,6 +1,7 @@
 //! Threads that wait for work, for all engines with threads.
 //!
-//! The threads live as long as their [`Workers`], and wait awake for a short time (`team.rs`).
+//! The threads live as long as their [`Workers`]. While they wait for work, they spin for a short
+//! time before they sleep (`team.rs`).
 //!
 //! Results are in the order of the pieces of work. If the pieces do not depend on the number of
 //! threads, neither do the results.

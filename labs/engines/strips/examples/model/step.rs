@@ -14,7 +14,7 @@ const POSITION: f64 = 16.0;
 /// Share of a step that computes forces, while ghosts may travel.
 const FORCES: f64 = 0.5;
 
-/// Number of steps between two tests of the balance, each with an all-reduce.
+/// Number of steps between two tests of the load balance. Each test is an all-reduce.
 const REBALANCE: f64 = 50.0;
 
 /// Number of steps that a neighbour list lasts, counted on the official scene.

@@ -21,8 +21,8 @@ pub trait Primitives: Default + Send + Sync + 'static {
     /// `i`.
     ///
     /// The pairs are in ascending order, and a distance of exactly `reach` counts as within.
-    /// `list[..len]` contains the pairs that were found before; behind these pairs there is room
-    /// for all of `range` and eight more pairs. `i` is not in `range`, and `range` may be empty.
+    /// `list[..len]` contains the pairs that were found before; after these pairs there is room for
+    /// all of `range` and eight more pairs. `i` is not in `range`, and `range` may be empty.
     /// Returns the new number of pairs.
     fn collect(
         list: &mut [Pair],
