@@ -11,9 +11,9 @@
 //! ```
 //!
 //! Each `{}` is replaced by the answer to a [query](crate::query). The query consists of words from
-//! four places: the marker, the column (the row below the dashes, which is not printed), the row
-//! (an additional last cell), and the braces. If the words of a column end with `=`, each cell of
-//! the column completes them.
+//! four places: the marker, the column, the row, and the braces. The words of the columns are in
+//! the row below the dashes, which is not printed. The words of a row are in an additional last
+//! cell. If the words of a column end with `=`, each cell of the column completes them.
 
 use anyhow::{Context, Result, bail, ensure};
 

@@ -117,8 +117,8 @@ fn circles(package: &Package) -> BTreeSet<String> {
             }
         }
     }
-    // A module is in no circle if it imports no remaining module, or if no remaining module imports
-    // it.
+    // A module that imports no remaining module is in no circle. The same holds for a module that
+    // no remaining module imports.
     loop {
         let left: BTreeSet<String> = imports.keys().cloned().collect();
         let imported: BTreeSet<String> = imports.values().flatten().cloned().collect();

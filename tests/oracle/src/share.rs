@@ -86,9 +86,10 @@ impl Share {
         Ok(())
     }
 
-    /// Executes work as [`record`](Self::record) does. Returns three numbers: the number of threads
-    /// that did some of the work, the number of these threads that belong to a pool of `threads`
-    /// threads, and 1 if one of four or more threads did more than two thirds, otherwise 0.
+    /// Executes work as [`record`](Self::record) does. Returns three numbers. The first is the
+    /// number of threads that did some of the work. The second is the number of these threads that
+    /// belong to a pool of `threads` threads. The third is 1 if one of four or more threads did
+    /// more than two thirds of the work, otherwise 0.
     pub fn of(&self, threads: usize, total: u64, work: impl FnOnce()) -> Vec<f64> {
         let recorded = self.record(threads, total, work);
         let (done, _) = recorded.as_chunks::<2>();

@@ -153,8 +153,8 @@ impl<T: Deciding> SpatialCuts<T> {
         Range { reach, furthest: 3.0 * (fastest + reach) }
     }
 
-    /// Exchanges lists with `partners` and calls `work` meanwhile. Returns the partners' lists and
-    /// the result of `work`.
+    /// Exchanges lists with `partners`, and calls `work` while the lists travel. Returns the
+    /// partners' lists and the result of `work`.
     pub fn exchange<W, R>(
         &mut self,
         partners: &[usize],

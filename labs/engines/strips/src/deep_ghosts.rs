@@ -40,11 +40,11 @@ impl<T: DeepHalo> Deep<T> {
     /// Sends each partner the particles that it needs. Removes the particles that this rank no
     /// longer needs.
     ///
-    /// A partner needs the particles that are now in its strip, which become its own, and the
-    /// particles within `width` of the strip, which become its ghosts. One message to each partner
-    /// is enough, because the rank that had a particle sends it to every rank that needs it. The
-    /// particle may have left its strip by as much as `gone`, so ranks within `width` + `gone` are
-    /// partners.
+    /// A partner needs two kinds of particles: the particles that are now in its strip become its
+    /// own, and the particles within `width` of the strip become its ghosts. One message to each
+    /// partner is enough, because the rank that had a particle sends the particle to every rank
+    /// that needs it. The particle may have left its strip by as much as `gone`, so ranks within
+    /// `width` + `gone` are partners.
     pub(crate) fn exchange(&mut self, width: f64) {
         let rank = self.domain.rank();
         let reach = self.domain.reach(width);

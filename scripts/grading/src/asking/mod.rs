@@ -28,7 +28,7 @@ const KILLED: &str = "it was ended, because it needed more memory than a submiss
 
 /// Number of printed bytes above which the grader attributes a missing answer to the printing.
 const MUCH: usize = 1 << 19;
-/// Message about a program that printed so many bytes that it did not answer.
+/// Message about a program that gave no answer because it printed too many bytes.
 const PRINTS: &str = "it prints too much: remove the output for each particle or pair";
 
 /// Message for a task if each of its questions needs another task that is wrong.

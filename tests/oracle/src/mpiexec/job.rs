@@ -179,8 +179,8 @@ impl Job {
 
     /// Runs a job that must succeed.
     ///
-    /// If a rank ends the job without a message, the job runs once more: Open MPI 4.1 does this at
-    /// the end of one job in several hundred, whatever the program.
+    /// If a rank ends the job without a message, the job runs once more. Open MPI 4.1 causes such
+    /// failures at the end of one job in several hundred, whatever the program.
     ///
     /// # Panics
     /// As [`run`](Self::run), or if the job fails.

@@ -9,7 +9,8 @@ use super::outliers::{Outlier, Outliers};
 use crate::kernels::Primitives;
 use crate::particles::{Bodies, Sample};
 
-/// Number of particles per particle that exceeds the speed that a new list is made for.
+/// Number of particles per fast particle. Fast particles exceed the speed that a new list is made
+/// for.
 const PARTICLES_PER_FAST_PARTICLE: usize = 1000;
 /// Number of particles whose speeds are sampled.
 const SAMPLE: usize = 1024;
