@@ -10,7 +10,7 @@
 //! commands = [["race", "Race programs against each other"]]
 //! ```
 //!
-//! Exit codes, for scripts, are as follows. 0 means success. 1 means a negative result (a test
+//! The exit code tells scripts the result. 0 means success. 1 means a negative result (a test
 //! failed, a file has drifted). 2 means that there is no result (a bad command line, a missing
 //! file).
 

@@ -26,7 +26,7 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// Returns this program's device, which is opened at the first call.
+    /// Returns this program's device. The first call opens the device.
     ///
     /// The environment variable `WGPU_ADAPTER_NAME` can name the device. Otherwise it is a device
     /// of the fastest kind in the machine.

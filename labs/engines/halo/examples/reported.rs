@@ -119,8 +119,8 @@ impl Row {
     }
 }
 
-/// Returns the number of rows of bins in a box of this side, which is also the number of bins in a
-/// row.
+/// Returns the number of rows of bins in a box of this side. Each row has as many bins as there are
+/// rows.
 fn along(size: f64) -> usize {
     (size / BIN) as usize + 1
 }

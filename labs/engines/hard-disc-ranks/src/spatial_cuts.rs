@@ -84,7 +84,7 @@ pub struct Range {
 }
 
 impl<T: Deciding> SpatialCuts<T> {
-    /// Makes the engine of one rank of `world`, which cuts the square again every `recut` steps.
+    /// Makes the engine of one rank of `world`. The square is cut again every `recut` steps.
     pub fn new(world: SimpleCommunicator, recut: u64, clock: Clock) -> Self {
         let cuts = Cuts { starts: vec![0] };
         Self {

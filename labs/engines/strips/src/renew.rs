@@ -57,8 +57,8 @@ impl<O: Observer, T: Halo> Distributed<O, T> {
 
     /// Chooses the width of ghosts, the same on all ranks.
     ///
-    /// It follows from the greatest speed, the greatest density and the shortest life of a list
-    /// among all ranks.
+    /// The width follows from the greatest speed, the greatest density and the shortest life of a
+    /// list among all ranks.
     fn choose_width(&mut self) {
         let n = self.domain.engine.bodies().len();
         let density = if n > 0 { self.domain.engine.list().density(n) } else { 0.0 };

@@ -41,8 +41,8 @@ pub trait Rules: Send + 'static {
     /// Whether the free flight from (`x`, `y`) with velocity (`vx`, `vy`) may touch a wall within
     /// the window.
     ///
-    /// It is also true if the flight ends within [`Span::rounding`] of a wall, and for numbers that
-    /// are NaN.
+    /// The result is also true if the flight ends within [`Span::rounding`] of a wall, and for
+    /// numbers that are NaN.
     fn meets_wall(span: &Span, x: f64, y: f64, vx: f64, vy: f64) -> bool;
 
     /// Returns the number of official steps that a window should have, at least 1.

@@ -70,8 +70,8 @@ impl Workers {
 
     /// Calls `work` with every piece, and returns the results in the order of the pieces.
     ///
-    /// Each thread begins with its own part of the pieces, which is the same in every call with as
-    /// many pieces. So the data of this part may still be in the core's cache. A thread that has
+    /// Each thread begins with its own part of the pieces. This part is the same in every call with
+    /// as many pieces. So the data of this part may still be in the core's cache. A thread that has
     /// finished its part takes pieces from other parts.
     pub fn map<T: Send, R: Send>(
         &self,

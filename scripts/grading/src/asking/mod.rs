@@ -113,8 +113,8 @@ impl Questions {
 
     /// Asks the submission in `folder` about each of these tasks.
     ///
-    /// If a question needs a different task whose answers are wrong, the question is skipped, so
-    /// that a mistake costs the points of one task only.
+    /// A question is skipped if it needs a different task whose answers are wrong. So a mistake
+    /// costs the points of one task only.
     pub(crate) fn ask<'a>(
         &self,
         sandbox: &Sandbox,

@@ -122,7 +122,7 @@ fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
 
 /// Returns the paths of the programs' sources in the kit.
 ///
-/// They are the questions, the snapshots, the oracle and the timed program.
+/// The sources are the questions, the snapshots, the oracle and the timed program.
 pub(super) fn files(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     let mut files = questions(kit, lab)?;
     files.extend(kit.snapshots(lab)?);

@@ -19,9 +19,9 @@ const TO_START: Duration = Duration::from_secs(10);
 /// Checks that the whole job ends when a rank is killed in the middle of the job.
 ///
 /// The `job` is a run that would continue for hours and write to `out`. It must end soon, with a
-/// message of the launcher, and without an output file that looks complete. In a first run the root
-/// is killed, which writes the file. In a second run the last rank is killed. Messages begin with
-/// `name`.
+/// message of the launcher, and without an output file that looks complete. In a first run the
+/// root, which writes the file, is killed. In a second run the last rank is killed. Messages begin
+/// with `name`.
 ///
 /// # Panics
 /// If the job does not end in this way.

@@ -7,8 +7,8 @@ use crate::network::Network;
 
 /// Number of steps of an epoch.
 ///
-/// It is the mean over 100 steps of the official scene. The model uses it for all scenes, although
-/// low strips have shorter epochs.
+/// This number is the mean over 100 steps of the official scene. The model uses it for all scenes,
+/// although low strips have shorter epochs.
 const EPOCH: f64 = 9.1;
 /// Depth of the ghosts of such an epoch, in cutoffs.
 const DEPTH: f64 = 12.6;

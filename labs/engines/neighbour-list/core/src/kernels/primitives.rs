@@ -50,7 +50,7 @@ pub trait Primitives: Default + Send + Sync + 'static {
     /// Since the list was built, no particle has moved further than `displacement`.
     fn expired(displacement: f64, skin: f64) -> bool;
 
-    /// Returns the skin that makes a step cheapest. It is positive.
+    /// Returns the skin that makes a step cheapest. The skin is positive.
     ///
     /// There are `density` particles per unit area, and the fastest particle moves a distance of
     /// `displacement` in a step.
