@@ -1,4 +1,4 @@
-//! A test whether there is enough memory before the memory is used.
+//! Checks that the machine has enough memory for a list, before the list is filled.
 
 use std::fs;
 
@@ -23,7 +23,7 @@ fn available() -> Option<u64> {
     kibibytes(&fs::read_to_string("/proc/meminfo").ok()?)?.checked_mul(1024)
 }
 
-/// Returns the kibibytes in the line of /proc/meminfo with the available memory.
+/// Returns the available memory in KiB, as given in /proc/meminfo.
 fn kibibytes(meminfo: &str) -> Option<u64> {
     let line = meminfo.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
     line.trim().strip_suffix("kB")?.trim().parse().ok()

@@ -4,8 +4,12 @@ use lab_kit::table::with_commas;
 
 /// A number format, written in a few characters.
 ///
-/// `3` is three significant digits; `.2`, two decimals; `3.1`, three digits and at most one
-/// decimal; `2%`, per cent; `3M`, millions; `2e`, with a power of ten.
+/// - `3`: three significant digits;
+/// - `.2`: two decimals;
+/// - `3.1`: three significant digits and at most one decimal;
+/// - `2%`: per cent;
+/// - `3M`: millions;
+/// - `2e`: with a power of ten.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Format {
     digits: Option<usize>,

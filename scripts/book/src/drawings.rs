@@ -1,7 +1,7 @@
 //! Makes each drawing a link to its file.
 //!
-//! The link contains the width at which a phone can show the drawing legibly, or the file of its
-//! form for phones.
+//! The link contains the width at which a phone can show the drawing legibly, or the path of the
+//! drawing's version for phones.
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +11,7 @@ const LEAST_TEXT: f64 = 12.0;
 
 /// Puts each `<img>` of an SVG file into a link to this file, unless it is in a link already.
 ///
-/// `folder` is the folder of the page, which paths of files are relative to.
+/// `folder` is the folder of the page. The paths in the page are relative to it.
 pub(crate) fn link(text: &str, folder: &Path) -> String {
     let mut parts = text.split("<img ");
     let mut out = parts.next().unwrap_or_default().to_owned();
@@ -38,7 +38,7 @@ fn linked(image: &str, file: &str, folder: &Path) -> String {
     format!("<a class=\"figure\"{style} href=\"{file}\">{image}</a>")
 }
 
-/// Returns the path of a chart's form for phones: `figures/phone/a.svg` for `figures/a.svg`.
+/// Returns the path of a chart's version for phones: `figures/phone/a.svg` for `figures/a.svg`.
 fn for_phones(file: &str) -> Option<String> {
     let (folder, name) = file.rsplit_once('/')?;
     Some(format!("{folder}/phone/{name}"))

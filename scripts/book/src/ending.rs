@@ -64,8 +64,8 @@ pub(crate) fn neighbours(pages: &[Page], file: &Path) -> String {
 
 /// Returns the foot of the page of this file.
 ///
-/// `edit` is mdBook's `edit-url-template`. The link for mistakes leads to `issues/new` in the same
-/// repository, as on GitHub, Codeberg and Gitea.
+/// `edit` is mdBook's `edit-url-template`. The link for reporting mistakes leads to `issues/new` in
+/// the same repository, as on GitHub, Codeberg and Gitea.
 pub(crate) fn foot(file: &Path, edit: &str) -> String {
     let report = edit.split_once("/edit/").map(|(repository, _)| {
         format!(

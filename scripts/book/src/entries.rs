@@ -1,14 +1,15 @@
-//! The entries of data files. An entry is a JSON object with its fields.
+//! The entries of data files. Each JSON object in a file becomes an entry.
 //!
 //! A field of a nested object has a name such as `scene.soft.n`, and can also be found by its last
 //! name, `n`. An entry also has these fields:
 //!
-//! - the fields of the object around it, and the name of its `list`;
+//! - the fields of the enclosing object;
+//! - `list`, the name of the list that contains the entry;
 //! - the `lab`, the `variant` and the parameters of its `program`, and its `workers`;
 //! - the times `ms` (milliseconds per step) and `ns` (nanoseconds per particle and step).
 //!
-//! In `published.toml` each pair is an entry: a number of workers or discs, a side or a radius, and
-//! seconds.
+//! In `published.toml`, each pair of numbers becomes an entry. The first number is a number of
+//! workers, a number of discs, a side or a radius. The second number is a time in seconds.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -20,7 +21,7 @@ use serde_json::{Map, Number, Value, json};
 use lab_kit::Kit;
 use lab_kit::files::{files_below, read_text, read_toml};
 
-/// The file with the numbers that the course reports printed.
+/// The file with the numbers from the course's printed reports.
 const PUBLISHED: &str = "published.toml";
 
 /// An object of a data file.
@@ -104,8 +105,9 @@ fn collect(value: Value, list: &str, around: Option<&Rc<Entry>>, entries: &mut V
     }
 }
 
-/// Makes an entry from a pair in a report: the number `x`, and seconds. The name of `x` depends on
-/// the list.
+/// Makes an entry from a pair in a report: a number `x` and a time in `seconds`.
+///
+/// The name of `x` in the entry depends on the list.
 fn published_run(list: &str, x: &Number, seconds: &Number) -> Value {
     let varied = match list.rsplit('.').next() {
         Some("points") => "n",
@@ -187,8 +189,7 @@ impl Entry {
         self.field(name)?.as_str()
     }
 
-    /// Whether a field has this value. For the field `list`, the last parts of its value are
-    /// enough.
+    /// Whether a field has this value. The field `list` matches if its value ends with these parts.
     pub(crate) fn has(&self, name: &str, value: &str) -> bool {
         match self.field(name) {
             Some(Value::String(list)) if name == "list" => {

@@ -1,7 +1,7 @@
 //! Texts about labs, made from their facts.
 //!
-//! They are the opening of each chapter, the table of labs, and the list of points for tasks and
-//! measurements.
+//! The texts are the opening of each chapter, the table of labs, and the list of points for tasks
+//! and measurements.
 
 use anyhow::Result;
 

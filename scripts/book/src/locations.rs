@@ -1,4 +1,4 @@
-//! Checks the locations of code that tables of the book name.
+//! Checks the code locations that are named in tables of the book.
 //!
 //! A column with the title "where in the kit" contains cells `` `WORD` in `PATH` ``. The path is
 //! below `solutions/` or `labs/`, and the code of the file must contain the word.

@@ -38,7 +38,8 @@ pub(crate) fn render(markdown: &str) -> Result<String> {
     let mut out = String::with_capacity(markdown.len());
     let mut done = 0;
     for (range, mathml) in formulas {
-        // Without this, a browser could break the line between a formula and its punctuation.
+        // Without the enclosing tag, a browser could break the line between a formula and its
+        // punctuation.
         let before = markdown[done..range.start].trim_end_matches(OPENING);
         let after = markdown[range.end..].trim_start_matches(CLOSING);
         let from = done + before.len();
@@ -68,9 +69,11 @@ fn formula(tex: &str, display_mode: DisplayMode) -> Result<String> {
     let mut mathml = String::new();
     let config = RenderConfig { display_mode, ..RenderConfig::default() };
     push_mathml(&mut mathml, events.into_iter().map(Ok::<_, std::convert::Infallible>), config)?;
-    // A root sign has a least height. If its contents are lower, the sign hangs down.
+    // A root sign has a minimum height. Without the strut, a sign with low contents would reach
+    // below the line.
     let mathml = mathml.replace("<msqrt>", &format!("<msqrt>{STRUT}"));
-    // Without this, a bar of `\lvert` and `\rvert` would have the space of a relation around it.
+    // Without these attributes, a bar of `\lvert` or `\rvert` would have the space of a relation
+    // around it.
     let mathml = mathml.replace(">|</mo>", " lspace=\"0\" rspace=\"0\">|</mo>");
     let mathml = shield(&mathml);
     Ok(match display_mode {

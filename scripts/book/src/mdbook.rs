@@ -131,7 +131,7 @@ fn check(kit: &Kit) -> Result<bool> {
     Ok(links_lead_somewhere(&kit.path("book/build"))? && faults.is_empty())
 }
 
-/// Runs lychee, if it is installed. It checks that all links inside the built book lead to a page.
+/// Runs lychee, if it is installed, to check that all links inside the built book lead to a page.
 fn links_lead_somewhere(build: &Path) -> Result<bool> {
     if !system::on_path("lychee".as_ref()) {
         println!("left out: links, for there is no lychee");

@@ -22,13 +22,13 @@ pub(crate) fn pages(kit: &Kit) -> Result<BTreeMap<String, String>> {
 
 /// A table of a page.
 pub(crate) struct Table<'t> {
-    /// Line number of its first row.
+    /// Line number of the table's first row.
     pub(crate) line: usize,
-    /// Its rows of cells: the titles, the line of dashes, and the data.
+    /// Cells of each row: the titles, the line of dashes, and the data.
     pub(crate) rows: Vec<Vec<&'t str>>,
-    /// The comment above it, or `None`.
+    /// The comment above the table, or `None`.
     pub(crate) comment: Option<&'t str>,
-    /// The second-level heading above it.
+    /// The second-level heading above the table.
     pub(crate) heading: &'t str,
 }
 

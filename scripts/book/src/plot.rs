@@ -1,7 +1,7 @@
 //! A dot plot of the variants' times, on a logarithmic axis.
 //!
-//! Each row is HTML with an SVG of its own, whose positions are percentages, so the plot fits every
-//! width. It needs no script: check boxes hide rows through the style sheet.
+//! Each row is HTML with its own SVG. Positions in the SVG are percentages, so the plot fits every
+//! width. The plot needs no script: check boxes hide rows through the style sheet.
 
 use lab_kit::Lab;
 use lab_kit::facts::Workers;
@@ -13,7 +13,7 @@ pub(crate) struct Row {
     pub(crate) lab: Lab,
     pub(crate) name: String,
     pub(crate) workers: Workers,
-    /// Its times with few, some and many particles.
+    /// Times of the program with few, some and many particles.
     pub(crate) times: [Time; 3],
 }
 

@@ -1,7 +1,7 @@
 //! mdBook's preprocessor: changes each page before mdBook renders it.
 //!
-//! It replaces markers, inserts hints, folds questions, renders formulas as MathML and makes drawings links. Pages
-//! also get the scripts of their figures, and a foot.
+//! The preprocessor replaces markers, inserts hints, folds questions, renders formulas as MathML,
+//! and makes each drawing a link. It also adds the scripts of the figures, and a foot.
 
 use std::env;
 use std::io::{self, BufWriter};

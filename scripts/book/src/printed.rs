@@ -11,9 +11,9 @@
 //! ```
 //!
 //! Each `{}` is replaced by the answer to a [query](crate::query). The query consists of words from
-//! four places: the marker, the column (the row below the dashes, which is not printed), the row
-//! (an additional last cell), and the braces. If the words of a column end with `=`, its cells
-//! complete them.
+//! four places: the marker, the column, the row, and the braces. The words of the columns are in
+//! the row below the dashes, which is not printed. The words of a row are in an additional last
+//! cell. If the words of a column end with `=`, each cell of the column completes them.
 
 use anyhow::{Context, Result, bail, ensure};
 
@@ -23,8 +23,8 @@ use crate::entries::Data;
 use crate::pages::{Table, pages, tables};
 use crate::query::Query;
 
-/// Sections whose tables contain measurements. On pages for the curious, all tables contain
-/// measurements.
+/// Sections whose tables contain measurements. On pages with names such as `lab1-more.md`, all
+/// tables contain measurements.
 const MEASURED: [&str; 4] =
     ["## Measure", "## Compare", "## Where it breaks", "## For the curious"];
 
@@ -100,8 +100,10 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(wrong)
 }
 
-/// Whether most cells behind the first column have a number, no cell has a query, and no comment
-/// gives a reason.
+/// Whether the numbers of a table are typed.
+///
+/// This is so if most cells after the first column have a number, no cell has a query, and no
+/// comment gives a reason.
 fn is_typed(table: &Table) -> bool {
     let rows = table.rows.iter().skip(2);
     let cells: Vec<&str> = rows.flat_map(|row| row.iter().skip(1).copied()).collect();

@@ -1,7 +1,8 @@
 //! Checks that every result of the course reports has its place in the kit.
 //!
 //! book/figures.toml lists every table, figure, claim and open question of the reports. Each entry
-//! names the page that shows it here, and a number of the report with the kit's number.
+//! names the page of the book that shows the same result. It also contains a number of the report,
+//! and the kit's number for the same quantity.
 
 use std::collections::BTreeMap;
 
@@ -35,15 +36,16 @@ struct List {
 #[serde(deny_unknown_fields)]
 struct Figure {
     report: String,
-    /// Its number in the report, such as `Table 2`.
+    /// Number of the table or figure in the report, such as `Table 2`.
     number: String,
     what: String,
-    /// The page in book/src that shows it, with or without a `#section`.
+    /// The page in book/src that shows the result, with or without a `#section`.
     page: Option<String>,
     numbers: Option<Numbers>,
-    /// The command that makes the page again, if it has no numbers; `None` for a drawing by hand.
+    /// The command that reproduces the page, if the page has no numbers; `None` for a drawing by
+    /// hand.
     command: Option<String>,
-    /// The reason why the kit does not reproduce it.
+    /// The reason why the kit does not reproduce the result.
     left_out: Option<String>,
 }
 
@@ -88,7 +90,8 @@ struct Here {
     theirs: String,
     /// The kit's number; empty if no numbers are compared.
     ours: String,
-    /// The page that shows it and the command that makes it, or the reason why it is left out.
+    /// The page that shows the result and the command that makes it, or the reason why the result
+    /// is left out.
     shown: String,
 }
 
@@ -142,7 +145,7 @@ pub(crate) fn check(data: &mut Data, pages: &BTreeMap<String, String>) -> Result
 }
 
 impl Here {
-    /// Whether a text contains both numbers as they are printed, if there are any.
+    /// Whether a text contains both numbers as they are printed. Also true if there are no numbers.
     fn is_in(&self, text: &str) -> bool {
         let words = text.split(|c: char| !c.is_ascii_digit() && !".,".contains(c));
         let words: Vec<_> = words.map(|word| word.trim_matches(['.', ','])).collect();

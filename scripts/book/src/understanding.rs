@@ -87,7 +87,7 @@ fn is_number(text: &str) -> bool {
 
 /// A question with possible answers.
 struct Question {
-    /// Its number and its words.
+    /// Number and text of the question.
     says: String,
     answers: Vec<Answer>,
 }

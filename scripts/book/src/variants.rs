@@ -81,7 +81,7 @@ fn is_timed(data: &mut Data, lab: Lab, variant: &str, discs: &str) -> Result<boo
     Ok(false)
 }
 
-/// Finds variants without a time, and variants that only the program or only `lab.toml` has.
+/// Finds variants without a time, and variants that are only in the program or only in `lab.toml`.
 ///
 /// Programs that are built in the folder `programs` list their variants.
 ///

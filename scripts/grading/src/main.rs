@@ -1,11 +1,11 @@
 //! Grades a class: the instructors' commands of `cargo lab`.
 //!
-//! [`class`] is `cargo lab grade`. It reads submissions ([`submission`]), builds each of them beside a
-//! program that asks it questions ([`build`]), and runs it in a sandbox ([`sandbox`]). The answers
-//! are judged outside the sandbox ([`asking`]), and times are taken ([`timing`]). The result is a
-//! [`record`] of each submission. Points are computed from the record, the rubric and the
-//! instructor's `class.toml` ([`roster`], [`score`]), and a [`report`] shows them. [`regrade`],
-//! [`shell`], [`similarity`] and [`viva`] are separate commands.
+//! [`class`] is `cargo lab grade`. It reads submissions ([`submission`]) and builds each of them
+//! together with a program that asks it questions ([`build`]). The program runs in a sandbox
+//! ([`sandbox`]). The answers are judged outside the sandbox ([`asking`]), and times are taken
+//! ([`timing`]). The result is a [`record`] of each submission. Points are computed from the
+//! record, the rubric and the instructor's `class.toml` ([`roster`], [`score`]), and a [`report`]
+//! shows them. [`regrade`], [`shell`], [`similarity`] and [`viva`] are separate commands.
 
 mod asking;
 mod build;

@@ -35,7 +35,7 @@ pub(crate) struct Options {
     into: Option<PathBuf>,
 }
 
-/// Sources of a class: path in the folder that Dolos reads, label, and text.
+/// Sources of a class. Each has a path in Dolos's input folder, a label, and a text.
 type Class = Vec<(String, &'static str, String)>;
 
 /// Writes a folder for each lab, and prints the command that runs Dolos.

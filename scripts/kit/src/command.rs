@@ -10,8 +10,9 @@
 //! commands = [["race", "Race programs against each other"]]
 //! ```
 //!
-//! Exit codes, for scripts: 0 means success. 1 means a negative result (a test failed, a file has
-//! drifted). 2 means that there is no result (a bad command line, a missing file).
+//! The exit code tells scripts the result. 0 means success. 1 means a negative result (a test
+//! failed, a file has drifted). 2 means that there is no result (a bad command line, a missing
+//! file).
 
 use std::process::ExitCode;
 
@@ -114,17 +115,18 @@ pub fn end_in_one_line() {
     }));
 }
 
-/// Asserts that a package's manifest and book/figures.toml agree with its command line. Each
-/// package has a test that calls this function.
+/// Asserts that a package's manifest and book/figures.toml agree with the package's command line.
+///
+/// Each package has a test that calls this function.
 ///
 /// # Panics
-/// If they disagree or cannot be read.
+/// If the files disagree with the command line, or cannot be read.
 pub fn expect_declared<C: Subcommand>(package: &str) {
     let faults = Kit::find().and_then(|kit| faults::<C>(&kit, package)).expect("the kit is whole");
     assert!(faults.is_empty(), "{faults:#?}");
 }
 
-/// Lists the differences, one on each line.
+/// Returns the differences, one per line.
 fn faults<C: Subcommand>(kit: &Kit, package: &str) -> Result<Vec<String>> {
     let family = families(kit)?.into_iter().find(|family| family.package == package);
     let declared = family.with_context(|| format!("{package} declares no commands"))?.commands;

@@ -3,7 +3,8 @@
 //! Students choose the names of submissions and the messages of panics. This text must not become
 //! markup, a spreadsheet formula, or a terminal command.
 
-/// Returns the beginning of a foreign text, at most `most` characters. The text may have megabytes.
+/// Returns the beginning of a foreign text, at most `most` characters. The text may be megabytes
+/// long.
 pub fn cut(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {
         Some((end, _)) => format!("{}\u{2026}", &text[..end]),
@@ -63,7 +64,7 @@ pub fn fenced(text: &str) -> String {
 
 /// Escapes a table cell. A possible formula gets an apostrophe before it.
 ///
-/// In many countries a semicolon ends a cell, so the text behind a semicolon is escaped too.
+/// In many countries a semicolon ends a cell, so the text after a semicolon is escaped too.
 pub fn cell(text: &str) -> String {
     let text = line(text);
     let guarded = text.split(';').map(|part| {

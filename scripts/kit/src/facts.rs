@@ -35,8 +35,8 @@ pub struct Facts {
     /// Kinds of the lab's other programs, by the suffix of the name: `hard` for `lab9-hard`.
     #[serde(default)]
     pub programs: BTreeMap<String, Work>,
-    /// Variant that gives t₁: the kit's best serial program for discs of this kind. `None` in other
-    /// labs.
+    /// Variant that determines the serial time t₁: the kit's best serial program for discs of this
+    /// kind. `None` if a different lab has this program.
     pub baseline: Option<String>,
     /// Variant that `scripts/slurm` runs on 1, 2, 4, … ranks or threads.
     pub cluster: Option<String>,
@@ -88,18 +88,18 @@ pub struct TaskFacts {
     /// Title, such as `launches`.
     #[serde(default)]
     pub title: String,
-    /// Points for the task. It earns them if all answers to its questions (tests/labN.rs) are
-    /// right.
+    /// Points for the task. A submission earns them if all answers to the task's questions
+    /// (tests/labN.rs) are right.
     pub points: f64,
-    /// Largest share of the points, 0 to 1, that a wrong task can earn, in proportion to its right
-    /// answers.
+    /// Largest share of the points, 0 to 1, that a wrong task can earn. The share is proportional
+    /// to the right answers.
     #[serde(default)]
     pub partial: f64,
     /// Hours that the task takes.
     pub hours: f64,
     /// Difficulty: 1 (follow the text) to 3 (take your time).
     pub mark: usize,
-    /// Whether the task is not one of the core tasks, which everybody does.
+    /// Whether the task is optional. Core tasks are not optional: everybody does them.
     #[serde(default)]
     pub optional: bool,
     /// Heading of the task's section in the lab's chapter.
@@ -160,7 +160,7 @@ pub struct VariantFacts {
     pub name: String,
     /// Last task that the variant needs.
     ///
-    /// If all tasks up to this one are right, grading runs the variant as a whole. If the whole is
+    /// If all tasks up to this one are right, grading runs the whole variant. If its result is
     /// wrong nevertheless, this task loses its points.
     pub task: Option<String>,
     /// Accuracy of the variant's results, compared with the naive program's.

@@ -26,8 +26,8 @@ pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
 
 /// Returns the regular files below a folder, sorted, without files that tools leave there.
 ///
-/// Editors and merges, for example, leave files. A link counts as the file that it leads to. Broken
-/// links, pipes and sockets are left out, because reading them fails or never ends.
+/// Such tools are, for example, editors and merges. A link counts as the file that it leads to.
+/// Broken links, pipes and sockets are left out, because reading them fails or never ends.
 pub fn sources_below(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = files_below(folder)?;
     files.retain(|path| {

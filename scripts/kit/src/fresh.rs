@@ -1,9 +1,9 @@
-//! Ensures that builds are made of the present sources.
+//! Ensures that builds are made from the current sources.
 //!
 //! Cargo compares times: a package counts as built if no source is newer than the result. This
-//! fails if the sources have changed but are older than the result: after unpacking an archive,
-//! after `cp -p`, after a clock was set back, and in two clones with one build directory. So a hash
-//! of a package's sources is kept beside each file that Cargo made of them.
+//! check fails if the sources have changed but are older than the result. Examples are an unpacked
+//! archive, `cp -p`, a clock that was set back, and two clones with one build directory. So a hash
+//! of the package's sources is kept beside each file that Cargo made from them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -48,7 +48,7 @@ pub fn build(
     Ok(output)
 }
 
-/// Returns the packages in `root` that were built from different sources. Notes the hashes of
+/// Returns the packages in `root` that were built from different sources. Also notes the hashes of
 /// packages that were built now.
 fn stale(root: Option<&Path>, output: &Output) -> BTreeSet<String> {
     let root = root.and_then(|root| root.canonicalize().ok()).unwrap_or_default();
@@ -89,7 +89,7 @@ fn is_made_of(made: &Path, hash: &str, folder: &Path, root: &Path) -> bool {
         Some((of, identity)) if identity == self::identity(&metadata) => of == hash,
         // A different program, such as an editor, ran Cargo. In this kit's own build directory, the
         // program used these sources if no source was written later. The time of that write (ctime)
-        // cannot be set to an earlier one.
+        // cannot be set back.
         _ => {
             let is_own = made.canonicalize().is_ok_and(|made| made.starts_with(root));
             is_own && !is_written_since(folder, &metadata)
@@ -105,7 +105,7 @@ fn is_written_since(folder: &Path, made: &fs::Metadata) -> bool {
     sources_below(folder).map_or(true, |paths| paths.iter().any(is_later))
 }
 
-/// Notes the hash of the sources that a file was made of. A file without a note is made again.
+/// Notes the hash of the sources that a file was made from. A file without a note is made again.
 fn note(made: &Path, hash: &str) {
     if let Ok(metadata) = fs::metadata(made) {
         let _ = fs::write(beside(made), format!("{hash} {}", identity(&metadata)));

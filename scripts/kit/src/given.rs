@@ -1,8 +1,9 @@
 //! Given files belong to the kit: a submission consists of the files with tasks, and of new files.
 //!
-//! A new file is a module, which is often declared in a given file. So the declaration is copied
-//! into the kit's own version of that file. Nothing else that a student wrote in a given file is
-//! compiled. The grader and `cargo lab check` both build the result of [`Given::put`].
+//! A new file is a module, and the module's declaration is often in a given file. So the
+//! declaration is copied into the kit's own version of the given file. Nothing else that a student
+//! wrote in a given file is compiled. The grader and `cargo lab check` both build the result of
+//! [`Given::put`].
 
 use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};

@@ -134,7 +134,7 @@ impl Kit {
 
     /// Returns the sources of a lab's tests; empty if it has no tests.
     ///
-    /// They are tests/labN.rs and the files that it includes from tests/labN/.
+    /// The sources are tests/labN.rs and the files that this file includes from tests/labN/.
     pub fn test_sources(&self, lab: Lab) -> Result<Vec<PathBuf>> {
         let source = self.path(format!("tests/lab{lab}.rs"));
         let included = sources_below(&source.with_extension(""))?;

@@ -1,11 +1,11 @@
 //! Shared parts of the `cargo lab` commands.
 //!
 //! [`Kit`] has the paths of the kit, and [`Facts`] describes a [`Lab`]. [`answers`] reads the tasks
-//! in a solution, and [`starter`] makes a starter of it. [`hints`], [`wrong`], [`quiz`] and
-//! [`rubric`] read the files beside the solution. [`given`] selects the files of a submission that
-//! are built. [`harness`] runs a lab's tests and [`binaries`] its programs, each in a separate
-//! [`process`]. [`cargo`] shows the progress of builds, and [`fresh`] ensures that they are made of
-//! the present sources. [`command`] starts and ends every command of the kit in the same way.
+//! in a solution, and [`starter`] makes a starter from a solution. [`hints`], [`wrong`], [`quiz`]
+//! and [`rubric`] read the files beside the solution. [`given`] selects the files of a submission
+//! that are built. [`harness`] runs a lab's tests and [`binaries`] its programs, each in a separate
+//! [`process`]. [`cargo`] shows the progress of builds, and [`fresh`] ensures that builds are made
+//! from the current sources. [`command`] starts and ends every command of the kit in the same way.
 
 pub mod answers;
 pub mod binaries;

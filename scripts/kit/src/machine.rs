@@ -1,4 +1,4 @@
-//! Returns descriptions of this machine, and today's date, for records.
+//! Describes this machine and returns today's date, for records.
 
 use std::fs;
 use std::process::Command;

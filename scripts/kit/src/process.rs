@@ -19,7 +19,7 @@ const KEPT: usize = 1 << 20;
 /// Time between asking a process to end and killing it.
 const GRACE: Duration = Duration::from_secs(2);
 
-/// Process groups that are running, for the handler of an interrupt.
+/// Process groups that are running. The interrupt handler kills them.
 static RUNNING: Mutex<BTreeSet<i32>> = Mutex::new(BTreeSet::new());
 
 /// Result of a process.
@@ -71,7 +71,7 @@ pub fn run_with(command: &mut Command, stdin: Stdio, limit: Duration) -> io::Res
     let stderr = ends(child.stderr.take());
     let status = wait(child, Instant::now() + limit);
     if matches!(status, Ok(None)) {
-        // A launcher of parallel programs ends them when it receives SIGTERM.
+        // A launcher of parallel programs ends these programs when it receives SIGTERM.
         kill(started.group, Signal::TERM);
         let _ = wait(&mut started.child, Instant::now() + GRACE);
     }

@@ -25,7 +25,7 @@ pub struct Program {
     pub solution: bool,
     /// Name of one of the lab's other programs; `None` for the first program.
     ///
-    /// It follows the lab's own name, as `hard` in `lab9-hard`.
+    /// The name follows the lab's own name, as `hard` does in `lab9-hard`.
     other: Option<String>,
     /// Kind of discs that the program simulates.
     pub discs: Discs,

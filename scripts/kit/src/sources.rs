@@ -33,7 +33,8 @@ pub const NOT_PLAIN: &str = "no plain file";
 /// Reason for leaving out a file of more than [`FILE_LIMIT`] bytes.
 pub const TOO_LARGE: &str = "more than 1 MiB";
 
-/// Reason for leaving out a file whose path is not UTF-8, and so cannot equal any path of the kit.
+/// Reason for leaving out a file whose path is not UTF-8. Such a path cannot equal any path of the
+/// kit.
 pub const NOT_UTF8: &str = "its name is not UTF-8";
 
 /// Reason for leaving out a file that the system refuses to read.

@@ -20,8 +20,8 @@
 //! replaced by lines with `+`, lines with a blank stay, and an empty line ends a change. The old
 //! lines of a change must occur once in the answer.
 //!
-//! A program loses the marks of its region's task. If the questions of a different task need that
-//! task, the line `also loses` names the different task.
+//! A program loses the marks of its region's task. The line `also loses` names other tasks that
+//! lose their marks because their questions need that task.
 //!
 //! Unusual programs that are right are kept in `tests/right/labN.md` in the same form, with
 //! `passes` instead of `fails`. They keep all marks.

@@ -1,7 +1,7 @@
-//! Tests that sibling modules import one another in no circle.
+//! Tests that no sibling modules import one another in a circle.
 //!
 //! A folder counts as one module with all files in it. A name that `mod.rs` or `lib.rs` re-exports
-//! counts for the module that defines it, so a circle through `lib.rs` is found.
+//! counts as a name of the module that defines it. So a circle through `lib.rs` is found.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -95,7 +95,7 @@ fn target<'p>(package: &'p Package, module: &str, path: &str) -> Option<&'p str>
     while !package.contains_key(at) {
         (at, name) = at.rsplit_once("::")?;
     }
-    // The module defines the name itself, or re-exports it from a module below.
+    // The module defines the name itself, or re-exports it from a child module.
     let (module, paths) = package.get_key_value(at)?;
     let mut so_called = paths.iter().filter(|path| path.ends_with(&format!("::{name}")));
     let below = so_called.find(|path| {
@@ -109,7 +109,7 @@ fn circles(package: &Package) -> BTreeSet<String> {
     let mut imports: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for (module, paths) in package {
         for other in paths.iter().filter_map(|path| target(package, module, path)) {
-            // Shortens both names so that they end with the first part that differs.
+            // Both names are cut after the first part in which they differ.
             let a: Vec<_> = module.split("::").collect();
             let b: Vec<_> = other.split("::").collect();
             if let Some(k) = (0..a.len().min(b.len())).find(|&k| a[k] != b[k]) {
@@ -117,8 +117,8 @@ fn circles(package: &Package) -> BTreeSet<String> {
             }
         }
     }
-    // A module is in no circle if it imports no remaining module, or if no remaining module imports
-    // it.
+    // A module that imports no remaining module is in no circle. The same holds for a module that
+    // no remaining module imports.
     loop {
         let left: BTreeSet<String> = imports.keys().cloned().collect();
         let imported: BTreeSet<String> = imports.values().flatten().cloned().collect();

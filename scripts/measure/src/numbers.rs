@@ -32,7 +32,7 @@ pub struct Files {
     svg: Option<PathBuf>,
 }
 
-/// Contents of a file of numbers: the results, and the command that makes them again.
+/// Contents of a file of numbers: the results, and the command that reproduces them.
 #[derive(Deserialize, Serialize)]
 pub struct DataFile<R = Value> {
     command: String,
@@ -49,7 +49,7 @@ impl Files {
     /// Writes the files that the user has named; `draw` makes the figure from the written numbers.
     ///
     /// # Errors
-    /// The errors of [`Self::again`], or a file cannot be written.
+    /// [`Self::again`] fails, or a file cannot be written.
     pub fn write<R: DeserializeOwned>(
         &self,
         results: impl Serialize,
@@ -63,7 +63,9 @@ impl Files {
         }
     }
 
-    /// Returns the figure of written results, and its file; `None` if the user has named no figure.
+    /// Returns the figure of results that were written earlier, and the path of the figure's file.
+    ///
+    /// `None` if the user has named no figure.
     ///
     /// # Errors
     /// The results are from a different command, or lack data that its options need.
@@ -81,7 +83,7 @@ impl DataFile {
     /// Reads a file that `--json` wrote.
     ///
     /// # Errors
-    /// The file cannot be read, or has different contents.
+    /// The file cannot be read, or its contents are not of this type.
     pub fn read(path: &Path) -> Result<Self> {
         serde_json::from_slice(&read_bytes(path)?)
             .with_context(|| format!("cannot read {}", path.display()))
@@ -90,7 +92,7 @@ impl DataFile {
     /// Returns the words of the command line.
     pub fn words(&self) -> Vec<String> {
         let mut words = Vec::new();
-        // Every other part is between quotes.
+        // The parts with odd indices are between quotes.
         for (at, part) in self.command.split('\'').enumerate() {
             match at % 2 {
                 0 => words.extend(part.split_whitespace().map(Into::into)),

@@ -132,7 +132,7 @@ fn table(overviews: &[Overview]) -> String {
     out
 }
 
-/// Returns a task's mark in its lab's bar.
+/// Returns the character that stands for a task in its lab's progress bar.
 fn mark(state: State) -> char {
     match state {
         State::Done => '█',

@@ -51,7 +51,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Describes the archive of a lab. The student changed the given files `changed_given`.
+/// Describes the archive of a lab. `changed_given` lists the given files that the student changed.
 fn account(
     kit: &Kit,
     lab: Lab,

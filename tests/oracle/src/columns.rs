@@ -4,9 +4,10 @@ use std::fmt::{self, Display, Formatter};
 
 /// States or actions of threads or ranks, side by side.
 ///
-/// The book steps through such a table row by row. A cell is a text, or numbers of particles with a
-/// bar between the parts of a buffer and the numbers of ghosts in parentheses ([`spaced`]). The
-/// name of a row with other kinds of numbers contains the word *count* or *displacements*.
+/// The book steps through such a table row by row. A cell is a text, or a list of particles'
+/// numbers ([`spaced`]). In such a list, a bar separates the parts of a buffer, and the numbers of
+/// ghosts are in parentheses. If the numbers of a row are of a different kind, the row's name
+/// contains the word *count* or *displacements*.
 pub struct Columns {
     heads: Vec<String>,
     rows: Vec<(String, Vec<String>)>,

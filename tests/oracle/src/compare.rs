@@ -8,8 +8,8 @@ use crate::diagnosis::Mistake;
 use crate::single::Single;
 
 /// Compares `after`, a program's state one step after `before`, with the model's step from
-/// `before`. `single` is not `None` for a program in single precision. Returns an explanation of
-/// the first wrong particle.
+/// `before`. `single` is `None` for a program in double precision. Returns an explanation of the
+/// first wrong particle.
 pub(crate) fn one_step(
     size: f64,
     before: &[Particle],

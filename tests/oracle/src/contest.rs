@@ -1,16 +1,16 @@
-//! The scenes of the contest and their exact ends.
+//! The scenes of the contest and their exact final states.
 //!
 //! The kinds of scenes are public, but each scene is drawn from a seed. Computing the exact motion
-//! of 100,000 particles would take minutes. So it is computed only for the particles in a square,
-//! which is also drawn from the seed. The judge considers only the particles that the edge of the
-//! square cannot have influenced.
+//! of 100,000 particles would take minutes. So the exact motion is computed only for the particles
+//! in a square, which is also drawn from the seed. The judge considers only the particles that the
+//! edge of the square cannot have influenced.
 
 use common::soft::{DT, Particle, Scene};
 
 use crate::Random;
 use crate::reference::{Fineness, exact};
 
-/// Number of official steps until the error is measured. Later, chaos would hide the method's
+/// Number of official steps after which the error is measured. Later, chaos would hide the method's
 /// error.
 pub const STEPS: u64 = 100;
 
@@ -97,7 +97,7 @@ impl Kind {
     /// # Errors
     /// If the exact motion cannot be computed.
     pub fn exact_end(self, scene: &Scene, seed: u32) -> Result<Vec<Particle>, String> {
-        // A wide window links many particles in a crowd, and fast particles also link many
+        // A wide window would link many particles in a crowd. Fast particles also link many
         // particles.
         let window = match self {
             Self::Official | Self::Large | Self::Thin => 2e-4,

@@ -2,7 +2,7 @@
 
 use common::soft::{Observer, Statistics};
 
-/// An observer that counts pair tests, even if other parts of an observer are not written yet.
+/// An observer that counts pair tests, for labs whose own observer is not complete yet.
 #[derive(Clone, Default)]
 pub struct Count {
     /// Number of reported pairs.

@@ -7,8 +7,8 @@ use common::soft::{CUTOFF, MIN_R, Particle, Scene};
 use crate::Random;
 use crate::scenes::anywhere;
 
-/// Draws 81 isolated pairs at 0.9995 cutoffs in any direction, each across an edge of bins of one
-/// cutoff.
+/// Draws 81 isolated pairs at 0.9995 cutoffs, in any direction. Each pair is across an edge between
+/// bins that are one cutoff wide.
 ///
 /// # Panics
 /// Never: all particles are in the box.

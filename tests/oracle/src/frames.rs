@@ -22,7 +22,7 @@ pub fn write_scene(path: &Path, scene: &Scene) -> io::Result<()> {
 /// first line.
 ///
 /// # Errors
-/// If the file cannot be read, or has other contents.
+/// If the file cannot be read, or does not contain such states.
 pub fn read_frames(path: &Path, n: usize) -> io::Result<Vec<Vec<Particle>>> {
     let text = fs::read_to_string(path)?;
     let lines = text.lines().filter(|line| !line.is_empty()).enumerate();

@@ -62,8 +62,8 @@ pub fn answer(questions: &[Question], ask: fn(&str, &mut Random, &mut Recorder) 
 /// Judges answers for the grader: `judge FILE QUESTION SEED SNAPSHOTS` prints the result; `judge`
 /// alone prints the table. The paths of the lab's snapshots begin with `SNAPSHOTS`.
 ///
-/// The result is the number of requested answers, the number of correct answers, and 1 if the
-/// answers broke off (0 if not), followed by the error of the first wrong answer.
+/// The result begins with three numbers: the number of requested answers, the number of correct
+/// answers, and 1 if the answers broke off (0 if not). The error of the first wrong answer follows.
 ///
 /// # Panics
 /// If the question does not exist, or a file cannot be read.
@@ -120,10 +120,10 @@ impl Order {
 /// }
 /// ```
 ///
-/// A row contains the question's name, the tasks that it needs besides its own, the function that
-/// asks it (if the function has a different name) and the sentence that a student reads. The
-/// function gets a `&mut Random` and an `&mut impl Ask`. The first question of a task is its worked
-/// example.
+/// A row contains the question's name, the other tasks that the question needs, and the sentence
+/// that a student reads. If the function that asks the question has a different name, the row also
+/// contains this name. The function gets a `&mut Random` and an `&mut impl Ask`. The first question
+/// of a task is its worked example.
 #[macro_export]
 macro_rules! questions {
     ($($task:ident {

@@ -1,7 +1,7 @@
 //! Random numbers for the scenes of tests and probes.
 
-/// Sizes at which programs often fail. Vector lanes, blocks, or the range of eight or sixteen bits
-/// end there.
+/// Sizes at which programs often fail: at the ends of vector lanes, of blocks, and of the ranges of
+/// eight and sixteen bits.
 const SIZES: [usize; 18] =
     [0, 1, 2, 3, 7, 8, 9, 31, 32, 33, 255, 256, 257, 1025, 4097, 65_535, 65_536, 65_537];
 
@@ -43,7 +43,7 @@ impl Random {
     }
 
     /// Draws a coordinate along a wall of length `size` with `along` bins. The coordinate is on the
-    /// wall at either end, on an edge between bins, off an edge by one rounding, or anywhere.
+    /// wall at either end, on an edge between bins, one rounding away from an edge, or anywhere.
     pub fn coordinate(&mut self, size: f64, along: usize) -> f64 {
         let edge = self.below(along + 1) as f64 * (size / along as f64);
         let coordinate = match self.below(8) {

@@ -16,15 +16,14 @@ use crate::compare::one_step;
 use crate::single::Single;
 use crate::{Ask, Model, memory, scenes, within};
 
-/// Time limit of every run in seconds. The failure names the task.
+/// Time limit of a run, in seconds. The message of a failure names the task.
 const SECONDS: u64 = 120;
 
-/// Number of steps that are asked first in a longer run. A program that doubles particles then
-/// fails before memory is full.
+/// Number of steps of a short run that is asked for before a longer run. A program that duplicates
+/// particles fails in the short run, before the memory is full.
 const FIRST: usize = 8;
 
-/// Questions about runs of one variant of a lab on behalf of one task, with verdicts in the
-/// domain's words.
+/// Questions about runs of one variant of a lab, for one task. Verdicts use the terms of the field.
 #[derive(Clone)]
 pub struct Runs {
     task: &'static str,
@@ -175,9 +174,10 @@ impl Runs {
         self.resynchronised_on_each(ask, (1..=200).map(scenes::crowd).collect(), 2);
     }
 
-    /// Asks for forces on particles at rest in crowds. They must be right within 10⁻¹² of the sum
-    /// of magnitudes. The total force must be zero within 10⁻¹² of the sum of all magnitudes,
-    /// because pairs conserve momentum.
+    /// Asks for the forces on crowded particles at rest.
+    ///
+    /// The error of each force may be 10⁻¹² times the sum of the magnitudes of its pair forces. The
+    /// total force may be 10⁻¹² times all these sums together, because pairs conserve momentum.
     pub fn forces(&self, ask: &mut impl Ask) {
         for seed in 1..=10 {
             let scene = scenes::cloud(40 * seed as usize, 4.0, seed);
@@ -196,8 +196,8 @@ impl Runs {
         }
     }
 
-    /// Asks whether the bits after each of `steps` steps equal those of all pairs in ascending
-    /// order.
+    /// Asks whether the state after each of `steps` steps is bit-identical to the state computed
+    /// from all pairs in ascending order.
     pub fn bits_of_all_pairs(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
         let of_run = scene.clone();
         let found =
@@ -217,9 +217,10 @@ impl Runs {
         );
     }
 
-    /// Asks whether the bits after `steps` steps in a row, without a read in between, equal those
-    /// of all pairs. Nothing outside the program makes its threads wait between two steps, so
-    /// threads that live for the whole run must wait for each other themselves.
+    /// Asks whether the state after `steps` steps is bit-identical to that of all pairs.
+    ///
+    /// No state is read between two steps. So nothing outside the program makes its threads wait,
+    /// and threads that live for the whole run must wait for each other themselves.
     pub fn bits_after_a_run(&self, ask: &mut impl Ask, scene: &Scene, steps: u64) {
         let of_run = scene.clone();
         let found = move |engine: &mut dyn Simulation| {
@@ -244,8 +245,9 @@ impl Runs {
         );
     }
 
-    /// Asks whether the bits after `steps` steps are the same for each number of threads. A second
-    /// run with the same engine must also have the same bits.
+    /// Asks whether the state after `steps` steps is bit-identical for each number of threads.
+    ///
+    /// A second run with the same engine must also reach the same bits.
     pub fn same_bits_on_threads(
         &self,
         ask: &mut impl Ask,

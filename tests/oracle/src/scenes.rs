@@ -1,7 +1,8 @@
 //! Scenes that expose wrong programs.
 //!
-//! The official scene is nearly blind: nine out of ten particles have no neighbour, and eight of 32
-//! typical wrong programs pass the original checker on it. The scenes here are not blind.
+//! The official scene exposes too few mistakes. Nine out of ten particles have no neighbour, and
+//! eight of 32 typical wrong programs pass the original checker on it. The scenes here expose more
+//! mistakes.
 
 use common::soft::{CUTOFF, Particle, Scene};
 
@@ -34,7 +35,8 @@ pub fn at_the_cutoff() -> Scene {
 /// of side 6 has six rows of bins of side 1.
 ///
 /// Particles 2r and 2r + 1 begin in row r. With two rows per rank, particle 1 changes its row
-/// within the block, 3 and 8 cross to the next block, and 11 flies from the last row to the first.
+/// within the block. Particles 3 and 8 cross to the next block. Particle 11 flies from the last row
+/// to the first.
 pub fn dozen() -> [Vec<Particle>; 2] {
     // Positions. Particles that begin in the same row of bins share a line.
     #[rustfmt::skip]

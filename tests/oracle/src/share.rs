@@ -3,9 +3,9 @@
 //! The division of a loop depends on the load of the machine: a correct program may leave nearly
 //! all of the work to one thread. Therefore threads are delayed here. The first thread that arrives
 //! waits for the others. A thread that has done its part continues when the others have done a
-//! third of the work. The others can always do this if four threads share the work: a thread is
-//! delayed when it has done a fourth of the work, and the rest of the block that it has begun,
-//! which no other thread can take over, is less than another fourth. So no thread of a correct
+//! third of the work. The others can always do this if four threads share the work. A thread is
+//! delayed when it has done a fourth of the work. No other thread can take over the rest of the
+//! block that it has begun, but this rest is less than another fourth. So no thread of a correct
 //! program does more than two thirds. This holds for blocks and for single items, which may be
 //! fixed or come from a queue. With two or three threads only the arrival is checked, because half
 //! of the work and the rest of a block may be nearly all of the work.
@@ -86,9 +86,10 @@ impl Share {
         Ok(())
     }
 
-    /// Executes work as [`record`](Self::record) does. Returns three numbers: the number of threads
-    /// that did some of the work, the number of these threads that belong to a pool of `threads`
-    /// threads, and 1 if one of four or more threads did more than two thirds, otherwise 0.
+    /// Executes work as [`record`](Self::record) does. Returns three numbers. The first is the
+    /// number of threads that did some of the work. The second is the number of these threads that
+    /// belong to a pool of `threads` threads. The third is 1 if one of four or more threads did
+    /// more than two thirds of the work, otherwise 0.
     pub fn of(&self, threads: usize, total: u64, work: impl FnOnce()) -> Vec<f64> {
         let recorded = self.record(threads, total, work);
         let (done, _) = recorded.as_chunks::<2>();

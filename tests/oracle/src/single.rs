@@ -4,25 +4,26 @@
 //! steps do not count. Only the roundings of one step remain. The bounds below are of first order
 //! in u = 2⁻²⁴, the greatest relative error of a single rounding.
 //!
-//! *The vector of a pair* is (bins between + (offset − offset)) · side. The errors are: u for the
-//! difference of two offsets below 1; u |d| / h for the sum, with bins of side h; and u |d| each
-//! for the rounded side and for the product. So the vector is off by |δ| ≤ u (√2 h + 3 r).
+//! *The vector of a pair* is (bins between + (offset − offset)) · side. The difference of two
+//! offsets below 1 has the error u. With bins of side h, the sum adds u |d| / h. The rounded side
+//! and the product add u |d| each. So the vector is off by |δ| ≤ u (√2 h + 3 r).
 //!
-//! *The force* f(r) = (c/r − 1) r / (ρ² m), ρ = max(r, min_r), changes by at most 2c / (ρ³ m) for
-//! each unit of length, so an error of the vector is multiplied by this factor. The computation of
-//! f also rounds. WGSL allows a division an error of 2.5 units in the last place (5 u), and a root
-//! 4.5 units (9 u). Then the relative error of r is 10.5 u, and of c/r 17 u, with the rounded c.
-//! The digits of 1 − c/r cancel, so its error is 17 u · c/r. The rest, two divisions and a product,
-//! adds 16 u |f|:
+//! *The force* is f(r) = (c/r − 1) r / (ρ² m) with ρ = max(r, min_r). It changes by at most 2c /
+//! (ρ³ m) for each unit of length, so an error of the vector is multiplied by this factor. The
+//! computation of f also rounds. WGSL allows a division an error of 2.5 units in the last place (5
+//! u), and a root 4.5 units (9 u). Then the relative error of r is 10.5 u, and of c/r 17 u, with
+//! the rounded c. The digits of 1 − c/r cancel, so its error is 17 u · c/r. The rest, two divisions
+//! and a product, adds 16 u |f|:
 //!
 //! e = u (2c / (ρ³ m) · (√2 h + 3 r) + 17 c r / (ρ³ m) + 16 |f|)
 //!
 //! *The sum* of k forces adds k u Σ|f|. *The velocity* v + a dt is then off by
 //! δv = dt (Σe + k u Σ|f|) + 3 u dt Σ|f| + u |v|.
 //!
-//! *The position* has these errors: 8 u for v dt / h; at most 7 u for the reflections, which remove
-//! whole ways from wall to wall and back; one more u for the addition to the offset; and 4 u h for
-//! the offset itself, its floor and its mirror images. The sum is dt δv + 16 u dt |v| + 4 u h.
+//! *The position* has several errors. The first is 8 u for v dt / h. The reflections, which remove
+//! whole ways from wall to wall and back, add at most 7 u, and the addition to the offset adds u.
+//! The offset itself, its floor and its mirror images add 4 u h. The sum is dt δv + 16 u dt |v| + 4
+//! u h.
 //!
 //! Terms in u² are below a hundredth of these bounds, even at min_r. So the bounds are increased by
 //! a hundredth.

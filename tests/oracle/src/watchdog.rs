@@ -12,7 +12,8 @@ use std::time::Duration;
 /// Time limit in seconds of a test without its own limit.
 const LIMIT: u64 = 120;
 
-/// Variable with the number of seconds after which each rank of a job reports its position.
+/// Variable with the number of seconds after which each rank of a job reports the call that it is
+/// in.
 pub(crate) const WATCH: &str = "CUTOFF_WATCH";
 
 thread_local! {
@@ -23,8 +24,8 @@ thread_local! {
 /// Number of running parts of this process that have their own limits.
 static OWN_LIMITS: AtomicUsize = AtomicUsize::new(0);
 
-/// A guard that exists while a part with its own limit runs. Meanwhile the time of whole tests is
-/// not counted.
+/// A guard that exists while a part with its own limit runs. While the guard exists, the time of
+/// whole tests is not counted.
 pub(crate) struct OwnLimit(());
 
 impl OwnLimit {
@@ -45,8 +46,8 @@ pub(crate) fn is_rank() -> bool {
     env::var_os(WATCH).is_some()
 }
 
-/// Work for a separate thread, and its result. Boxes avoid compiling threads and channels for every
-/// test.
+/// Work for a separate thread, and its result. The boxes avoid compiling the code for threads and
+/// channels again for every test.
 type Work = Box<dyn FnOnce() -> Box<dyn Any + Send> + Send>;
 
 /// Runs `work` and returns its result, or fails with the name of the task after `seconds`. A panic

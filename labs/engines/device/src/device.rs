@@ -26,9 +26,9 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// Returns this program's device, which is opened at the first call.
+    /// Returns this program's device. The first call opens the device.
     ///
-    /// It is the device that the environment variable `WGPU_ADAPTER_NAME` names, or else a device
+    /// The environment variable `WGPU_ADAPTER_NAME` can name the device. Otherwise it is a device
     /// of the fastest kind in the machine.
     ///
     /// # Errors
@@ -54,8 +54,8 @@ impl Gpu {
 
     /// Returns the device's name.
     ///
-    /// The name shows whether the device is a program on the host's processor, because such a
-    /// device must not be compared with a graphics processor.
+    /// The name shows whether the device is a program on the host's processor. Times of such a
+    /// device must not be compared with times of a graphics processor.
     pub fn name(&self) -> String {
         let note =
             if self.is_software() { " (software on the host's processor, not a GPU)" } else { "" };

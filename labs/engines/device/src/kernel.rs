@@ -32,7 +32,7 @@ impl Kernel {
     ///
     /// The sources are joined in this order. `threads` is the size of the workgroups, and
     /// `constants` contains the values of the `override`s. The device refuses sources that are not
-    /// valid WGSL, or that need a feature that it lacks.
+    /// valid WGSL, or that need a feature that the device lacks.
     ///
     /// # Panics
     /// A task in the sources is not done yet ([`refuse_todo`]), or the device refuses the sources

@@ -36,8 +36,8 @@ pub trait Launcher {
     /// The device cannot run the launch.
     fn launch(blocks: u32, threads: u32, limits: &Limits) -> Result<Launch, LaunchError>;
 
-    /// Returns a launch with an invocation for each of `n` items, in workgroups of `threads`. It
-    /// has at least one workgroup.
+    /// Returns a launch with an invocation for each of `n` items, in workgroups of `threads`. The
+    /// launch has at least one workgroup.
     ///
     /// # Errors
     /// The device cannot run the launch.

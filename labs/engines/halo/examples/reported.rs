@@ -42,7 +42,7 @@ struct Row {
     share: f64,
     speedup_at_most: f64,
     weak_efficiency_at_most: f64,
-    /// Speed-up that follows from the share, if messages cost as much as for the report's single
+    /// Speed-up that follows from the share, if messages cost as much as on the report's single
     /// rank.
     speedup_foreseen: f64,
     repaired: Count,
@@ -54,8 +54,8 @@ struct Row {
 struct Count {
     /// Number of particles in the blocks of their ranks after the last step.
     left: usize,
-    /// Number of copies outside of the blocks after the last step, on all ranks. Only the program
-    /// as printed reads them.
+    /// Number of copies outside the blocks after the last step, on all ranks. Only the program as
+    /// printed reads these copies.
     ghosts: usize,
     /// Mean number of neighbours of a particle in a step. An old ghost of the particle itself is a
     /// neighbour too.
@@ -119,8 +119,8 @@ impl Row {
     }
 }
 
-/// Returns the number of rows of bins in a box of this side, which is also the number of bins in a
-/// row.
+/// Returns the number of rows of bins in a box of this side. Each row has as many bins as there are
+/// rows.
 fn along(size: f64) -> usize {
     (size / BIN) as usize + 1
 }
@@ -185,7 +185,7 @@ struct Leavers {
 }
 
 impl Job {
-    /// Gives all particles to every rank, which puts them into its bins.
+    /// Gives all particles to every rank. Each rank puts them into its bins.
     fn new(scene: &Scene, ranks: usize, faults: Faults) -> Self {
         let along = along(scene.size());
         let mut bins = vec![Vec::new(); along * along];

@@ -53,7 +53,7 @@ pub struct Leavers {
 
 /// A function that calls its argument with each particle of a scene, one after the other.
 ///
-/// It can be called several times: `replay(&mut |particle| n += 1)` counts the particles.
+/// The function can be called several times: `replay(&mut |particle| n += 1)` counts the particles.
 pub type Replay<'a> = &'a dyn Fn(&mut dyn FnMut(Particle));
 
 /// The decisions about blocks: the division of the rows, and the exchanges between ranks.
@@ -89,7 +89,7 @@ pub trait Blocks {
     ) -> (Cuts, Vec<Particle>);
 }
 
-/// Returns the rows of `block` before and after its `interior`, which need ghosts.
+/// Returns the rows of `block` that need ghosts: the rows before and after its `interior`.
 pub fn border_rows(block: &Range<usize>, interior: &Range<usize>) -> [Range<usize>; 2] {
     [block.start..interior.start, interior.end..block.end]
 }

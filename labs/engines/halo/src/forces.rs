@@ -16,7 +16,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
     /// Sums the forces of the interior rows while ghosts travel, and then the forces of the border
     /// rows.
     ///
-    /// All ranks call it together.
+    /// All ranks call this function together.
     pub(crate) fn sum_forces(&mut self) {
         self.accelerations.resize(self.own.particles().len(), Vec2::ZERO);
         let interior = T::interior_rows(&self.block, self.own.grid().rows());

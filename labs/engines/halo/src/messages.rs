@@ -32,7 +32,7 @@ pub trait Messages {
     /// Sends `lists[k]` to rank k, for every k. Returns the items that were sent to this rank, in
     /// the order of ranks.
     ///
-    /// All ranks call it together.
+    /// All ranks call this function together.
     fn exchange_all<T>(world: &SimpleCommunicator, lists: &[Vec<T>]) -> Vec<T>
     where
         T: Equivalence + Default + Clone;

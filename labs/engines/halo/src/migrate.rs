@@ -18,14 +18,16 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         let grid = *self.own.grid();
         let particles = self.own.particles_mut();
         let indices = move_all(particles, &self.accelerations, &grid, &self.block, &self.workers);
-        // The loop runs backwards, so that the particle that fills a gap has already been handled.
+        // A later particle takes the place of a removed particle. The loop runs backwards, so that
+        // the later particle has already been handled.
         indices.iter().rev().map(|&index| Wire::from(&self.own.take(index))).collect()
     }
 
     /// Sends `leavers` to their new owners and takes in the particles that arrive.
     ///
-    /// With [`Route::Neighbours`], it sends messages to the neighbours. Some particles may go
-    /// further. All ranks add up their number, and exchange particles only if it is not zero.
+    /// With [`Route::Neighbours`], the rank sends messages to the neighbours. Some particles may go
+    /// further than that. All ranks add up the number of such particles, and exchange them only if
+    /// the number is not zero.
     pub(crate) fn migrate(&mut self, leavers: Vec<Wire>) {
         let grid = *self.own.grid();
         let neighbours = T::neighbours(&self.cuts, self.rank());
@@ -112,7 +114,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         self.settle(grid, cuts, arrived.iter().map(Particle::from).collect());
     }
 
-    /// Returns the number of particles of the fullest rank. All ranks call it together.
+    /// Returns the number of particles of the fullest rank. All ranks call this function together.
     pub(crate) fn fullest(&self) -> u64 {
         let own = self.own.particles().len() as u64;
         let mut most = 0_u64;

@@ -1,7 +1,7 @@
 //! Loops that the threads of a rank share: forces of the interior, and moves.
 //!
-//! The first thread alone handles ghosts and messages. It also sorts alone: the sort writes to all
-//! parts of the array, and lab 3 shows the cost of a shared sort.
+//! The first thread alone handles ghosts and messages. It also sorts alone, because the sort writes
+//! to all parts of the array. Lab 3 shows the cost of a shared sort.
 
 use std::ops::Range;
 
@@ -11,7 +11,7 @@ use solution1::advance;
 use solution2::{Gather, Grid, SortedBins};
 use workers::Workers;
 
-/// Sums the forces on the particles of `rows`, which need no ghosts.
+/// Sums the forces on the particles of `rows`. These rows need no ghosts.
 pub(crate) fn sum_rows<O: Observer>(
     own: &SortedBins,
     rows: Range<usize>,

@@ -67,8 +67,8 @@ impl<T: Dealing> AsReported<T> {
 
     /// Returns the worker that carries out a collision.
     ///
-    /// This worker has the blocks of all discs of the collision. If possible, the method chooses a
-    /// worker whose own block is among them.
+    /// This worker holds a copy of the block of each disc in the collision. If possible, the method
+    /// chooses a worker that owns one of these blocks.
     fn carrier(&self, candidate: &Candidate) -> usize {
         let blocks = self.blocks_of(candidate);
         let mut workers = blocks.clone().chain(0..self.deal.workers);

@@ -44,7 +44,7 @@ pub trait Dealing: Messages {
     fn collided(discs: &[Disc], blocks: &Cut, held: &[usize], taken: &[Candidate])
     -> Vec<DiscWire>;
 
-    /// Takes one step. All ranks call it together.
+    /// Takes one step. All ranks call this function together.
     fn step(engine: &mut MasterWorkers<Self>);
 }
 

@@ -30,7 +30,7 @@ impl Queues {
 
     /// Appends candidates to the queues, in the order of [`Collisions::order`].
     ///
-    /// They must not come before any candidate that has been entered earlier.
+    /// The candidates must not come before any candidate that has been entered earlier.
     pub fn enter<C: Collisions>(&mut self, mut candidates: Vec<Candidate>) {
         candidates.sort_unstable_by(C::order);
         for candidate in candidates {

@@ -36,7 +36,7 @@ pub trait Deciding: Messages {
     /// happen.
     fn take_certain(decisions: &mut Decisions);
 
-    /// Takes one step. All ranks call it together.
+    /// Takes one step. All ranks call this function together.
     fn step(engine: &mut SpatialCuts<Self>);
 }
 
@@ -84,7 +84,7 @@ pub struct Range {
 }
 
 impl<T: Deciding> SpatialCuts<T> {
-    /// Makes the engine of one rank of `world`, which cuts the square again every `recut` steps.
+    /// Makes the engine of one rank of `world`. The square is cut again every `recut` steps.
     pub fn new(world: SimpleCommunicator, recut: u64, clock: Clock) -> Self {
         let cuts = Cuts { starts: vec![0] };
         Self {
@@ -153,8 +153,8 @@ impl<T: Deciding> SpatialCuts<T> {
         Range { reach, furthest: 3.0 * (fastest + reach) }
     }
 
-    /// Exchanges lists with `partners` and calls `work` meanwhile. Returns the partners' lists and
-    /// the result of `work`.
+    /// Exchanges lists with `partners`, and calls `work` while the lists travel. Returns the
+    /// partners' lists and the result of `work`.
     pub fn exchange<W, R>(
         &mut self,
         partners: &[usize],

@@ -13,14 +13,15 @@ const ROWS_PER_RANK: usize = 512;
 
 /// The square, divided into horizontal strips, one for each rank.
 ///
-/// A strip consists of rows of equal height, which cover the positions that the discs had when the
-/// strips were cut. Discs below the first row belong to the first row, and discs above the last row
-/// to the last row. A rank's strip may be empty.
+/// A strip consists of rows of equal height. The rows cover the positions that the discs had when
+/// the strips were cut. Discs below the first row belong to the first row, and discs above the last
+/// row to the last row. A rank's strip may be empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strips {
     /// The lower end of the first row.
     pub bottom: f64,
-    /// Height of a row. It is 0 if all discs were at the same height, and then there is one row.
+    /// Height of a row. The height is 0 if all discs were at the same height. Then there is one
+    /// row.
     pub height: f64,
     /// The rows of each rank.
     pub cuts: Cuts,
@@ -50,7 +51,8 @@ impl Reach {
 impl Strips {
     /// Returns strips with equal numbers of discs, as far as cuts between rows allow.
     ///
-    /// `own` are the discs of this rank. All ranks call it together and get the same strips.
+    /// `own` are the discs of this rank. All ranks call this function together and get the same
+    /// strips.
     pub fn balanced(world: &SimpleCommunicator, own: &[DiscWire], traffic: &mut Traffic) -> Self {
         let low = own.iter().map(|disc| disc.y).fold(f64::INFINITY, f64::min);
         let high = own.iter().map(|disc| disc.y).fold(f64::NEG_INFINITY, f64::max);

@@ -28,7 +28,7 @@ impl Tally {
     /// Returns the counters of all ranks together, under the names of lab 7, and the messages that
     /// were sent.
     ///
-    /// All ranks call it together; only the root's result is valid.
+    /// All ranks call this function together; only the root's result is valid.
     pub fn report(
         &self,
         world: &SimpleCommunicator,

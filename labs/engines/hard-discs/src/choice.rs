@@ -8,7 +8,8 @@ use workers::Workers;
 /// taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
-    /// All candidates go into one list, which is sorted, as in the report (with quicksort).
+    /// All candidates go into one list, and the list is sorted. The report does the same, with
+    /// quicksort.
     Sort,
     /// All workers sort the list together. The sort in [`Collisions::take_in_order`] then finds it
     /// sorted.

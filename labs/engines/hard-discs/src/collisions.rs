@@ -51,7 +51,7 @@ pub struct Candidate {
 
 /// The rules of a collision, which every engine uses.
 ///
-/// A type that implements the trait has no values: it is the name of a set of functions, and the
+/// A type that implements the trait has no values. It is the name of a set of functions, and the
 /// compiler makes an engine for each such type.
 pub trait Collisions: Sized + Send + Sync + 'static {
     /// Returns the collision of disc number `a` with the walls in this step, if no earlier

@@ -18,8 +18,8 @@ pub trait Step: Collisions {
     fn step<F: Find>(engine: &mut Engine<Self, F>);
 }
 
-/// Number of collisions that are computed before their discs are written back. The number limits
-/// the memory for these collisions.
+/// Number of collisions that are computed before their discs are written back. The limit bounds the
+/// memory for the results.
 const BATCH: usize = 1 << 16;
 
 // ANCHOR: engine

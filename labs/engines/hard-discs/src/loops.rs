@@ -38,9 +38,9 @@ impl<C: Collisions> Find for AllPairs<C> {
 pub enum Collect {
     /// Each worker has its own list.
     Own,
-    /// All workers append to one array, whose counter is behind a lock.
+    /// All workers append to one array. A lock protects its counter.
     Locked,
-    /// All workers append to one array, whose counter is atomic.
+    /// All workers append to one array. Its counter is atomic.
     Atomic,
 }
 

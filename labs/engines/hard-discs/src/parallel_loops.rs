@@ -41,9 +41,10 @@ pub trait ParallelLoops {
         look: impl Fn(usize, usize, Range<usize>) + Sync,
     );
 
-    /// Appends a candidate to an array that all threads write to. Its counter is behind a lock.
+    /// Appends a candidate to an array that all threads write to. A lock protects the array's
+    /// counter.
     fn append_locked(list: &Slots, count: &LockedCount, candidate: Candidate);
 
-    /// Appends a candidate to an array that all threads write to. Its counter is atomic.
+    /// Appends a candidate to an array that all threads write to. The array's counter is atomic.
     fn append_atomic(list: &Slots, count: &SharedCount, candidate: Candidate);
 }

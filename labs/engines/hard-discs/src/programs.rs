@@ -95,7 +95,7 @@ pub fn grid<C: Step + BroadPhase + ParallelLoops>(_: &Config) -> Built {
     engine::<C>(grid, Choice::Sort, Workers::One)
 }
 
-/// Builds an engine with a grid of three levels and several threads, which take work from a queue.
+/// Builds an engine with a grid of three levels. Several threads take work from a queue.
 ///
 /// The queue contains discs in chunks ([`DISC_CHUNK`]) or whole blocks ([`WHOLE_BLOCKS`]).
 ///

@@ -13,7 +13,7 @@ use crate::sent_halo::Halo;
 pub(crate) struct Border {
     /// The ranks that exchange ghosts with this rank.
     pub(crate) partners: Vec<Rank>,
-    /// For each partner, the indices of this rank's particles that it needs.
+    /// For each partner, the indices of this rank's particles that the partner needs.
     chosen: Vec<Vec<u32>>,
     /// The positions of these particles: all x, then all y.
     pub(crate) sent: Vec<Vec<f64>>,

@@ -82,8 +82,8 @@ impl<T: DeepHalo> Deep<T> {
         self.epoch = Epoch::default();
         self.ghosts.clear();
         self.gone = 0.0;
-        // No rank has a list yet from which the life of a list is known. An epoch of one step is
-        // right at any speed.
+        // No rank has a list yet, so the life of a list is unknown. An epoch of one step is right
+        // at any speed.
         let height = self.domain.height();
         self.outlook = Outlook { fastest: 0.0, height, particles: 1.0, most: 1 };
         self.taken_again = 0;

@@ -30,7 +30,8 @@ impl<T: DeepHalo> Deep<T> {
     pub(crate) fn drop_ghosts(&mut self) {
         let n = self.domain.engine.bodies().len();
         let ghosts: Vec<usize> = (0..n).filter(self.is_ghost()).collect();
-        // The loop runs backwards, so that the particle that fills a gap is not a ghost.
+        // The last particle takes the place of a removed ghost. The loop runs backwards, so that
+        // the last particle is not a ghost.
         for index in ghosts.into_iter().rev() {
             self.domain.engine.bodies_mut().swap_remove(index);
         }
@@ -39,11 +40,11 @@ impl<T: DeepHalo> Deep<T> {
     /// Sends each partner the particles that it needs. Removes the particles that this rank no
     /// longer needs.
     ///
-    /// A partner needs the particles that are now in its strip, which become its own, and the
-    /// particles within `width` of the strip, which become its ghosts. One message to each partner
-    /// is enough, because the rank that had a particle sends it to every rank that needs it. The
-    /// particle may have left its strip by as much as `gone`, so ranks within `width` + `gone` are
-    /// partners.
+    /// A partner needs two kinds of particles: the particles that are now in its strip become its
+    /// own, and the particles within `width` of the strip become its ghosts. One message to each
+    /// partner is enough, because the rank that had a particle sends the particle to every rank
+    /// that needs it. The particle may have left its strip by as much as `gone`, so ranks within
+    /// `width` + `gone` are partners.
     pub(crate) fn exchange(&mut self, width: f64) {
         let rank = self.domain.rank();
         let reach = self.domain.reach(width);
@@ -57,7 +58,8 @@ impl<T: DeepHalo> Deep<T> {
         let mut outgoing = vec![Vec::new(); partners.len()];
         self.ghosts.clear();
         let bodies = self.domain.engine.bodies_mut();
-        // The loop runs backwards, so that the particle that fills a gap has already been handled.
+        // A later particle takes the place of a removed particle. The loop runs backwards, so that
+        // the later particle has already been handled.
         for index in (0..bodies.len()).rev() {
             let y = bodies.y[index];
             if alone.contains(&y) {

@@ -13,7 +13,7 @@ use crate::sent_halo::Halo;
 
 /// One rank of the job: the engine of a neighbour list on the particles of a strip.
 ///
-/// It knows only the ghosts among the other particles of the scene, and only their positions.
+/// Of the other particles of the scene, this rank knows only the ghosts, and only their positions.
 // ANCHOR: engine
 pub struct Distributed<O, T> {
     pub(crate) domain: Domain<O>,

@@ -24,14 +24,14 @@ use crate::deep::{Deep, Epoch};
 use crate::deep_halo::{DeepHalo, Outlook};
 use crate::domain::{Domain, lists_last};
 
-/// The choice of ghosts allows for particles this many times as fast as the fastest particle at
-/// that moment.
+/// Speed that the choice of ghosts allows for, as a multiple of the speed of the fastest particle
+/// at that moment.
 ///
 /// A rollback costs an epoch, and slightly deeper ghosts cost almost nothing.
 const FASTER: f64 = 1.5;
 
 impl<T: DeepHalo> Deep<T> {
-    /// Chooses ghosts for the next epoch. All ranks call it together.
+    /// Chooses ghosts for the next epoch. All ranks call this function together.
     pub(crate) fn begin_epoch(&mut self) {
         self.drop_ghosts();
         self.domain.keep_balance::<T>();
@@ -61,7 +61,7 @@ impl<T: DeepHalo> Deep<T> {
 
     /// Agrees with all ranks on the number of right steps, and goes back if some steps are wrong.
     ///
-    /// Returns the number of steps that must be taken again. All ranks call it together.
+    /// Returns the number of steps that must be taken again. All ranks call this function together.
     // ANCHOR: confirm
     pub(crate) fn confirm(&mut self) -> u64 {
         let Epoch { planned, width, moves, own } = &self.epoch;

@@ -29,8 +29,8 @@ pub trait Partition {
 pub struct Strips {
     /// The edges of the strips, ascending from −∞ to ∞: strip k is `edges[k] ≤ y < edges[k + 1]`.
     ///
-    /// There is no particle beyond the walls, so a particle on a wall belongs to the strip beside
-    /// it. A strip between equal edges is empty.
+    /// There is no particle beyond the walls, so a particle on a wall belongs to the strip at that
+    /// wall. A strip between equal edges is empty.
     pub edges: Vec<f64>,
 }
 // ANCHOR_END: strips

@@ -39,9 +39,9 @@ pub fn distributed<L: Halo + 'static>(config: &Config, threads: usize) -> Built 
 
 /// Builds the engine [`Deep`] of this rank, with one thread.
 ///
-/// Two ranks know a pair of ghosts, and each would count it. So with statistics this function
-/// builds the engine [`Distributed`] instead. Epochs would bring no advantage, because statistics
-/// are read after each step.
+/// A pair of ghosts can be present on two ranks, and both ranks would count the pair. So this
+/// function builds the engine [`Distributed`] instead if statistics are requested. Epochs would
+/// then bring no advantage, because statistics are read after each step.
 ///
 /// # Errors
 /// There is no MPI library.

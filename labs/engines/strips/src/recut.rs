@@ -13,8 +13,8 @@ const TOLERANCE: f64 = 1.05;
 impl<O: Observer> Domain<O> {
     /// Cuts the strips again if a test is due and one rank has too much work.
     ///
-    /// All ranks call it together when ghosts are about to be chosen and each rank has its own
-    /// particles only.
+    /// All ranks call this function together when ghosts are about to be chosen and each rank has
+    /// its own particles only.
     pub(crate) fn keep_balance<T: Partition>(&mut self) {
         if self.rebalance == 0 || !self.counts.choices.is_multiple_of(self.rebalance) {
             return;

@@ -10,12 +10,12 @@ use crate::distributed::Distributed;
 use crate::domain::lists_last;
 use crate::sent_halo::{Halo, Scenery};
 
-/// The choice of ghosts allows for particles this many times as fast as the fastest particle at
-/// that moment.
+/// Speed that the choice of ghosts allows for, as a multiple of the speed of the fastest particle
+/// at that moment.
 const FASTER: f64 = 1.1;
 
 impl<O: Observer, T: Halo> Distributed<O, T> {
-    /// Rebuilds all lists. All ranks call it together.
+    /// Rebuilds all lists. All ranks call this function together.
     pub(crate) fn renew(&mut self) {
         self.migrate();
         self.domain.keep_balance::<T>();
@@ -36,8 +36,8 @@ impl<O: Observer, T: Halo> Distributed<O, T> {
         let left: Vec<usize> = (0..bodies.len()).filter(|&i| !own.contains(&bodies.y[i])).collect();
         let mut near = vec![Vec::new(); self.border.partners.len()];
         let mut far = Vec::new();
-        // The loop runs backwards, because the last particle fills a gap and must already have been
-        // handled.
+        // The last particle takes the place of a removed particle. The loop runs backwards, so that
+        // the last particle has already been handled.
         for i in left.into_iter().rev() {
             let wire = Wire::from(&bodies.swap_remove(i));
             let owner = self.domain.strips.owner(wire.y);
@@ -57,8 +57,8 @@ impl<O: Observer, T: Halo> Distributed<O, T> {
 
     /// Chooses the width of ghosts, the same on all ranks.
     ///
-    /// It follows from the greatest speed, the greatest density and the shortest life of a list
-    /// among all ranks.
+    /// The width follows from the greatest speed, the greatest density and the shortest life of a
+    /// list among all ranks.
     fn choose_width(&mut self) {
         let n = self.domain.engine.bodies().len();
         let density = if n > 0 { self.domain.engine.list().density(n) } else { 0.0 };

@@ -38,8 +38,8 @@ impl Span {
 impl Path {
     /// Whether two particles could touch within time `span`.
     ///
-    /// Each particle deviates from its reference by at most its spread, plus a part of `slack`,
-    /// which both particles share.
+    /// Each particle deviates from its reference by at most its spread, plus a part of `slack`.
+    /// Both parts together are at most `slack`.
     pub(crate) fn may_touch<R: Rules>(&self, other: &Self, span: f64, slack: f64) -> bool {
         let dx = other.x - self.x;
         let dy = other.y - self.y;

@@ -5,7 +5,7 @@ use crate::span::Span;
 /// The decisions that windows depend on.
 ///
 /// Each decision may be wrong in one direction only. A rule may wrongly claim that two particles
-/// may meet, that a wall may be near, that a margin may have broken, or that a window should be
+/// may meet, that a wall may be near, that a pair may have been missed, or that a window should be
 /// short. This costs time, but no bit of the result changes.
 ///
 /// The engine calls the rules in its innermost loops: mark short rules with `#[inline(always)]`.
@@ -41,8 +41,8 @@ pub trait Rules: Send + 'static {
     /// Whether the free flight from (`x`, `y`) with velocity (`vx`, `vy`) may touch a wall within
     /// the window.
     ///
-    /// It is also true if the flight ends within [`Span::rounding`] of a wall, and for numbers that
-    /// are NaN.
+    /// The result is also true if the flight ends within [`Span::rounding`] of a wall, and for
+    /// numbers that are NaN.
     fn meets_wall(span: &Span, x: f64, y: f64, vx: f64, vy: f64) -> bool;
 
     /// Returns the number of official steps that a window should have, at least 1.

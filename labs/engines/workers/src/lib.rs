@@ -1,6 +1,7 @@
 //! Threads that wait for work, for all engines with threads.
 //!
-//! The threads live as long as their [`Workers`], and wait awake for a short time (`team.rs`).
+//! The threads live as long as their [`Workers`]. While they wait for work, they spin for a short
+//! time before they sleep (`team.rs`).
 //!
 //! Results are in the order of the pieces of work. If the pieces do not depend on the number of
 //! threads, neither do the results.
@@ -69,8 +70,8 @@ impl Workers {
 
     /// Calls `work` with every piece, and returns the results in the order of the pieces.
     ///
-    /// Each thread begins with its own part of the pieces, which is the same in every call with as
-    /// many pieces. So the data of this part may still be in the core's cache. A thread that has
+    /// Each thread begins with its own part of the pieces. This part is the same in every call with
+    /// as many pieces. So the data of this part may still be in the core's cache. A thread that has
     /// finished its part takes pieces from other parts.
     pub fn map<T: Send, R: Send>(
         &self,

@@ -86,8 +86,8 @@ impl Team {
         self.threads.len() + 1
     }
 
-    /// Calls `act` with 0 on this thread, and with their own numbers on threads that are awake in
-    /// time.
+    /// Calls `act` with 0 on this thread. On each thread that wakes in time, calls `act` with the
+    /// thread's number.
     ///
     /// The call with 0 must do all work that no other thread has begun.
     pub(crate) fn share(&self, act: Act<'_>) {

@@ -53,8 +53,8 @@ impl Answers {
                 copied
             });
             let finished = run_with(&mut command, OwnedFd::from(theirs).into(), limit);
-            // A process that is left over may keep its end open. What is already in the socket can
-            // still be read.
+            // A remaining process of the program may keep the other end open. The answers that are
+            // already in the socket can still be read.
             close(&ours);
             (finished, copying.join().expect("copying does not panic"))
         });
@@ -69,6 +69,6 @@ impl Answers {
 }
 
 fn close(socket: &UnixStream) {
-    // The other end may be closed already, which does no harm.
+    // If the other end is closed already, an error here does no harm.
     let _ = socket.shutdown(Shutdown::Both);
 }

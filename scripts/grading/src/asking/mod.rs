@@ -26,12 +26,12 @@ use question_list::Question;
 /// Message for a program that was killed, by the grader or by the system.
 const KILLED: &str = "it was ended, because it needed more memory than a submission is allowed";
 
-/// Number of printed bytes above which a missing answer is blamed on the printing.
+/// Number of printed bytes above which the grader attributes a missing answer to the printing.
 const MUCH: usize = 1 << 19;
-/// Message about a program that printed so many bytes that it did not answer.
+/// Message about a program that gave no answer because it printed too many bytes.
 const PRINTS: &str = "it prints too much: remove the output for each particle or pair";
 
-/// Message for a task whose questions all need another task that is wrong.
+/// Message for a task if each of its questions needs another task that is wrong.
 const UNASKED: &str = "not asked, because each of its questions needs a task that is wrong";
 
 /// Name of the answering program.
@@ -42,8 +42,10 @@ pub(crate) const JUDGE: &str = "judge";
 /// Factor for two time limits.
 ///
 /// The solution's limit is a submission's limit times this factor, because no mark depends on the
-/// solution's time. If the solution's time times this factor is longer than a submission's limit,
-/// this product replaces that limit, because the machine may be busy.
+/// solution's time.
+///
+/// A submission's limit is at least the solution's time times this factor, because the machine may
+/// be busy.
 const PATIENCE: u32 = 10;
 
 /// Questions of a lab, the solution's programs, and a time limit for each question.
@@ -111,8 +113,8 @@ impl Questions {
 
     /// Asks the submission in `folder` about each of these tasks.
     ///
-    /// If a question needs a different task whose answers are wrong, the question is skipped, so
-    /// that a mistake costs the points of one task only.
+    /// A question is skipped if it needs a different task whose answers are wrong. So a mistake
+    /// costs the points of one task only.
     pub(crate) fn ask<'a>(
         &self,
         sandbox: &Sandbox,
@@ -145,8 +147,8 @@ impl Questions {
 
     /// Asks a submission a question.
     ///
-    /// An answer counts as wrong only if the solution can answer the same question with the same
-    /// seed.
+    /// An answer counts as wrong only if the solution answers the same question with the same seed
+    /// correctly.
     fn ask_one(
         &self,
         sandbox: &Sandbox,

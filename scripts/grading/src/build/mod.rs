@@ -45,7 +45,7 @@ pub(crate) struct Tree {
     solution: Sources,
 }
 
-/// Order for a build: sources, names of programs, time limit, and size limit of a file in bytes.
+/// Input of a build: sources, names of programs, time limit, and size limit of a file in bytes.
 #[derive(Clone, Copy)]
 struct Order<'a> {
     sources: &'a Sources,
@@ -60,7 +60,7 @@ impl<'a> Order<'a> {
     }
 }
 
-/// Folder of the built programs. If the build failed, the compiler's errors or the message about
+/// Folder of the built programs or, if the build failed, the compiler's errors or the message about
 /// the time limit.
 type Built = std::result::Result<TempDir, String>;
 
@@ -98,7 +98,8 @@ impl Tree {
     /// procedural macro.
     ///
     /// # Errors
-    /// If the solution cannot be built at this moment either. The submission is then not the cause.
+    /// If the submission cannot be built, and the solution cannot be built at this moment either.
+    /// Then the submission is not the cause.
     pub(crate) fn build_some(
         &self,
         sandbox: &Sandbox,
@@ -126,8 +127,8 @@ impl Tree {
         }
     }
 
-    /// Builds in two passes. So the submission and the grader's programs cannot read each other's
-    /// sources.
+    /// Builds in two passes, so that the submission and the grader's programs cannot read each
+    /// other's sources.
     ///
     /// ```text
     ///          submission in the tree    grader's programs in the tree    result
@@ -163,7 +164,7 @@ impl Tree {
         Ok(Ok(folder))
     }
 
-    /// Returns the disk space of the tree in bytes, plus the space that another build adds.
+    /// Returns the disk space of the tree, plus the space that another build adds, in bytes.
     pub(crate) fn room(&self) -> Result<u64> {
         let mut bytes = BUILD_QUOTA;
         for path in files_below(self.folder.path())? {
@@ -197,7 +198,7 @@ impl Tree {
     }
 }
 
-/// Compiles the programs in a tree; returns the errors if it fails.
+/// Compiles the programs in a tree. Returns the compiler's errors; `None` if there are none.
 fn compile(
     root: &Path,
     sandbox: &Sandbox,
@@ -264,8 +265,8 @@ fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<()
     Ok(())
 }
 
-/// Removes the compiled files of packages, which `include_bytes!` could read. Dependencies stay
-/// compiled.
+/// Removes the compiled files of packages, because `include_bytes!` could read them. Dependencies
+/// stay compiled.
 fn clean(root: &Path, packages: &[&str], sandbox: &Sandbox) -> Result<()> {
     let mut cargo = sandbox.cargo(root, GIVEN_FILE);
     cargo.args(["clean", "--quiet", "--offline", "--release"]);

@@ -79,8 +79,8 @@ fn questions(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     Ok(sources)
 }
 
-/// Writes the module that carries out an order. It runs the lab's program that the order names, or
-/// the serial program.
+/// Writes the module that runs a timed program: the lab's program that the order names, or the
+/// serial program.
 fn scene(lab: Lab, rubric: &Facts) -> String {
     let mut modules = String::new();
     let mut run = String::from("None");
@@ -95,8 +95,10 @@ fn scene(lab: Lab, rubric: &Facts) -> String {
     format!("{modules}\npub fn run(order: &crate::Order) -> Option<Vec<f64>> {{\n    {run}\n}}\n")
 }
 
-/// Writes the manifest. The package depends on the lab and on the dependencies of the questions. It
-/// also depends on the lab's dependencies, because their types are arguments and results.
+/// Writes the manifest.
+///
+/// The package depends on the lab and on the dependencies of the questions. It also depends on the
+/// lab's dependencies, because functions of the lab take and return their types.
 fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
     let text = fs::read_to_string(folder.join("Cargo.toml"))?;
     let section = |name: &str| {
@@ -120,7 +122,7 @@ fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
 
 /// Returns the paths of the programs' sources in the kit.
 ///
-/// They are the questions, the snapshots, the oracle and the timed program.
+/// The sources are the questions, the snapshots, the oracle and the timed program.
 pub(super) fn files(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     let mut files = questions(kit, lab)?;
     files.extend(kit.snapshots(lab)?);

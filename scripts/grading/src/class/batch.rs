@@ -62,7 +62,7 @@ pub(crate) fn grade(
     Ok(if all_timed { ended } else { ExitCode::FAILURE })
 }
 
-/// Work that is left to do.
+/// Submissions that are not finished yet.
 struct Left<'a> {
     /// Submissions whose tasks must be judged.
     open: Vec<&'a Named>,
@@ -94,7 +94,7 @@ fn record_of(into: &Path, name: &str) -> PathBuf {
     into.join(format!("{name}.json"))
 }
 
-/// Builds, judges and times the submissions that are left. Returns whether all could be timed.
+/// Builds, judges and times the remaining submissions. Returns whether all could be timed.
 fn work(grader: &Grader<'_>, left: &Left<'_>, all: usize, into: &Path) -> Result<bool> {
     let mut jobs = cores().min(left.open.len()).max(1);
     let _guard = Guard::set(jobs);
@@ -154,7 +154,7 @@ fn taken(trees: &Mutex<Vec<Tree>>) -> Tree {
     trees.lock().expect("popping does not panic").pop().expect("a tree for each worker")
 }
 
-/// Makes a progress bar for `of` submissions. `done` of them are finished already.
+/// Makes a progress bar for `of` submissions, of which `done` are finished already.
 pub(crate) fn bar(what: &'static str, of: usize, done: usize) -> ProgressBar {
     let bar = progress(of as u64).with_position(done as u64).with_message(what);
     bar.tick();

@@ -125,7 +125,7 @@ fn print_submissions(
     Ok(ended)
 }
 
-/// Prints the deadline, and the submissions whose hand-in times the students could have set
+/// Prints the deadline. Also prints the submissions whose hand-in times the students could have set
 /// themselves.
 fn print_about_times(class: &ClassFile, submissions: &[Named]) {
     if let Some(deadline) = class.deadline() {

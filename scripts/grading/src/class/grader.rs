@@ -137,8 +137,7 @@ impl<'a> Grader<'a> {
         let mut record = self.blank(name);
         let submission = match self.take(path) {
             Ok(submission) => submission,
-            // The system cannot read the submission, which does not mean that its contents are
-            // wrong.
+            // If the system cannot read a submission, its contents may still be right.
             Err(error) if is_of_the_system(&error) => return Err(error),
             Err(error) => {
                 let message = format!("{error:#}");

@@ -1,4 +1,4 @@
-//! The part of a record that people and the clock decide.
+//! Decisions of the staff about a submission, and its lateness.
 
 use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
@@ -8,8 +8,8 @@ use lab_kit::Facts;
 
 /// A person's decision, which overrides the grader: an `[[override]]` of `class.toml`.
 ///
-/// A decision that is written into a record has neither `student` nor `days`, because the record
-/// has its own fields for both.
+/// In a record, a decision has neither `student` nor `days`, because the record has its own fields
+/// for both.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Decision {
@@ -33,7 +33,7 @@ pub(crate) struct Decision {
 const MOST: f64 = 1000.0;
 
 impl Decision {
-    /// Checks that the task exists and is worth at least the decided points.
+    /// Checks that the task exists and that it is worth at least the decided points.
     pub(crate) fn check(&self, rubric: &Facts) -> Result<()> {
         ensure!(!self.reason.trim().is_empty(), "it has no reason");
         ensure!(!self.student.is_empty(), "it names no student");

@@ -80,7 +80,7 @@ pub(crate) struct Findings {
 
 /// Marks of a submission, and the decisions that they depend on.
 ///
-/// The decisions come from the class's roster, the clock and people.
+/// The decisions depend on the class's roster, on the time of the hand-in, and on the staff.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub(crate) struct Marked {
@@ -169,7 +169,8 @@ pub(crate) fn read(path: &Path) -> Result<Record> {
     let record: Record = serde_json::from_slice(&read_bytes(path)?)
         .with_context(|| format!("{} is no record", path.display()))?;
     ensure!(record.found.format == FORMAT, "{} is a record of another form", path.display());
-    // The record is written under its own name, which could otherwise be a path to any folder.
+    // The record's name must be the name of its file. Otherwise the name could be a path to any
+    // folder, and the record would be written there.
     let own = path.file_name().is_some_and(|name| *name == *format!("{}.json", record.found.name));
     ensure!(
         own,
@@ -249,7 +250,7 @@ impl Record {
         self.tasks.iter().map(|task| task.out_of).sum::<f64>() + measures
     }
 
-    /// Returns the points of measures that could not be judged; 0 if there is no program.
+    /// Returns the points of measures that could not be judged; 0 if the submission has no program.
     pub(crate) fn open_points(&self) -> f64 {
         if self.found.status != Status::Graded {
             return 0.0;

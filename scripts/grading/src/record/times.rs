@@ -91,8 +91,8 @@ pub(crate) struct Measure {
     pub(crate) grade: Option<f64>,
     /// Points of the submission.
     pub(crate) points: f64,
-    /// Points that the measure is worth. Until the measure is graded, they are open: neither earned
-    /// nor lost.
+    /// Points that the measure is worth. Until the measure is graded, these points are neither
+    /// earned nor lost.
     pub(crate) out_of: f64,
 }
 

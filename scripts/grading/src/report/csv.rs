@@ -6,7 +6,7 @@ use super::{points, scale, trouble};
 use crate::record::Record;
 use lab_kit::escape;
 
-/// Maximum number of characters that the table shows of a mistake. The letter contains the whole
+/// Maximum number of characters of a mistake's message in the table. The letter contains the whole
 /// message.
 const LONGEST_TROUBLE: usize = 200;
 

@@ -18,7 +18,7 @@ pub(crate) fn body(record: &Record, words: &Words) -> String {
     around(record, words, &tasks(record, words))
 }
 
-/// Writes the body of the letter around the text about the `tasks`.
+/// Writes the body of the letter, with `tasks` as the text about the tasks.
 ///
 /// The letter contains `tasks` only if the tasks were judged.
 pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
@@ -34,7 +34,7 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     }
     out += "\n\n";
     if record.found.status == Status::Failed {
-        // The cause is for the staff only, and may name their folders.
+        // The error message is for the staff only, because it may name their folders.
         out += "It could not be graded yet. The cause is the grading machine, and not your \
                 submission.\n\n";
     } else if let Some(trouble) = trouble(record.found.status) {

@@ -51,7 +51,8 @@ pub(crate) fn write(
     let shown = shown(records);
     let mut to_see_to = attendance.words(records);
     if records.iter().any(|record| record.marked.pseudonym.is_some()) {
-        // A page with pseudonyms contains no names.
+        // A page with pseudonyms contains no names, so it lists only how many students are
+        // concerned.
         to_see_to.iter_mut().for_each(|(_, who)| *who = vec![who.len().to_string()]);
     }
     write_file(&folder.join("index.html"), page::page(&shown, &to_see_to, &words))?;

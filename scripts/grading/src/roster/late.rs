@@ -90,7 +90,7 @@ impl Late {
     /// Counts the days that have begun since the deadline.
     ///
     /// Days are days of the calendar: a day with a clock change has 23 or 25 hours. Seconds do not
-    /// count, so 23:59 lasts until midnight.
+    /// count, so a deadline of 23:59 lasts until midnight.
     fn begun(&self, time: Timestamp, due: &ZonedDateTime) -> u32 {
         let time = to_the_minute(&time.to_zoned_datetime(due.time_zone().clone()));
         let due = to_the_minute(due);

@@ -1,9 +1,10 @@
 //! `class.toml` in the folder of records: an instructor's information about a class.
 //!
-//! It contains the students ([`students`], joined with submissions by [`join`], written with marks
-//! by [`marks`]), the penalties for lateness ([`late`]), and a person's decisions ([`Decision`]).
-//! [`ClassFile::tell`] writes this information into the records. Points are computed only from the
-//! records, so marks can be recomputed without losing this information.
+//! The file contains the students ([`students`]), the penalties for lateness ([`late`]), and a
+//! person's decisions ([`Decision`]). [`join`] assigns submissions to students, and [`marks`]
+//! writes the students with their marks. [`ClassFile::tell`] writes this information into the
+//! records. Points are computed only from the records, so marks can be recomputed without losing
+//! this information.
 
 pub(crate) mod export;
 mod join;

@@ -40,7 +40,7 @@ fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
     use seccompiler::SeccompCmpOp::{Eq, MaskedEq, Ne};
     use seccompiler::{SeccompCmpArgLen, SeccompCondition, SeccompFilter, SeccompRule};
 
-    // Calls from this number on are the second set of x86-64's calls, with shorter pointers.
+    // The numbers from here up belong to x32, the second set of system calls of x86-64.
     const X32: libc::c_long = 0x4000_0000;
     let refused = [
         SYS_io_uring_setup,
@@ -62,11 +62,11 @@ fn program(loopback: bool) -> Result<seccompiler::BpfProgram> {
         SYS_memfd_create,
         SYS_memfd_secret,
         SYS_setns,
-        // A filter cannot read the flags of `clone3`. A program that finds no `clone3` uses
-        // `clone`.
+        // A filter cannot read the flags of `clone3`, so this call is reported as missing.
+        // Programs then call `clone` instead.
         SYS_clone3,
     ];
-    // Refuses a call if the comparison of its argument `at` (counted from 0) with `number` is true.
+    // Refuses a call if `comparison` holds between argument `at` (counted from 0) and `number`.
     let if_argument = |at, comparison, number| -> Result<_> {
         let condition = SeccompCondition::new(at, SeccompCmpArgLen::Dword, comparison, number)?;
         Ok(vec![SeccompRule::new(vec![condition])?])

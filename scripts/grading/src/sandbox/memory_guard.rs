@@ -4,8 +4,8 @@
 //! grader watches each of its child processes together with all descendants, and kills the whole
 //! group when it holds too much memory. Three kinds of memory count: resident memory, the buffers
 //! of sockets, and memory of the sandbox outside processes ([`super::beside`]). Other memory is
-//! small or cannot be allocated: pipes have a limit of the system (64 MiB for a user, then one or
-//! two pages each), and [`super::filter`] refuses the calls that allocate other memory.
+//! small or cannot be allocated. The system limits the memory of pipes (64 MiB for a user, then one
+//! or two pages for each pipe). [`super::filter`] refuses the calls that allocate other memory.
 //!
 //! A control group with `memory.max` would count all of this memory. It needs a group that was
 //! delegated to the user who grades. Containers have no such group, and with systemd each program
@@ -85,8 +85,8 @@ fn end_the_greedy(all: &BTreeMap<u32, Process>, own: u32, limit: u64) {
     }
 }
 
-/// Returns the bytes that a process and its descendants hold. The youngest descendant is inside the
-/// sandbox, if there is one.
+/// Returns the bytes that a process and its descendants hold. If there is a sandbox, the youngest
+/// descendant is inside it.
 fn held(all: &BTreeMap<u32, Process>, root: u32) -> u64 {
     let mut bytes = 0;
     let mut youngest = None;

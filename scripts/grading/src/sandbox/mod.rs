@@ -100,8 +100,8 @@ const ENVIRONMENT: [(&str, &str); 8] = [
     ("NODEVICE_SELECT", "1"),
     ("MESA_SHADER_CACHE_DISABLE", "true"),
     ("HWLOC_HIDE_ERRORS", "2"),
-    // The component `x86` would query each processor by moving there, but no program may change its
-    // processors.
+    // The component `x86` of hwloc queries each processor by running on it. But no program in the
+    // sandbox may change its processor affinity.
     ("HWLOC_COMPONENTS", "-x86"),
     // Reading another rank's memory requires a permission that no rank has in the sandbox.
     ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),

@@ -14,9 +14,9 @@ const PROGRAMS: [(&str, &str); 3] =
 
 /// Shell script that succeeds if the sandbox isolates programs.
 ///
-/// It checks that there is no home folder and no network, that no file of the kit can be written,
-/// that no environment names the grader's folder, that the user is not root, that memory is
-/// limited, and that no program can choose its processors or become root of a namespace.
+/// The script checks that there is no home folder and no network, and that no file of the kit can
+/// be written. No environment may name the grader's folder. The user must not be root, and memory
+/// must be limited. No program may choose its processors or become root of a namespace.
 const SCRIPT: &str = "test ! -e /root && test ! -e /home && ! touch /kit/x 2>/dev/null \
                       && ! touch /usr/x 2>/dev/null && ! touch /dev/x 2>/dev/null \
                       && ! cat /proc/*/environ | tr '\\0' '\\n' | grep -v '^PWD=/kit$' | grep -q '^PWD=/.' \

@@ -29,8 +29,9 @@ pub(crate) fn at(kit: &Kit, lab: Lab, path: &Path) -> Result<Option<Wrong>> {
     Ok(programs.into_iter().find(|wrong| wrong.name == name))
 }
 
-/// Returns the lab and the programs of the kit's page at `path`. A link to the page does not count,
-/// because the link may be a student's submission.
+/// Returns the lab and the programs of the kit's page at `path`.
+///
+/// A symbolic link to the page is not followed, because a student may have submitted the link.
 fn page_at(kit: &Kit, path: &Path) -> Result<Option<(Lab, Vec<Wrong>)>> {
     let lab = path.file_name().and_then(|name| name.to_str()?.strip_prefix("lab"));
     let lab = lab.and_then(|lab| lab.strip_suffix(".md")?.parse().ok());

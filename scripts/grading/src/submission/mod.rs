@@ -245,8 +245,9 @@ fn is_similar(lab: Lab, left: &LeftOut) -> bool {
     leads || left.reason.starts_with(MISPLACED)
 }
 
-/// Whether the path leads to the kit's own solutions. A link to them does not count, because the
-/// link may be a student's submission.
+/// Whether the path leads to the kit's own solutions.
+///
+/// A symbolic link to the solutions is not followed, because a student may have submitted the link.
 fn own_solutions(kit: &Kit, path: &Path) -> bool {
     let solutions = kit.path("solutions").canonicalize().ok();
     !path.is_symlink() && solutions.is_some() && path.canonicalize().ok() == solutions

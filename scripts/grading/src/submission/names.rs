@@ -7,7 +7,7 @@ use unicode_normalization::UnicodeNormalization;
 use lab_kit::Lab;
 use lab_kit::sources::{NOT_UTF8, refused};
 
-/// Maximal number of bytes of a submission's name, which file names contain and pages show.
+/// Maximal number of bytes of a submission's name. File names contain this name, and pages show it.
 const MOST: usize = 150;
 
 /// Extensions of archives.

@@ -1,7 +1,7 @@
 //! Cheats, and their expected results.
 //!
-//! Every cheat is the solution with an addition. So if a cheat does not get full marks, it lost
-//! marks because of its addition. If it gets full marks, it gained nothing.
+//! Every cheat is the solution with an addition. So a cheat without full marks has lost marks
+//! because of its addition. A cheat with full marks has gained nothing.
 
 use crate::code::{
     BEFORE_MAIN, DEADLOCK, EARLY_ANSWER, ENDLESS_LOOP, ENDLESS_OUTPUT, EXIT, FORGED, FORK_BOMB,

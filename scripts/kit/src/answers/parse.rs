@@ -134,7 +134,7 @@ fn checked(
     }
 }
 
-/// Parses a mark; `None` if the line is not a mark.
+/// Parses the mark in a line; `None` if the line is not a mark.
 ///
 /// A comment that only resembles a mark is an error, because it would reveal an answer in the
 /// starter.

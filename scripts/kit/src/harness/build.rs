@@ -43,7 +43,7 @@ pub struct CompileError {
     pub locations: Vec<(PathBuf, usize)>,
 }
 
-/// Order for building a lab's tests.
+/// Settings for building a lab's tests.
 pub struct Build<'a> {
     /// Cargo command in the workspace's top folder, without arguments.
     pub cargo: Command,

@@ -17,7 +17,8 @@ const TODO: &str = "not yet implemented: task ";
 /// Beginning of the line with a test's question.
 const ASKS: &str = "asks: ";
 
-/// Returns the question, the reason of the failure without the harness's own lines, and the output.
+/// Returns the question, the reason for the failure without the harness's own lines, and the
+/// output.
 pub(super) fn message(test: &str, done: &Finished) -> String {
     let (mut printed, table) = of_stdout(test, &done.stdout);
     let asks = printed.iter().position(|line| line.starts_with(ASKS));

@@ -1,4 +1,4 @@
-//! Test programs: builds them, lists their tests, and runs single tests.
+//! Builds test programs, lists their tests, and runs single tests.
 //!
 //! Every test runs in a separate process with a time limit. So a test that aborts or hangs does not
 //! affect other tests, and its output is separate.

@@ -36,7 +36,7 @@ pub struct Outcome {
     pub test: String,
     /// Verdict on the test.
     pub verdict: Verdict,
-    /// Reason of the failure, as a student reads it.
+    /// Reason for the failure, as a student reads it.
     pub message: String,
 }
 
@@ -56,7 +56,7 @@ impl Outcome {
         self.message.lines().find_map(|line| line.strip_prefix(SKIPPED))
     }
 
-    /// Whether a watchdog ended the test, either this program's or the oracle's.
+    /// Whether a watchdog ended the test: this program's watchdog or the oracle's.
     pub fn hung(&self) -> bool {
         self.verdict == Verdict::TimedOut || self.message.contains("no answer within ")
     }

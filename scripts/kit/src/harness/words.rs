@@ -40,7 +40,8 @@ pub(crate) fn of_a_failure(message: &str) -> String {
     lines.join("\n").trim_end().to_owned()
 }
 
-/// Adds a space behind the mark in a line of a snapshot's table, so that `-` is not a minus sign.
+/// Adds a space after the mark in a line of a snapshot's table, so that `-` does not look like a
+/// minus sign.
 ///
 /// For example, `    2       │-0.003` becomes `    2       │- 0.003`.
 fn difference(line: &str) -> Option<String> {

@@ -66,9 +66,9 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     }
     let manifest = manifest(kit, lab).with_context(|| format!("solutions/lab{lab}/Cargo.toml"))?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
-    // An editor's analysis loads no files outside a package, so the tests are copied into it. The
-    // crate's documentation is added to the root file, because a file that a solution includes
-    // cannot have such documentation.
+    // An editor's analysis loads no files outside a package, so the tests are copied into the
+    // package. The crate's documentation is added to the root file, because a solution includes
+    // that file, and an included file cannot have crate documentation.
     let root = PathBuf::from(format!("tests/lab{lab}.rs"));
     for path in kit.test_sources(lab)? {
         let (path, mut bytes) =

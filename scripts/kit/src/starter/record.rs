@@ -1,7 +1,8 @@
 //! Record of the files that the tool wrote, so that it never overwrites a person's changes.
 //!
 //! Beside a starter there is `.starter`, with a line `hash  path` for each file, in the format of
-//! `sha256sum`. It is kept in the repository, so that a fresh clone recognises the tool's files.
+//! `sha256sum`. This file is kept in the repository, so that the tool recognises its own files in a
+//! fresh clone.
 
 use std::collections::BTreeMap;
 use std::fs;

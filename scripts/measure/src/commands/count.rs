@@ -155,7 +155,7 @@ pub(super) fn profile(runner: &Runner, job: &Job, after: u64, by: By) -> Result<
     Ok(Profile::take(runner.folder(), by)?.beyond(&shorter))
 }
 
-/// Divides counts by the particles and steps of a job.
+/// Divides counts by the numbers of particles and steps of a job.
 pub(super) fn per(job: &Job, counts: Counts) -> Counts {
     counts.map(|count| count / (job.scene.n() as f64 * job.steps as f64))
 }

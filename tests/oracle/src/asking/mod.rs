@@ -1,4 +1,4 @@
-//! Asking a lab: one source of questions for a student's tests and for grading.
+//! Questions to a lab. A student's tests and the grading use the same questions.
 //!
 //! A question function draws inputs and passes two closures to its asker: the first computes the
 //! lab's answer, and the second judges it. The asker decides which closures are called:

@@ -16,9 +16,11 @@ const RANK_OF: &str = "CUTOFF_RANK_OF";
 /// Variables in which the launchers of Open MPI and MPICH pass a rank its number.
 const RANK: [&str; 3] = ["OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"];
 
-/// Settings that let Open MPI run without shared files and without spinning, and end a job that
-/// hangs. They also enable the watch, which detects a rank that omits a collective operation
-/// because it has nothing to send. Limits are in seconds.
+/// Settings for Open MPI: no shared files, no spinning, and an end to jobs that hang. Limits are in
+/// seconds.
+///
+/// The settings also enable the watch, which detects a rank that omits a collective operation
+/// because the rank has nothing to send.
 const ENVIRONMENT: [(&str, &str); 8] = [
     ("MPIEXEC_TIMEOUT", "20"),
     ("PMIX_MCA_gds", "hash"),
@@ -51,8 +53,8 @@ pub(super) fn run(ranks: usize) -> Vec<u8> {
     answers.collect::<Vec<_>>().concat()
 }
 
-/// Returns the command that starts this program, with its arguments, as the ranks of a job. It also
-/// works in a sandbox, which has no environment variables.
+/// Returns the command that starts this program, with its arguments, as the ranks of a job. The
+/// command also works in a sandbox, which has no environment variables.
 ///
 /// # Panics
 /// If MPI is not installed.

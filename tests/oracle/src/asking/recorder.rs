@@ -28,8 +28,8 @@ impl Recorder {
     }
 
     /// Returns a recorder that writes to the standard input, which the grader has connected to a
-    /// socket. It then replaces the standard input by an empty one, so that the code of the
-    /// submission does not get the socket.
+    /// socket. The function then replaces the standard input by an empty one, so that the
+    /// submission's code does not get the socket.
     ///
     /// # Errors
     /// If the system cannot replace the standard input.

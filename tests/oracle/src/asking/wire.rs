@@ -1,9 +1,9 @@
 //! Format of the answers: each is stored with its question, and consists of numbers or of a text.
 //!
 //! An entry consists of the length of the question, the question, the length of the answer in
-//! bytes, and the answer: 64-bit floating-point numbers, or text. All numbers are little-endian.
-//! The last entry is an answer to the question [`END`], so that a program that broke off is
-//! detected.
+//! bytes, and the answer. The answer is a list of 64-bit floating-point numbers, or a text. All
+//! numbers are little-endian. The last entry is an answer to the question [`END`], so that a
+//! program that broke off is detected.
 
 use std::io::{self, Read, Write};
 

@@ -1,6 +1,6 @@
-//! The graders' side of the hard discs (labs 7, 8 and 9). It contains the model a second time,
-//! scenes that expose wrong programs, questions about whole runs, and the exact motion that the
-//! model approximates.
+//! The graders' side of the hard discs (labs 7, 8 and 9). It contains an independent implementation
+//! of the model, scenes that expose wrong programs, questions about whole runs, and the exact
+//! motion that the model approximates.
 
 mod compare;
 mod events;

@@ -155,7 +155,7 @@ fn fly(disc: &mut Disc, time: f64) {
     disc.y += disc.vy * time;
 }
 
-/// Exchanges the velocities of two discs of equal mass along the line of centres.
+/// Exchanges the velocity components along the line of centres of two discs of equal mass.
 pub(super) fn swap_normal_components(a: &mut Disc, b: &mut Disc) {
     let (nx, ny) = (b.x - a.x, b.y - a.y);
     let n2 = nx * nx + ny * ny;

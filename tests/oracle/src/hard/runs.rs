@@ -8,15 +8,14 @@ use super::states::{follow, of_each_step, of_end, split};
 use super::{difference, scenes};
 use crate::{Ask, memory, within};
 
-/// Time limit of every run in seconds. The failure names the task.
+/// Time limit of a run, in seconds. The message of a failure names the task.
 const SECONDS: u64 = 120;
 
 /// Description of the numbers in a state.
 const STATE: &str =
     "x y vx vy and the numbers of collisions with discs and with walls for each disc";
 
-/// Questions about runs of one variant of a lab on behalf of one task, with verdicts in the
-/// domain's words.
+/// Questions about runs of one variant of a lab, for one task. Verdicts use the terms of the field.
 #[derive(Clone)]
 pub struct Runs {
     task: &'static str,

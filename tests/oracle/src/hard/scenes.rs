@@ -80,8 +80,8 @@ pub fn mixed(seed: u64) -> Scene {
     of(side, radius, &discs)
 }
 
-/// Returns pairs that nearly miss each other. The path of the second disc passes the first at a
-/// distance of 2 r (1 − gap), for gaps from 1e-3 down to 1e-15, and outside at 2 r (1 + gap).
+/// Returns pairs that nearly miss each other. The path of the second disc passes the first disc at
+/// a distance of 2 r (1 − gap), or outside, at 2 r (1 + gap). The gaps are from 1e-3 down to 1e-15.
 pub fn grazing() -> Scene {
     let (side, radius) = (4000.0, 1.0);
     let mut discs = Vec::new();

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use crate::Columns;
 
-/// Beginning of a line of a rank's column on its standard output.
+/// Beginning of each line of a rank's column, on the rank's standard output.
 const MARK: &str = "|column|";
 
 /// Prints a column for [`join_columns`]: the contents of each row on `rank`, by the row's name. All

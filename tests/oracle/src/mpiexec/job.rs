@@ -20,18 +20,18 @@ use crate::watchdog::{OwnLimit, WATCH};
 /// Interval between two checks of a running job.
 const GLANCE: Duration = Duration::from_millis(5);
 
-/// Time that ranks have to report their positions.
+/// Time in which ranks can report the calls that they are in.
 const TO_SAY: Duration = Duration::from_secs(2);
 
 /// Time in which a launcher may end its ranks before it is killed.
 const LAST_WORDS: Duration = Duration::from_secs(5);
 
-/// Shell command with which a rank writes its process id into the folder `$0`, in a file named by
-/// its number, before it becomes the program.
+/// Shell command that writes a rank's process id to a file in the folder `$0`, and then becomes the
+/// program. The name of the file is the rank's number.
 const NOTE_ID: &str =
     r#"echo $$ > "$0/${OMPI_COMM_WORLD_RANK:-${PMIX_RANK:-$PMI_RANK}}" && exec "$@""#;
 
-/// A program to run on ranks on behalf of a task.
+/// A program to run on several ranks, for a task.
 #[derive(Clone, Debug)]
 pub struct Job {
     task: String,
@@ -69,8 +69,9 @@ impl Job {
         }
     }
 
-    /// Returns a job that runs the ignored test `part` of this test program on `ranks` ranks, for
-    /// tests from inside.
+    /// Returns a job that runs the ignored test `part` of this test program on `ranks` ranks.
+    ///
+    /// A test uses it to check code that must run on a rank.
     pub fn part(task: &str, part: &str, ranks: usize) -> Self {
         let this = env::current_exe().expect("a program knows its own path");
         Self::new(task, this, ranks).args(["--exact", part, "--ignored", "--nocapture"])
@@ -102,8 +103,9 @@ impl Job {
         self
     }
 
-    /// Returns the same job, whose ranks write their process ids into files of `folder`, named by
-    /// their numbers.
+    /// Returns the same job, in which each rank also writes its process id to a file in `folder`.
+    ///
+    /// The name of each file is the rank's number.
     #[must_use]
     pub(super) fn ids_into(mut self, folder: &Path) -> Self {
         self.ids = Some(folder.into());
@@ -113,8 +115,8 @@ impl Job {
     /// Runs the job to its end, successful or not.
     ///
     /// # Panics
-    /// If the job does not end in time (all its processes are ended first), or MPI is not
-    /// installed.
+    /// If the job exceeds its time limit (its processes are killed before the panic), or if MPI is
+    /// not installed.
     pub fn run(&self) -> Ended {
         self.run_beside(|| {})
     }
@@ -177,8 +179,8 @@ impl Job {
 
     /// Runs a job that must succeed.
     ///
-    /// If a rank ends the job without a message, the job runs once more: Open MPI 4.1 does this at
-    /// the end of one job in several hundred, whatever the program.
+    /// If a rank ends the job without a message, the job runs once more. Open MPI 4.1 causes such
+    /// failures at the end of one job in several hundred, whatever the program.
     ///
     /// # Panics
     /// As [`run`](Self::run), or if the job fails.
@@ -237,7 +239,7 @@ fn end_group(child: &mut Child) {
     wait(child, LAST_WORDS);
 }
 
-/// Returns the tasks of which a job did not end. Their further jobs would not end either.
+/// Returns the tasks with a job that did not end. Further jobs of these tasks would not end either.
 fn tasks_that_hang() -> MutexGuard<'static, BTreeSet<String>> {
     static TASKS: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     TASKS.lock().unwrap_or_else(PoisonError::into_inner)

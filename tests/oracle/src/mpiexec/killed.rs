@@ -16,10 +16,12 @@ const SOON: Duration = Duration::from_secs(15);
 /// Time limit for the start of ranks.
 const TO_START: Duration = Duration::from_secs(10);
 
-/// Checks that the whole job ends when a rank is killed in the middle of the job. The `job` is a
-/// run that would continue for hours and write to `out`. The job must end soon, with a message of
-/// the launcher, and without an output file that looks complete. The root, which writes the file,
-/// is killed in a first run, and the last rank in a second run. `name` begins the messages.
+/// Checks that the whole job ends when a rank is killed in the middle of the job.
+///
+/// The `job` is a run that would continue for hours and write to `out`. It must end soon, with a
+/// message of the launcher, and without an output file that looks complete. In a first run the
+/// root, which writes the file, is killed. In a second run the last rank is killed. Messages begin
+/// with `name`.
 ///
 /// # Panics
 /// If the job does not end in this way.

@@ -1,4 +1,4 @@
-//! Tests from inside, for functions that all ranks call together.
+//! Tests of functions that all ranks call together. The tests run on the ranks themselves.
 
 use std::env;
 use std::process::exit;

@@ -59,9 +59,9 @@ const NOT_KNOWN: &str = "The usual causes are a loop that does not end, a list t
 /// Explains why a job of `ranks` ranks may have given no answer within `limit`, and shows the
 /// ranks' messages.
 ///
-/// A call is missing only if all ranks have been waiting in calls for a quarter of the time, and
-/// not all in the same collective operation. On a busy machine, correct programs may take too long
-/// too.
+/// A missing call is the reason only if all ranks have waited in calls for a quarter of the time,
+/// and these calls are not all the same collective operation. Otherwise the reason is unknown,
+/// because correct programs may also take too long on a busy machine.
 pub(super) fn of_no_answer(stderr: &str, ranks: usize, limit: Duration) -> String {
     let mut lines: Vec<&str> = stderr.lines().collect();
     lines.sort_unstable();

@@ -1,6 +1,6 @@
 //! Times within a step at which a distance crosses the cutoff, or a coordinate crosses a wall.
 
-/// A function that is at least 0 now, and its slope.
+/// The value of a function at some time, and its slope. The function is at least 0 until the event.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Watched {
     pub(super) value: f64,
@@ -22,7 +22,7 @@ pub(super) fn first_fall(
     let (low, high) = match (start.slope <= 0.0, end.slope < 0.0) {
         (_, true) if end.value >= 0.0 => return None,
         (true, true) => (0.0, h),
-        // The function rises and then falls: the crossing is behind the maximum.
+        // The function rises and then falls, so the crossing is after the maximum.
         (false, true) => (root(0.0, h, |t| -at(t).slope), h),
         // The function falls and then rises: it may be below zero in between.
         (true, false) => {

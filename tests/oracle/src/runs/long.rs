@@ -11,7 +11,7 @@ use crate::{Ask, Model, energy, scenes};
 
 impl Runs {
     /// Asks for a free run on the official scene. Its positions must agree with the model's to 10⁻⁹
-    /// until step 200. Later, chaos has doubled the differences too often.
+    /// until step 200. Later, chaos has amplified the differences too much.
     pub fn free_run(&self, ask: &mut impl Ask) {
         let scene = scenes::official();
         let of_run = scene.clone();

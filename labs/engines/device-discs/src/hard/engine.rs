@@ -58,12 +58,12 @@ impl<K: HardKernels, R: Real> HardDiscs<K, R> {
         }
     }
 
-    /// Returns the collisions that the last step could have had, in any order.
+    /// Returns the candidate collisions of the last step, in no particular order.
     pub fn candidates(&self) -> &[Candidate] {
         &self.candidates
     }
 
-    /// Returns the collisions of the last step, in any order.
+    /// Returns the collisions of the last step, in no particular order.
     pub fn taken(&self) -> &[Candidate] {
         &self.taken
     }
@@ -96,8 +96,8 @@ impl<K: HardKernels, R: Real> Simulation for HardDiscs<K, R> {
     }
 
     /// # Panics
-    /// The device has too little memory for these discs or candidates, or the rounds of its choice
-    /// do not end.
+    /// The device has too little memory for these discs or candidates, or the rounds in which it
+    /// chooses collisions do not end.
     fn step(&mut self) {
         let start = Instant::now();
         let margins = Margins::of::<R>(&self.discs, self.square);

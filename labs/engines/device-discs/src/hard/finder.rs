@@ -22,7 +22,7 @@ const FIRST_CAPACITY: u64 = 1024;
 pub enum Deal {
     /// An invocation tests a disc with the walls and with all discs after it.
     Discs,
-    /// An invocation tests pairs, which are numbered. Another kernel tests the walls.
+    /// An invocation tests numbered pairs. Another kernel tests the walls.
     Pairs,
 }
 

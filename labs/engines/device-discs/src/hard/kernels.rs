@@ -70,8 +70,7 @@ pub trait HardKernels: Launcher + Sized + 'static {
     /// Returns the kernel `find_collisions`: a row of work is a disc with all discs after it.
     fn basic() -> &'static str;
 
-    /// Returns the kernels `find_walls`, which tests all walls, and `find_pairs`, which tests
-    /// numbered pairs.
+    /// Returns two kernels: `find_walls` tests all walls, and `find_pairs` tests numbered pairs.
     fn balanced() -> &'static str;
 
     /// Returns the kernels of a round of the choice: `forget`, `least_high`, `least_low`,

@@ -12,8 +12,8 @@ use solution7::Square;
 /// In these units a coordinate is at most 1. Let M be the greatest velocity component, but at least
 /// 1, and ε the greatest error of one rounding. By a generous estimate (chapter 9), the error of
 /// the distance |d + t D| on the device is less than 64 ε M, and the error of d · D is less than 32
-/// ε M. This is true whatever operations the device contracts or reorders. The margins are twice as
-/// large.
+/// ε M. These bounds hold for any operations that the device contracts or reorders. The margins are
+/// twice as large.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Margins {
     /// Two discs can touch only if the device computes a distance below this bound.

@@ -34,8 +34,8 @@ pub trait SoftKernels: Launcher + Sized + 'static {
 
     /// Returns the kernel `step`.
     ///
-    /// It can use the constants `CUTOFF`, `MIN_R`, `MASS`, `DT` and `STATISTICS`, and the functions
-    /// `separation` and `advance` of the positions.
+    /// The kernel can use the constants `CUTOFF`, `MIN_R`, `MASS`, `DT` and `STATISTICS`, and the
+    /// functions `separation` and `advance` of the positions.
     fn forces() -> &'static str;
 
     /// Returns the functions `separation` and `advance` of single-precision positions, relative to

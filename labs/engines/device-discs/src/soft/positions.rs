@@ -11,7 +11,7 @@ use super::kernels::SoftKernels;
 pub struct Grid {
     /// Side of the box.
     pub size: f64,
-    /// Number of bins along x, which equals the number along y.
+    /// Number of bins along x, and also along y.
     pub columns: u32,
     /// Side of a bin, `size / columns`.
     pub side: f64,
@@ -19,8 +19,8 @@ pub struct Grid {
 
 /// Factor by which bins are wider than the cutoff.
 ///
-/// It is so large that rounding, even to single precision, never puts two particles one cutoff
-/// apart into bins that are not adjacent.
+/// The factor is so large that rounding, even to single precision, never puts two particles one
+/// cutoff apart into bins that are not adjacent.
 const SLACK: f64 = 1.0 + 1.0 / (1 << 20) as f64;
 
 impl Grid {

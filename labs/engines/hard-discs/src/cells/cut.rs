@@ -8,7 +8,8 @@ use super::lattice::Lattice;
 
 /// Approximate number of discs in a strip.
 ///
-/// The entries of so many discs stay in a core's nearest caches while they are sorted and searched.
+/// The entries of this many discs stay in a core's nearest caches while they are sorted and
+/// searched.
 const DISCS: usize = 512;
 
 /// Greatest number of strips. A worker fills a list for each strip, and more lists would not fit

@@ -21,7 +21,8 @@ pub(super) struct Lattice {
     pub(super) fastest: f64,
     /// Whether testing many pairs together is faster.
     ///
-    /// It is faster if an entry has several partners, and few of these pairs ever touch.
+    /// Testing pairs together is faster if an entry has several partners, and few of these pairs
+    /// ever touch.
     pub(super) in_lanes: bool,
 }
 

@@ -36,7 +36,7 @@ impl Paths {
     /// Tests the pairs of disc `a` with the discs in `others` until one [may
     /// touch](crate::may_touch).
     ///
-    /// It tests [`LANES`] pairs at a time.
+    /// The function tests [`LANES`] pairs at a time.
     ///
     /// Returns the first index of the [`LANES`] pairs that were tested last, or `None` if no pair
     /// may touch.

@@ -64,7 +64,7 @@ impl<C> Planned<C> {
     /// Returns the finder for an engine that may search later windows before the first window is
     /// decided.
     ///
-    /// It does not expect fewer free discs in later windows.
+    /// This finder does not expect fewer free discs in later windows.
     pub fn undecided(self) -> Self {
         Self { decided: false, ..self }
     }

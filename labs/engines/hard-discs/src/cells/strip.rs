@@ -63,9 +63,9 @@ impl Searcher {
     /// Collects the entries of a strip, sorted by cell.
     ///
     /// This is a radix sort from the lowest digit, with as few digits as the number of cells
-    /// allows. It reads and writes each entry once per digit, so its time is linear in the number
-    /// of entries. A comparison sort would also need log₂ n comparisons for each entry, and the
-    /// processor would mispredict half of these.
+    /// allows. The sort reads and writes each entry once per digit, so its time is linear in the
+    /// number of entries. A comparison sort would also need log₂ n comparisons for each entry, and
+    /// the processor would mispredict half of these.
     fn sort(&mut self, deals: &[Deal], strip: usize, cells: Range<u64>) {
         let Self { entries, scratch, counts, .. } = self;
         let dealt = deals.iter().flat_map(|deal| deal.entries(strip));

@@ -33,10 +33,11 @@ pub struct Work {
 /// Returns the expected work of a step that is divided into `windows` windows.
 ///
 /// Boxes shrink as the number of windows grows: a mean box is `speed / windows + 2 r` wide. A disc
-/// is in 1 + height / row height rows. Two entries of a row meet if their boxes overlap along x.
-/// About 4 r / width of such pairs pass each other within 2 r at some time; then the collision
-/// times of all pairs that are tested together with such a pair are computed. All this happens in
-/// each window, but only for discs that are free when the window begins ([`still_free`]).
+/// is in 1 + height / row height rows. Two entries of a row meet if their boxes overlap along x. A
+/// share of about 4 r / width of such pairs pass each other within 2 r at some time. For each of
+/// them, the collision times of all pairs that are tested together with it are computed. All this
+/// happens in each window, but only for discs that are free when the window begins
+/// ([`still_free`]).
 pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
     let (width, height) = mean_box(survey, square, windows);
     let wide = (survey.x.1 - survey.x.0).max(width);

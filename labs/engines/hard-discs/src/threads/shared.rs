@@ -1,4 +1,4 @@
-//! Counters that threads share: an atomic counter, and a counter behind a lock.
+//! Counters that threads share: an atomic counter, and a counter that a lock protects.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -61,7 +61,8 @@ impl SharedCount {
     }
 }
 
-/// A counter behind a lock that several threads share. One thread at a time reads or writes it.
+/// A counter that several threads share and a lock protects. One thread at a time reads or writes
+/// it.
 ///
 /// A test can make the counter do another thread's work at the worst moment: just after the lock is
 /// released ([`LockedCount::interrupted`]). Without a test this costs the comparison of an `Option`

@@ -1,10 +1,10 @@
 //! A Runge-Kutta method that ends its steps where the motion is not smooth.
 //!
-//! If a pair crosses the cutoff within a step, or a particle meets a wall, the motion is not
-//! smooth, and a method of fourth order has first or second order only. This engine finds each such
-//! moment and ends the step there; between two moments the motion is smooth. Particles that could
-//! touch within the step form a group, and each group goes through the step alone. So an event ends
-//! only the step of its group.
+//! The motion is not smooth when a pair crosses the cutoff, or when a particle meets a wall. In a
+//! step with such a moment, a method of fourth order has first or second order only. This engine
+//! finds each such moment and ends the step there. Between two such moments the motion is smooth.
+//! Particles that could touch within the step form a group, and each group goes through the step
+//! alone. So an event ends only the step of its group.
 
 mod corners;
 mod group;

@@ -27,7 +27,8 @@ impl Field {
         }
     }
 
-    /// Writes the accelerations of particles at positions `at` to `a`, which has the same length.
+    /// Writes the accelerations of particles at positions `at` to `a`. Both slices have the same
+    /// length.
     pub(super) fn accelerations(&mut self, at: &[Vec2], a: &mut [Vec2]) {
         let Self { workers, sorter, sorted } = self;
         sorted.resize(at.len());

@@ -1,4 +1,4 @@
-//! The particles of a box, which a method moves all together.
+//! The particles of a box. A method moves all of them together.
 
 use std::marker::PhantomData;
 

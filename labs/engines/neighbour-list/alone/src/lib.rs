@@ -1,8 +1,8 @@
 //! Programs that time one primitive of a neighbour-list engine without the engine.
 //!
-//! A step of each program is one pass of a loop over all particles, which do not move. So these
-//! programs simulate nothing. Compare the two programs of a pair: they take the same time if the
-//! primitive is as fast as possible.
+//! A step of each program is one pass of a loop over all particles. The particles do not move, so
+//! these programs simulate nothing. Compare the two programs of a pair: they take the same time if
+//! the primitive is as fast as possible.
 
 use std::hint::black_box;
 use std::marker::PhantomData;

@@ -1,9 +1,9 @@
 //! A neighbour-list engine for soft discs that works with any primitives.
 //!
 //! If you want a fast engine, use the package `neighbour-list`, which adds fast primitives. Here a
-//! type parameter supplies the primitives, [`Primitives`]: the move, the search for pairs, the
-//! filter for pairs, and the life of the list. If you write your own primitives, as in lab 10, this
-//! package contains the rest of the engine.
+//! type parameter supplies the [`Primitives`]: the move, the search for pairs, the filter for
+//! pairs, and the life of the list. If you write your own primitives, as in lab 10, this package
+//! contains the rest of the engine.
 //!
 //! - [`particles`]: particles as a structure of arrays, [`Bodies`], and their move.
 //! - [`cells`]: the [`Grid`], and sorting by cell, which makes neighbours in the box neighbours in

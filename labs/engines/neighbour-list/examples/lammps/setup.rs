@@ -139,7 +139,7 @@ impl Tried {
 impl Style {
     pub(crate) const ALL: [Self; 2] = [Self::Lepton, Self::Table];
 
-    /// Returns the setup for trajectories and forces, which hardly depend on it.
+    /// Returns the setup for trajectories and forces. They hardly depend on the setup.
     pub(crate) fn usual(self) -> Setup {
         Setup { style: self, skin: 0.01, sort: 20 }
     }

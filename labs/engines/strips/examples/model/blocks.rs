@@ -5,7 +5,7 @@ use common::soft::{CUTOFF, DENSITY, DT};
 /// Bytes of a particle in a message.
 pub(crate) const WIRE: f64 = 40.0;
 
-/// Mean speed towards a border, times ½, the share of the particles that fly in this direction.
+/// Mean speed towards a border, times the share ½ of the particles that fly in this direction.
 ///
 /// Components of velocities are uniform in −1 … 1.
 const FLOW: f64 = 0.25;

@@ -1,4 +1,4 @@
-//! The time of a step with deep ghosts, which ranks move themselves.
+//! The time of a step with deep ghosts. Each rank moves the ghosts that it holds.
 //!
 //! No message is sent during an epoch of several steps.
 
@@ -7,14 +7,14 @@ use crate::network::Network;
 
 /// Number of steps of an epoch.
 ///
-/// It is the mean over 100 steps of the official scene. The model uses it for all scenes, although
-/// low strips have shorter epochs.
+/// This number is the mean over 100 steps of the official scene. The model uses it for all scenes,
+/// although low strips have shorter epochs.
 const EPOCH: f64 = 9.1;
 /// Depth of the ghosts of such an epoch, in cutoffs.
 const DEPTH: f64 = 12.6;
 
-/// Reductions of an epoch: one that confirms its steps, and two in every fifth epoch for the
-/// balance.
+/// Reductions per epoch: one that confirms its steps, and two in every fifth epoch for load
+/// balancing.
 const REDUCTIONS: f64 = 1.4;
 
 /// Numbers in the reduction that confirms steps: one for each step, and two for the plan of the

@@ -14,7 +14,7 @@ const POSITION: f64 = 16.0;
 /// Share of a step that computes forces, while ghosts may travel.
 const FORCES: f64 = 0.5;
 
-/// Number of steps between two tests of the balance, each with an all-reduce.
+/// Number of steps between two tests of the load balance. Each test is an all-reduce.
 const REBALANCE: f64 = 50.0;
 
 /// Number of steps that a neighbour list lasts, counted on the official scene.
@@ -68,9 +68,10 @@ impl Method {
     }
 }
 
-/// Returns the time of two gathers and a scatter. The counts for each are sent before it.
+/// Returns the time of two gathers and a scatter.
 ///
-/// So the root exchanges messages with all ranks six times in total.
+/// Counts are sent before each of the three. So the root exchanges messages with all ranks six
+/// times in total.
 fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 2.0);
     let crossing = blocks.borders() * blocks.crossing;

@@ -35,7 +35,7 @@ pub(crate) struct Batch {
 }
 
 impl Batch {
-    /// Returns the member in slot `p`, which has this `id`, at the end of the run.
+    /// Returns the member in slot `p` at the end of the run. `id` is the member's id.
     pub(crate) fn end(&self, p: usize, id: u32) -> Particle {
         let Record { x, y, vx, vy, .. } = &self.record;
         Particle { x: x[p], y: y[p], vx: vx[p], vy: vy[p], id }

@@ -85,8 +85,8 @@ impl<R: Rules, O: Observer> Planned<R, O> {
         }
     }
 
-    /// Makes a plan for the particles of the neighbour list. If the new plan is to use a list too,
-    /// the present list continues.
+    /// Makes a plan for the particles of the neighbour list. If the new plan also uses a list, the
+    /// current list continues.
     fn reconsider(&mut self) {
         self.adopt(plan::<R>(self.plain.bodies(), self.fixed_steps, self.divide));
         if self.plan.strategy != Strategy::List {

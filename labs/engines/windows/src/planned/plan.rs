@@ -91,9 +91,9 @@ fn max_neighbours_in_windows(divide: u32) -> f64 {
 
 /// Returns the number of particles per unit area around a particle, averaged over all particles.
 ///
-/// It counts other particles in the same cell, four cutoffs wide. As a particle does not count
-/// itself, the count in a regular lattice is too low. Therefore the result is never less than the
-/// density of the whole scene.
+/// The function counts other particles in the same cell, which is four cutoffs wide. As a particle
+/// does not count itself, the count in a regular lattice is too low. Therefore the result is never
+/// less than the density of the whole scene.
 fn density(bodies: &Bodies, extent: &Extent) -> f64 {
     let grid = Grid::new(extent, 4.0 * CUTOFF);
     let around = occupancy(bodies, &grid) / (grid.side() * grid.side());

@@ -61,7 +61,7 @@ impl Listed {
     }
 }
 
-/// Returns the greatest distance of a particle from its former position in (`x`, `y`).
+/// Returns the greatest distance of any particle from its former position, given by `x` and `y`.
 fn farthest(bodies: &Bodies, x: &[f64], y: &[f64]) -> f64 {
     let mut most = [0.0; EIGHT];
     let now = bodies.x.chunks(EIGHT).zip(bodies.y.chunks(EIGHT));

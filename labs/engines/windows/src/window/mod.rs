@@ -1,7 +1,7 @@
 //! Windows of several steps: opening, verification, repair and end.
 //!
-//! `opening` is the place to start. It lets every `band` search and compute its groups; `verify`
-//! finds the pairs that were missed; `ending` moves the particles to the end of the window.
+//! Start reading with `opening`: there every `band` searches and computes its groups. Then `verify`
+//! finds the pairs that were missed, and `ending` moves the particles to the end of the window.
 
 mod band;
 mod ending;

@@ -41,7 +41,7 @@ impl Window {
 
     /// Sorts the particles and computes a window.
     ///
-    /// Returns false if margins still broke after the last repair. The particles are then
+    /// Returns false if pairs were still missed after the last repair. The particles are then
     /// unchanged, and the caller should try a shorter window.
     pub(crate) fn open<R: Rules>(
         &mut self,

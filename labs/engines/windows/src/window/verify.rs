@@ -63,8 +63,8 @@ impl Window {
     /// Returns the pairs of members of `batch` that touched, and the number of pairs that were
     /// tested.
     ///
-    /// The other particle of a pair deviates from its path by at most `other` or at most as much as
-    /// the member, whichever is more.
+    /// The deviation of the pair's other particle is at most the greater of `other` and the
+    /// member's deviation.
     fn broken<R: Rules>(&self, batch: &Batch, other: f64, search: &Search<'_>) -> (Vec<Pair>, u64) {
         let Search { layout, .. } = search;
         let mut broken = Vec::new();

@@ -40,8 +40,8 @@ pub(crate) fn histogram(records: &[Record], full: f64) -> Markup {
     }
 }
 
-/// Draws the number of submissions that solve each task. Adds the most frequent message to the
-/// other submissions.
+/// Draws the number of submissions that solve each task. Adds the most frequent message that the
+/// other submissions got.
 pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
     let tasks = records.first().map_or(&[][..], |first| &first.tasks);
     html! {

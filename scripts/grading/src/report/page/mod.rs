@@ -1,5 +1,5 @@
-//! `index.html`: an overview of a class, in one file without scripts that loads nothing from
-//! elsewhere.
+//! `index.html`: an overview of a class, in one file. The file has no scripts and loads no other
+//! files.
 
 mod bars;
 mod submissions;

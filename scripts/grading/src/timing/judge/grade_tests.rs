@@ -57,7 +57,7 @@ fn the_slope_decides() {
 
 #[test]
 fn to_dawdle_on_small_scenes_makes_no_line_flat() {
-    // The program computes all pairs. On small scenes it waits until it has taken four seconds, as
+    // The program computes all pairs. On small scenes it waits until four seconds have passed, as
     // on the largest scene.
     let (grade, words) = complexity(|n| (1e-9 * n * n).max(4.0));
     assert!(grade.unwrap() < 30.0 && words.contains("begins at the solution's"), "{words}");

@@ -13,13 +13,14 @@ const QUIET: f64 = 1.06;
 /// kit's fastest program is 25 times as fast as the slowest program that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// Smallest share of its time that a program computes if its processor is free and it does not
+/// Smallest share of its time in which a program computes, if it has a free processor and does not
 /// wait.
 const MOSTLY: f64 = 0.7;
-/// Seconds in a take above which a pause counts as waiting. Shorter pauses are errors of the clock.
+/// Length of a pause in a take, in seconds, above which the pause counts as waiting. Shorter pauses
+/// are errors of the clock.
 const LONG: f64 = 0.01;
 
-/// All runs of a record, and the measure that they are for.
+/// All runs of a record, and a measure that is computed from them.
 pub(crate) struct Runs<'r> {
     pub(crate) all: &'r [Run],
     pub(crate) timed: &'r Timed,
@@ -49,12 +50,13 @@ impl<'r> Runs<'r> {
         if whose == Whose::Own { self.possible(run) } else { Ok(run) }
     }
 
-    /// Returns a run of the submission, unless its time is impossible.
+    /// Returns `run`, a run of the submission, or an error if its time is impossibly short.
     fn possible(&self, run: &'r Run) -> Result<&'r Run, Without> {
         let same = |r: &&Run| r.whose != Whose::Own && (r.n, r.steps) == (run.n, run.steps);
         for trusted in self.all.iter().filter(same) {
             let shortest = span(run).map_or(f64::INFINITY, |span| span.min);
-            // The time for making the scene is subtracted, so the program needs at least this work.
+            // `net` subtracts the time for making the scene. So a correct program needs at least
+            // `work / IMPOSSIBLE` seconds of processor time.
             let work = net(self.all, trusted)?.min * trusted.workers as f64;
             if shortest * run.workers as f64 * IMPOSSIBLE < work {
                 let why = format!(
@@ -68,12 +70,12 @@ impl<'r> Runs<'r> {
         Ok(run)
     }
 
-    /// Returns the seconds of the run with this program, size and number of workers.
+    /// Returns the time, in seconds, of the run with this program, size and number of workers.
     pub(crate) fn time(&self, whose: Whose, n: usize, workers: usize) -> Result<Span, Without> {
         self.seconds(self.find(whose, n, workers)?)
     }
 
-    /// Returns the seconds of a run; infinite if it was too slow.
+    /// Returns the time of a run, in seconds; infinite if the run was too slow.
     pub(crate) fn seconds(&self, run: &Run) -> Result<Span, Without> {
         match run.outcome {
             Outcome::TooSlow => Ok(Span { min: f64::INFINITY, median: f64::INFINITY }),
@@ -105,19 +107,20 @@ pub(crate) fn waited(run: &Run) -> Option<f64> {
     (run.outcome == Outcome::Timed && waits).then_some(share)
 }
 
-/// Returns the seconds of a run's shortest take. The time for making the scene and sending the
-/// result is subtracted. `None` if the run is not valid.
+/// Returns the time of a run's shortest take, in seconds; `None` if the run is not valid.
+///
+/// The time for making the scene and sending the result is subtracted.
 pub(crate) fn seconds_of(findings: &Findings, run: &Run) -> Option<f64> {
     let timed = run.outcome == Outcome::Timed;
     timed.then(|| net(&findings.runs, run).ok())?.map(|span| span.min)
 }
 
-/// Returns the measured seconds of a run; `None` if it has no take.
+/// Returns the measured time of a run, in seconds; `None` if the run has no take.
 fn span(run: &Run) -> Option<Span> {
     Times::of(run.seconds.clone()).map(|times| times.span(1.0))
 }
 
-/// Returns the seconds of a run without the time for making the scene and sending the result.
+/// Returns the time of a run, in seconds, without making the scene and sending the result.
 fn net(runs: &[Run], run: &Run) -> Result<Span, Without> {
     let all = taken(run)?;
     let without_steps = idle(runs, run).map(taken).transpose()?;

@@ -41,7 +41,7 @@ pub(super) struct Contest {
 }
 
 impl Contest {
-    /// Generates the random scenes of all rounds and computes their exact ends.
+    /// Generates the random scenes of all rounds and computes their exact final states.
     pub(super) fn scenes(&self, rounds: u32) -> Result<Vec<Drawn>> {
         eprintln!("computing the exact motion of {} scenes", 5 * rounds);
         let kinds = (0..rounds).flat_map(|round| Kind::ALL.map(|kind| (kind, self.seed + round)));
@@ -55,7 +55,7 @@ impl Contest {
         Job { workers: self.threads, ..Job::new(program.clone(), scene) }
     }
 
-    /// Runs the reference and all entries on a scene, in turns.
+    /// Runs the reference and all entries on a scene in turn.
     pub(super) fn race(
         &self,
         runner: &Runner,
@@ -87,8 +87,10 @@ impl Contest {
         Ok(())
     }
 
-    /// Runs the first scene again, and then for more steps. Two faults are possible: the second run
-    /// ends differently, by more than rounding, or the memory grows with the steps.
+    /// Runs the first scene again, and then for more steps.
+    ///
+    /// This detects two faults: the repeated run ends in a state that differs by more than
+    /// rounding, or the memory grows with the number of steps.
     pub(super) fn repeat(&self, runner: &Runner, drawn: &Drawn, entry: &mut Entry) -> Result<()> {
         if !entry.faults.is_empty() {
             return Ok(());

@@ -27,7 +27,8 @@ pub(super) fn table(group: &Group) -> String {
 /// Plots run time against error, with a line for each variant that divides its step.
 ///
 /// If a lab does not divide its steps, all its programs take the official step, so they differ only
-/// in time. They are drawn as marks, in grey if no program of the lab is on the front.
+/// in time. They are drawn as single points, in grey if no program of the lab is on the Pareto
+/// front.
 pub(super) fn chart(group: &Group) -> Chart {
     let mut labs: Vec<Lab> = group.points.iter().map(|point| point.program.lab).collect();
     labs.sort();
@@ -73,12 +74,12 @@ fn add<'g>(lines: &mut Vec<(String, Vec<&'g Point>)>, point: &'g Point) {
     }
 }
 
-/// Returns errors and seconds.
+/// Returns the error and the run time, in seconds, of each point.
 fn costs(points: &[&Point]) -> Vec<(f64, f64)> {
     points.iter().map(|point| (point.rms_error, point.seconds.min)).collect()
 }
 
-/// Formats numbers of labs briefly: `1–6, 13`.
+/// Formats the numbers of labs as ranges: `1–6, 13`.
 fn listed(labs: &[Lab]) -> String {
     let numbers: Vec<u32> = labs.iter().filter_map(|lab| lab.to_string().parse().ok()).collect();
     let mut runs = Vec::new();

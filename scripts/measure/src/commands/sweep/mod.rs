@@ -173,7 +173,7 @@ fn across(varied: &Varied, cells: &[Cell]) -> Axis {
 fn upwards(varied: &Varied, cells: &[Cell]) -> Axis {
     match varied {
         Varied::N => Axis::log("ms a step"),
-        // These times differ by less than a decade.
+        // These times differ by less than a factor of ten.
         _ if varied.is_workgroup() => Axis::linear("ms a step").starting_at(0.0),
         _ => {
             let ours = cells.iter().map(|cell| cell.ms_per_step.min);
@@ -182,7 +182,7 @@ fn upwards(varied: &Varied, cells: &[Cell]) -> Axis {
     }
 }
 
-/// Makes an axis that is logarithmic if the values span a decade.
+/// Makes an axis that is logarithmic if the values span a factor of ten.
 fn span(label: String, values: impl Iterator<Item = f64> + Clone) -> Axis {
     let least = values.clone().fold(f64::INFINITY, f64::min);
     let most = values.fold(0.0, f64::max);

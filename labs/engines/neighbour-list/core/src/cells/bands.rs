@@ -53,7 +53,7 @@ impl<'a> Band<'a> {
         self.first..self.first + self.counts.len() as u32
     }
 
-    /// Counts the particles in each cell and returns their sum.
+    /// Counts the particles in each cell and returns the total.
     pub(super) fn count(&mut self, located: &Located<'_>) -> usize {
         let pieces = located.among(self.cells());
         let Self { first, counts, .. } = self;
@@ -68,7 +68,7 @@ impl<'a> Band<'a> {
         counts.iter().map(|&count| count as usize).sum()
     }
 
-    /// Copies the band's particles from `from`, cell by cell, to the indices that end at `end`.
+    /// Copies the band's particles from `from`, cell by cell, to the indices before `end`.
     ///
     /// Afterwards `counts` contains the index at which each cell ends.
     pub(super) fn fill(mut self, end: usize, from: &Bodies, located: &Located<'_>) {
@@ -83,7 +83,7 @@ impl<'a> Band<'a> {
         fetch(self.home, located.cell, &source);
     }
 
-    /// Returns the indices of the band's particles before the sort, cell by cell.
+    /// Returns the indices that the band's particles had before the sort, cell by cell.
     ///
     /// Afterwards `counts` contains the end of each cell, counted from the band's first particle.
     fn sources(&mut self, located: &Located<'_>) -> Vec<u32> {

@@ -80,8 +80,8 @@ impl Grid {
     /// Makes a grid over `extent` whose cells have at least this `side`.
     ///
     /// The side is enlarged slightly, so that rounding cannot put two particles at distance `side`
-    /// two cells apart. It is enlarged further if there would be more rows or columns than a 31-bit
-    /// number can count.
+    /// two cells apart. The side is enlarged further if there would be more rows or columns than a
+    /// 31-bit number can count.
     pub fn new(extent: &Extent, side: f64) -> Self {
         const MOST: f64 = 1e9;
         let side = (side * (1.0 + 1e-6)).max(extent.width.max(extent.height) / MOST);

@@ -60,7 +60,7 @@ impl Sorter {
         cells
     }
 
-    /// Takes the arrays of `cells`, which are no longer needed, as memory for the next sort.
+    /// Keeps the arrays of `cells` as memory for the next sort. `cells` is no longer needed.
     pub fn take_back(&mut self, cells: Cells) {
         if let Kind::Dense { starts } = cells.kind {
             self.starts = starts;

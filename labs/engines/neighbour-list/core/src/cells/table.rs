@@ -24,8 +24,8 @@ pub enum Kind {
         /// Index of the first particle of each cell, and at the end the number of particles.
         starts: Vec<u32>,
     },
-    /// Only the occupied cells: the k-th of them is cell `keys[k]` = row · columns + column, and
-    /// contains the particles `starts[k] .. starts[k + 1]`.
+    /// Only the occupied cells. The k-th occupied cell is cell `keys[k]` = row · columns + column.
+    /// It contains the particles `starts[k] .. starts[k + 1]`.
     Sparse {
         /// The numbers of the occupied cells, ascending.
         keys: Vec<u64>,

@@ -151,7 +151,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     /// Moves the blocks that contain none of the particles `waiting`, whose indices are ascending.
     ///
     /// Particles outside the engine may act on the particles `waiting`, so
-    /// [`move_outer`](Self::move_outer) moves their blocks.
+    /// [`move_outer`](Self::move_outer) moves the blocks of these particles.
     pub fn move_inner(&mut self, waiting: &[u32]) {
         self.sweep(External::default(), |block| !block.has_any(waiting));
     }

@@ -21,8 +21,8 @@ pub trait Primitives: Default + Send + Sync + 'static {
     /// `i`.
     ///
     /// The pairs are in ascending order, and a distance of exactly `reach` counts as within.
-    /// `list[..len]` contains the pairs that were found before; behind these pairs there is room
-    /// for all of `range` and eight more pairs. `i` is not in `range`, and `range` may be empty.
+    /// `list[..len]` contains the pairs that were found before; after these pairs there is room for
+    /// all of `range` and eight more pairs. `i` is not in `range`, and `range` may be empty.
     /// Returns the new number of pairs.
     fn collect(
         list: &mut [Pair],
@@ -50,7 +50,7 @@ pub trait Primitives: Default + Send + Sync + 'static {
     /// Since the list was built, no particle has moved further than `displacement`.
     fn expired(displacement: f64, skin: f64) -> bool;
 
-    /// Returns the skin that makes a step cheapest. It is positive.
+    /// Returns the skin that makes a step cheapest. The skin is positive.
     ///
     /// There are `density` particles per unit area, and the fastest particle moves a distance of
     /// `displacement` in a step.

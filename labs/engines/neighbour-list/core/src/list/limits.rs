@@ -9,16 +9,17 @@ use super::outliers::{Outlier, Outliers};
 use crate::kernels::Primitives;
 use crate::particles::{Bodies, Sample};
 
-/// Number of particles of which one exceeds the speed that a new list is made for.
+/// Number of particles per fast particle. Fast particles exceed the speed that a new list is made
+/// for.
 const PARTICLES_PER_FAST_PARTICLE: usize = 1000;
 /// Number of particles whose speeds are sampled.
 const SAMPLE: usize = 1024;
-/// Number of particles for each outlier that a list tolerates.
+/// Number of particles per outlier that a list tolerates.
 ///
 /// If there are more outliers, most particles have become faster, and a new list that allows for
 /// their speed is cheaper.
 const PARTICLES_PER_OUTLIER: usize = 50;
-/// Number of outliers that a list tolerates in addition, even with few particles.
+/// Number of additional outliers that a list tolerates, even with few particles.
 const SPARE_OUTLIERS: usize = 32;
 /// The greatest factor by which the fastest particle is expected to exceed the speed limit.
 ///

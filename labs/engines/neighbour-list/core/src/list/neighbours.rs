@@ -96,8 +96,8 @@ impl<P: Primitives> Neighbours<P> {
 
     /// Returns the distance within which pairs are listed, for this `skin`.
     ///
-    /// It is slightly more than the cutoff plus `skin`, because rounded positions must not hide a
-    /// pair.
+    /// The distance is slightly more than the cutoff plus `skin`, because rounded positions must
+    /// not hide a pair.
     pub fn reach(&self, skin: f64) -> f64 {
         (CUTOFF + skin) * (1.0 + 1e-9) + self.rounding
     }

@@ -25,7 +25,7 @@ impl From<Workers> for Crew {
 }
 
 impl Crew {
-    /// Makes a crew of at most `most` threads, so few that each has at least `share` particles.
+    /// Makes a crew of at most `most` threads. Each thread must have at least `share` particles.
     ///
     /// The caller works alone until [`engage`](Self::engage) is called with the number of
     /// particles.
