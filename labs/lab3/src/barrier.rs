@@ -33,7 +33,7 @@ impl Barrier {
         Self { state: Mutex::new(state), change: Condvar::new() }
     }
 
-    /// Returns when all members that have not finished have called this.
+    /// Waits until every other member has either called this function or finished.
     ///
     /// # Panics
     /// If a member has panicked.
@@ -64,16 +64,16 @@ impl Barrier {
         self.state.lock().unwrap_or_else(PoisonError::into_inner).meetings
     }
 
-    /// Returns when all *other* members wait here, or the barrier is broken.
+    /// Returns when all *other* members wait in [`wait`](Self::wait), or the barrier is broken.
     ///
-    /// A member that calls this is held back for as long as the others can continue without it.
+    /// A member that calls this continues only when the others can no longer continue without it.
     pub fn be_last(&self) {
         while !self.others_wait() {
             thread::sleep(Duration::from_micros(20));
         }
     }
 
-    /// Whether all members but one wait here, or the barrier is broken.
+    /// Whether all members but one wait in [`wait`](Self::wait), or the barrier is broken.
     pub fn others_wait(&self) -> bool {
         let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         state.waiting + 1 >= state.members || state.broken
