@@ -6,9 +6,9 @@ use std::time::Duration;
 
 /// A barrier that breaks when a member panics.
 ///
-/// At [`std::sync::Barrier`], the other members would wait forever for a thread that has panicked.
-/// Here the other members panic too, so a mistake ends the run, and the message of the mistake
-/// comes first. Members do not wait for a member that has finished.
+/// At a [`std::sync::Barrier`], the other members would wait forever for a thread that has
+/// panicked. Here the other members panic too, so a mistake ends the run. The message of the first
+/// panic names the mistake. Members do not wait for a member that has finished.
 #[derive(Debug)]
 pub struct Barrier {
     state: Mutex<State>,
@@ -20,8 +20,9 @@ struct State {
     /// The number of members that have not finished yet.
     members: usize,
     waiting: usize,
-    /// The number of times that all members have met. A member leaves when this number changes. It
-    /// cannot watch `waiting`, because another member may already be waiting at the next barrier.
+    /// The number of times that all members have met. A waiting member continues when this number
+    /// changes. It cannot watch `waiting` instead, because another member may already be waiting at
+    /// the next barrier.
     meetings: u64,
     broken: bool,
 }

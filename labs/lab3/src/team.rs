@@ -35,8 +35,8 @@ pub struct Team<O> {
     bins: Vec<RwLock<SortedBins>>,
     /// `mail[from][to]`: the particles that travel from one member to another.
     mail: Vec<Vec<Mutex<Vec<Particle>>>>,
-    /// The observers of each member: one for each of its rows, which has seen the row's pairs in
-    /// the last step.
+    /// The observers of each member, one for each of its rows. An observer has seen the row's pairs
+    /// in the last step.
     seen: Vec<Mutex<Vec<O>>>,
     /// The member that owns each row.
     owners: Vec<usize>,
@@ -145,8 +145,8 @@ impl<O: Observer> Team<O> {
 fn missing_barrier(member: &Member, part: Part, other: usize) -> ! {
     let number = member.number;
     panic!(
-        "task 3.10: member {number} begins its {part:?} before member {other} has ended the part \
-         before: a barrier is missing"
+        "task 3.10: member {number} begins its {part:?} before member {other} has finished the \
+         previous part: a barrier is missing"
     )
 }
 
