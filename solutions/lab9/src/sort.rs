@@ -41,8 +41,8 @@ impl SoftKernels for Lab9 {
     /// - `order` copies each particle to the sorted arrays. There the particles of a bin are in the
     ///   order of their ids.
     ///
-    /// Launch the kernels `count`, `scatter` and `order` with `sort.launch`, which has an invocation
-    /// for each particle.
+    /// Launch the kernels `count`, `scatter` and `order` with `sort.launch`, which has an
+    /// invocation for each particle.
     ///
     /// Book: chapter 9, *A counting sort*.
     fn record_sort(sort: &Sort, work: &mut Work<'_>) {
