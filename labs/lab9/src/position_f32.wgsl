@@ -8,7 +8,7 @@
 // Returns the vector from sorted particle i to sorted particle j, a length.
 //
 // The bin of j is `over` = (columns, rows) away from the bin of i. Offsets are in units of
-// box.side. The vector is in the units of box.side itself.
+// box.side. The vector is a length, like box.side.
 fn separation(i: u32, j: u32, over: vec2<i32>) -> vec2<real> {
     // todo: task 9.8: a vector between two bins
 }
