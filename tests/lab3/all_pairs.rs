@@ -69,8 +69,8 @@ pub(crate) fn observers(random: &mut Random, ask: &mut impl Ask) {
     engine.load(&scene);
     engine.sum_forces();
     let of_one = Simulation::statistics(&engine).map_or(0, |seen| seen.navg) as usize;
-    let question = "150 particles on two threads, each with 150 pair tests: number of observers that received the \
-                    pair tests of exactly one particle. If one observer serves several particles, its sums depend on \
-                    the order of the threads";
+    let question = "two threads and 150 particles, with 150 pair tests for each particle: number of observers that \
+                    received the pair tests of exactly one particle. If one observer serves several particles, its \
+                    sums depend on the order of the threads";
     ask.exact(question, || integers([of_one]), || integers([150]));
 }

@@ -109,7 +109,7 @@ impl Ranks {
             let candidate = of_value(&taken[1..]);
             let name = words(&candidate);
             if seen.contains(&candidate) {
-                return Err(format!("{name} is taken twice, once by rank {}", taken[0]));
+                return Err(format!("rank {} takes {name}, which is already taken", taken[0]));
             }
             if !right.contains(&candidate) {
                 return Err(format!(

@@ -19,8 +19,8 @@ use neighbour_list_core::kernels::{EIGHT, Pair, Positions, Signs, pack};
 /// The processor would often mispredict a branch on the distance. It would also mispredict the end of a
 /// loop over a short `range`. So always compare eight particles at a time, even if the range has fewer.
 /// Take a longer range in pieces of eight. Keep only the particles in the range and within reach.
-/// [`Positions::eight`] fetches eight positions, and [`pack`] writes the pairs that you select from
-/// eight.
+/// [`Positions::eight`] fetches eight positions. Of eight pairs, [`pack`] writes the pairs that you
+/// select.
 ///
 /// [`Signs::negative`] takes eight `f32`. Compute the differences whose signs you need in `f64`,
 /// and convert only these differences. The conversion keeps the sign of even the smallest

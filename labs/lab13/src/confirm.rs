@@ -5,12 +5,12 @@ use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// Returns the number of right steps in an epoch: all steps before the first that may be wrong.
+/// Returns the number of steps of an epoch before the first step that may be wrong.
 ///
 /// The first step is always right.
 ///
-/// - `moves`: the greatest distance that a particle of any rank moved, in each of the steps taken.
-///   There is at least one step.
+/// - `moves`: a number for each step taken, the greatest distance that a particle of any rank moved
+///   in this step. There is at least one step.
 /// - `width`: the depth with which ghosts were chosen, at least the cutoff. All numbers are
 ///   lengths.
 ///
@@ -28,9 +28,10 @@ pub fn right_steps(moves: &[f64], width: f64) -> usize {
 ///
 /// All ranks have taken `steps` steps. [`right_steps`] computes the number of right steps.
 ///
-/// - `numbers`: first the greatest distance that a particle of this rank moved in each step, then
-///   other numbers, from which the next epoch is planned. Replace each number with the greatest
-///   number that any rank has at this index. A single reduction suffices for all numbers.
+/// - `numbers`: the first `steps` numbers are the greatest distances that a particle of this rank
+///   moved in each step. From the other numbers, the next epoch is planned. Replace each number
+///   with the greatest number that any rank has at this index. A single reduction suffices for all
+///   numbers.
 /// - `width`: the depth with which ghosts were chosen, a length. It is the same on all ranks.
 ///
 /// A rank knows the moves of its own particles. But an error on a rank comes from the particles of

@@ -12,7 +12,7 @@ use strips::Outlook;
 /// The rank receives whole particles once, before the first step. It accelerates and moves them
 /// like its own particles, and receives no message until the last step is over.
 ///
-/// The outermost ghosts lack neighbours that the rank does not know, so the first step already
+/// The outermost ghosts have neighbours that the rank does not know, so the first step already
 /// moves them wrongly. In the next step, they exert wrong forces on their neighbours. With each
 /// computation of forces, the error advances by a cutoff. As in
 /// [`ghost_width`](crate::ghost_width), both particles of a pair move between two computations. The
@@ -30,9 +30,8 @@ pub fn deep_width(fastest: f64, steps: u32) -> f64 {
 ///
 /// All costs are for each particle of the rank. On both sides of a strip of height H there are
 /// ghosts of depth D, so there are 2 · D / H ghosts for each particle. A ghost costs as much as a
-/// particle: [`STEP`] in each step, and [`RENEWAL`](crate::RENEWAL) in each epoch, in which the
-/// list is rebuilt. The messages of an epoch cost a rank [`WAIT`], whatever its number of
-/// particles.
+/// particle: [`STEP`] in each step, and [`RENEWAL`](crate::RENEWAL) once in each epoch, for the new
+/// list. The messages of an epoch cost a rank [`WAIT`], whatever its number of particles.
 ///
 /// Book: chapter 13, *Without a word*.
 pub fn best_depth(outlook: Outlook) -> u32 {

@@ -23,8 +23,8 @@ pub fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32> {
 
 /// Returns the pairs of a particle of this rank and a ghost that are at most `reach` apart.
 ///
-/// A pair is [index into `own`, index into `ghosts`]. Pairs are sorted by the first index. The
-/// order of pairs with the same first index may depend only on positions.
+/// A pair is [index into `own`, index into `ghosts`]. The pairs must be in the order of the first
+/// index. The order of pairs with the same first index must depend only on positions.
 ///
 /// The other rank lists the same pair, with its own particle first. Each of the two ranks
 /// accelerates only its own particle, so no force has to be sent.

@@ -6,9 +6,9 @@ use std::time::Duration;
 
 /// A barrier that breaks when a member panics.
 ///
-/// At [`std::sync::Barrier`], the other members would wait forever for a thread that has panicked.
-/// Here the other members panic too, so a mistake ends the run, and the message of the mistake
-/// comes first. Members do not wait for a member that has finished.
+/// At a [`std::sync::Barrier`], the other members would wait forever for a thread that has
+/// panicked. Here the other members panic too, so a mistake ends the run. The message of the first
+/// panic names the mistake. Members do not wait for a member that has finished.
 #[derive(Debug)]
 pub struct Barrier {
     state: Mutex<State>,
@@ -20,8 +20,9 @@ struct State {
     /// The number of members that have not finished yet.
     members: usize,
     waiting: usize,
-    /// The number of times that all members have met. A member leaves when this number changes. It
-    /// cannot watch `waiting`, because another member may already be waiting at the next barrier.
+    /// The number of times that all members have met. A waiting member continues when this number
+    /// changes. It cannot watch `waiting` instead, because another member may already be waiting at
+    /// the next barrier.
     meetings: u64,
     broken: bool,
 }
@@ -33,7 +34,7 @@ impl Barrier {
         Self { state: Mutex::new(state), change: Condvar::new() }
     }
 
-    /// Returns when all members that have not finished have called this.
+    /// Waits until every other member has either called this function or finished.
     ///
     /// # Panics
     /// If a member has panicked.
@@ -64,16 +65,16 @@ impl Barrier {
         self.state.lock().unwrap_or_else(PoisonError::into_inner).meetings
     }
 
-    /// Returns when all *other* members wait here, or the barrier is broken.
+    /// Returns when all *other* members wait in [`wait`](Self::wait), or the barrier is broken.
     ///
-    /// A member that calls this is held back for as long as the others can continue without it.
+    /// A member that calls this continues only when the others can no longer continue without it.
     pub fn be_last(&self) {
         while !self.others_wait() {
             thread::sleep(Duration::from_micros(20));
         }
     }
 
-    /// Whether all members but one wait here, or the barrier is broken.
+    /// Whether all members but one wait in [`wait`](Self::wait), or the barrier is broken.
     pub fn others_wait(&self) -> bool {
         let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         state.waiting + 1 >= state.members || state.broken

@@ -21,7 +21,8 @@ struct Square {
     reach_squared: real,
     // The greatest d · D that rounding errors can yield for a pair that approaches.
     receding: real,
-    // A disc whose centre ends between these two hits no wall. A margin is included.
+    // A disc hits no wall if both coordinates of its centre are between these two numbers after the
+    // step. A margin is included.
     least: real,
     most: real,
 }
@@ -34,7 +35,7 @@ const WALL: u32 = 0xffffffffu;
 // (x, y, vx, vy) of each disc.
 @group(0) @binding(1) var<storage, read> discs: array<vec4<real>>;
 
-// The number of candidates, and the candidates, as far as there is room.
+// The number of all candidates, and a list that contains as many of them as there is room for.
 @group(0) @binding(2) var<storage, read_write> count: atomic<u32>;
 @group(0) @binding(3) var<storage, read_write> candidates: array<vec2<u32>>;
 

@@ -8,15 +8,15 @@
 // The number of particles in each bin. After the prefix sum, the same memory is `starts`.
 @group(0) @binding(1) var<storage, read_write> counts: array<atomic<u32>>;
 
-// The order in which each particle arrived in its bin: 0 for the first.
+// The arrival number of each particle in its bin: 0 for the first particle.
 @group(0) @binding(8) var<storage, read_write> arrivals: array<u32>;
 
-// The numbers of the particles by bin, in the order of their arrival.
+// The numbers of the particles, bin by bin. The particles of a bin are in the order of arrival.
 @group(0) @binding(9) var<storage, read_write> slots: array<u32>;
 
 // Counts each particle i < box.n in its bin, tags[i].x.
 //
-// Write the number of particles that were counted in the bin before particle i to arrivals[i].
+// Set arrivals[i] to the number of particles that were counted in this bin before particle i.
 // `counts` is zero at the start. Two invocations may reach the same bin at the same time. atomicAdd
 // is indivisible, and returns the value before the addition.
 @compute @workgroup_size(THREADS)
@@ -41,8 +41,8 @@ fn scatter(
 // Copies each particle (tag, position, velocity) to its place in the sorted arrays.
 //
 // The particles of a bin must be in ascending order of their ids, tags[…].y, whatever the order of
-// arrival was. The rank of a particle is the number of particles with a smaller id in the slots of
-// its bin.
+// arrival was. A particle's place within its bin is the number of the bin's slots that contain a
+// particle with a smaller id.
 @compute @workgroup_size(THREADS)
 fn order(
     @builtin(global_invocation_id) id: vec3<u32>,

@@ -22,8 +22,8 @@ pub enum Rebinning {
 /// Sums the forces, then moves the particles, in two parallel loops over `workers`.
 ///
 /// Both loops run on rayon's threads. In the first loop, each worker sums the forces on its
-/// particles, and all workers read `bins`. In the second loop, each worker moves its particles. It
-/// then has only the bins of its own rows, which [`own_bins`] returns.
+/// particles, and all workers read `bins`. In the second loop, each worker moves its particles, and
+/// may access only the bins of its own rows. [`own_bins`] returns these bins for every worker.
 ///
 /// `W` wraps a [`Worker`], so you can call the methods of `Worker` on it.
 ///

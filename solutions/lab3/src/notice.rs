@@ -45,9 +45,9 @@ impl Notice {
 
     /// Returns the posted numbers, or `None` if they have not been posted yet.
     ///
-    /// Read the flag once, and do not wait for it. Each [`Atomic::load`] takes an [`Ordering`]:
-    /// again, choose the weakest that suffices. All numbers in the result must be the posted
-    /// numbers, never older values.
+    /// Read the flag once, and do not wait for it. Each [`Atomic::load`] takes an [`Ordering`].
+    /// Again, choose the weakest orderings that suffice. All numbers in the result must be the
+    /// posted numbers, never older values.
     ///
     /// Book: chapter 3, *A flag instead of a lock*.
     pub fn read(&self) -> Option<Statistics> {

@@ -36,8 +36,8 @@ pub struct Team<O> {
     bins: Vec<RwLock<SortedBins>>,
     /// `mail[from][to]`: the particles that travel from one member to another.
     mail: Vec<Vec<Mutex<Vec<Particle>>>>,
-    /// The observers of each member: one for each of its rows, which has seen the row's pairs in
-    /// the last step.
+    /// The observers of each member, one for each of its rows. An observer has seen the row's pairs
+    /// in the last step.
     seen: Vec<Mutex<Vec<O>>>,
     /// The member that owns each row.
     owners: Vec<usize>,
@@ -66,8 +66,10 @@ impl<O: Observer> Team<O> {
         }
     }
 
-    /// Runs one part of a step for one member. The late member waits until all others have finished
-    /// this part.
+    /// Runs one part of a step for one member.
+    ///
+    /// The parameter `late` may select a member. This member begins the part when all other members
+    /// have finished it.
     fn part(&self, part: Part, member: &mut Member, barrier: &Barrier) {
         let before = self.ended[member.number].load(Ordering::Relaxed);
         for (other, ended) in self.ended.iter().enumerate() {
@@ -145,8 +147,8 @@ impl<O: Observer> Team<O> {
 fn missing_barrier(member: &Member, part: Part, other: usize) -> ! {
     let number = member.number;
     panic!(
-        "task 3.10: member {number} begins its {part:?} before member {other} has ended the part \
-         before: a barrier is missing"
+        "task 3.10: member {number} begins its {part:?} before member {other} has finished the \
+         previous part: a barrier is missing"
     )
 }
 
@@ -187,8 +189,8 @@ pub fn take_posted(bins: &mut SortedBins, number: usize, mail: &[Vec<Mutex<Vec<P
 ///
 /// The documentation of [`Part`] lists what each part reads and writes. Which parts may a member
 /// begin only when every other member has finished the previous part? Wait before these parts:
-/// [`Barrier::wait`] returns when all members that have not finished have called it. In a small
-/// scene, a barrier takes longer than a part, so use no barrier that is not needed.
+/// [`Barrier::wait`] returns when every other member has called it or has taken all its steps. In a
+/// small scene, a barrier takes longer than a part, so use no barrier that is not needed.
 ///
 /// Book: chapter 3, *Barriers*.
 pub fn take_steps(steps: u64, mut part: impl FnMut(Part), barrier: &Barrier) {

@@ -20,11 +20,10 @@ pub struct Parcel {
 /// `cut` are the rows of `grid`.
 ///
 /// - A leaver goes to the rank that owns the row in which it is now ([`Cut::owner`]). This row may
-///   be anywhere in the box. If it is a border row, its neighbours need the leaver as a ghost as
-///   well ([`Cut::neighbours`]). Usually, one of these neighbours is the rank that the particle
-///   left.
-/// - A copy goes only to the neighbours of its row. The owner of the row already has the particle
-///   itself.
+///   be anywhere in the box. If it is a border row, the neighbouring ranks need the leaver as a
+///   ghost ([`Cut::neighbours`]). Usually, the rank that the particle left is one of them.
+/// - A copy goes only to the neighbouring ranks of its row. The owner of the row already has the
+///   particle itself.
 ///
 /// Book: chapter 5, *Sorting at the root*.
 pub fn sort_by_receiver(grid: &Grid, cut: &Cut, parcels: &[Parcel]) -> Vec<Vec<Wire>> {

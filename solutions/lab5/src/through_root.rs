@@ -100,12 +100,11 @@ impl<O: Observer> ThroughRoot<O> {
         }
     }
 
-    /// Moves every particle that changed its bin to the new bin, on whichever rank, and renews all
-    /// ghosts.
+    /// Puts every particle that changed its bin into the new bin, and renews all ghosts.
     ///
-    /// At first, `self.changed` contains the particles that changed their bin. They are no longer
-    /// in their old bins. `self.remote` is empty. In the next step, neither list may still hold a
-    /// particle of this step. Proceed in this order:
+    /// The new bin may be on any rank. At first, `self.changed` contains the particles that changed
+    /// their bin, which are no longer in their old bins, and `self.remote` is empty. Leave both
+    /// lists empty for the next step. Proceed in this order:
     ///
     /// 1. Separate local and remote particles ([`take_leavers_of_block`]). Put the local particles
     ///    into their bins ([`VecBins::put`]).

@@ -12,9 +12,9 @@ use solution7::{Candidate, look_along};
 ///
 /// - On the diagonal, where `row` = `column`, test each pair of the block once, the lower number
 ///   first.
-/// - Elsewhere, test each disc of the [`Part`](hard_disc_ranks::Part) of block `row` (call
-///   [`Part::of`](hard_disc_ranks::Part::of)) with each disc of block `column`. Blocks are in the
-///   order of disc numbers, so the disc of the row has the lower number.
+/// - Elsewhere, `row` < `column`. Test each disc of the [`Part`](hard_disc_ranks::Part) of block
+///   `row` (call [`Part::of`](hard_disc_ranks::Part::of)) with each disc of block `column`. Blocks
+///   are in the order of disc numbers, so the disc of block `row` has the lower number.
 ///
 /// [`look_along`] of lab 7 tests the pairs of one disc with a range of discs of higher numbers.
 ///

@@ -1,9 +1,9 @@
 // Task 9.4: the balanced version.
 //
 // In the basic version, disc 0 has n − 1 partners and the last disc has no partners. The hardware
-// runs neighbouring invocations in step. So most of them wait while the longest one still works.
-// Here walls and pairs have separate kernels, the n (n − 1) / 2 pairs are numbered, and the numbers
-// are dealt like cards: invocation t of T takes the pairs t, t + T, t + 2T, …
+// runs neighbouring invocations in step. So most of them wait for the invocation with the most
+// partners. Here walls and pairs have separate kernels. The n (n − 1) / 2 pairs are numbered, and
+// the numbers are dealt like cards: invocation t of T takes the pairs t, t + T, t + 2T, …
 //
 // The report stores two arrays to find a pair by its number. No array is necessary, because the
 // triangle of all pairs a < b folds into a rectangle.
@@ -17,8 +17,7 @@
 //         05  15  25                        04  14
 //
 // The number of a pair is row * width + column. With 100,000 discs, a number has 33 bits, but an
-// integer in WGSL has 32. The number itself is not needed: row and column are a number with two
-// digits.
+// integer in WGSL has 32. The number itself is not needed: row and column are its two digits.
 
 // The width of the rectangle, and its number of rows.
 fn width() -> u32 {
@@ -33,8 +32,8 @@ fn rows() -> u32 {
 //
 // Let even be 1 if n is even, and 0 otherwise.
 //
-// - On the left and below (column < row + even), the pair is (column, row + even).
-// - Otherwise, it is (n − 2 + even − column, n − 1 − row).
+// - Below the diagonal (column < row + even), the pair is (column, row + even).
+// - Above the diagonal, the pair is (n − 2 + even − column, n − 1 − row).
 fn pair_at(row: u32, column: u32) -> vec2<u32> {
     // task 9.4: a pair from its number
     let even = 1u - square.n % 2u;
@@ -50,7 +49,7 @@ fn pair_at(row: u32, column: u32) -> vec2<u32> {
 // The rectangle may have fewer rows. `me` is the number of this invocation, and `all` is the number
 // of invocations.
 //
-// Go from pair to pair like counting with two digits. The next pair of this invocation is
+// Advance from pair to pair as if you counted with two digits. The next pair of this invocation is
 // all / width() rows and all % width() columns further. If the column becomes too large, carry over
 // to the row.
 fn find_of_pairs(me: u32, all: u32) {

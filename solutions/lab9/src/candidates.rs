@@ -10,10 +10,11 @@ use solution7::{Candidate, Square, pair_hit, wall_hit};
 use crate::Lab9;
 
 impl HardKernels for Lab9 {
-    /// Adds all candidates of some rows of work to `found`.
+    /// Adds all candidates of the rows `rows` to `found`.
     ///
-    /// The kernels count the candidates. If there are more candidates than `finder.capacity()`, the
-    /// device's list contains only some of them.
+    /// A row is a part of the search: the pairs of one disc with all discs after it, or one row of
+    /// the rectangle of pairs. The kernels count the candidates. If there are more candidates than
+    /// `finder.capacity()`, the device's list contains only some of them.
     ///
     /// - `finder.run(rows)` runs the kernels on the rows, and returns the number of candidates.
     /// - If the list had room for all candidates, `finder.fetch(count, found)` adds them to
@@ -51,8 +52,8 @@ impl HardKernels for Lab9 {
 
     /// Records the launches that find the candidates.
     ///
-    /// Set the number of candidates, `finder.count()`, to zero. Then run each of `finder.kernels()`
-    /// on `finder.launch()`.
+    /// Set the number of candidates, `finder.count()`, to zero. Then launch each of
+    /// `finder.kernels()` with `finder.launch()`.
     ///
     /// Book: chapter 9, *A list that grows*.
     fn record(finder: Launches<'_>, work: &mut Work<'_>) {
@@ -66,8 +67,8 @@ impl HardKernels for Lab9 {
 
     /// Replaces `candidates` with the pairs in `found` that the host confirms.
     ///
-    /// The device found these pairs. A pair is (a, b) with a < b, or (a, [`WALL`]). The pair is a
-    /// candidate only if [`pair_hit`] or [`wall_hit`] returns a candidate.
+    /// The device found these pairs. A pair is (a, b) with a < b, or (a, [`WALL`]). It is confirmed
+    /// if [`pair_hit`] or [`wall_hit`] returns a candidate.
     ///
     /// Book: chapter 9, *The same bytes on every device*.
     fn confirm(

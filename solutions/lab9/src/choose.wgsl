@@ -1,19 +1,20 @@
 // Task 9.5: the greedy choice, on the device.
 //
-// The host sorts the candidates, and takes each whose discs are still free. A sort is hard to
-// spread over thousands of invocations, and it is not necessary. A candidate that comes first among
-// all candidates of *each* of its discs must happen, because no other candidate can take its discs.
-// Take all such candidates at once, drop the candidates whose discs are taken, and repeat. The
-// first of all candidates is always among them, so the rounds end. The rounds take the same
-// candidates as the sort.
+// The host sorts the candidates, and takes each candidate whose discs are still free. A sort is
+// hard to spread over thousands of invocations, and it is not necessary. A candidate that comes
+// first among all candidates of *each* of its discs must happen, because no other candidate can
+// take its discs. Take all such candidates at once, drop the candidates whose discs are taken, and
+// repeat. Each round takes at least the first of the remaining candidates, so the rounds end.
+// Together they take the same candidates as the host does after its sort.
 //
-// Times are f64, but this device may not have f64. Of two positive floating-point numbers, the
-// larger also has the larger bits. So a time is two u32, `high` and `low`. Comparing `high` first
-// and then `low` is exact on any device.
+// Times are f64, but this device may not have f64. If positive floating-point numbers are in
+// ascending order, their bits are too. So a time is stored as two u32, `high` and `low`. Comparing
+// `high` first and then `low` is exact on any device.
 //
-// At the same time, walls come before pairs, and pairs are in the order of their first disc, then
-// of their second disc. For the candidates of one disc, this is the order of the *other* disc's
-// number. So the `rank` of a candidate is 0 for a wall, and the other disc's number + 1 for a pair.
+// Of candidates with equal times, walls come before pairs, and pairs are in the order of their
+// first disc, then of their second disc. For the candidates of one disc, this is the order of the
+// *other* disc's number. So the `rank` of a candidate is 0 for a wall, and the other disc's
+// number + 1 for a pair.
 
 struct Candidate {
     high: u32,

@@ -12,9 +12,10 @@ impl Launcher for Lab9 {
     ///   most `max_compute_workgroup_size_x` along x. This kit uses only the x direction in a
     ///   workgroup.
     /// - Along x and along y, a launch has at most `max_compute_workgroups_per_dimension`
-    ///   workgroups, usually 65535. If `blocks` is greater, use as few rows as possible, all of the
-    ///   same length, and make this length as short as possible. There may still be a few more
-    ///   workgroups than `blocks`. They do no harm, because every kernel checks its number.
+    ///   workgroups, usually 65535. If `blocks` is greater, arrange the workgroups in rows along x:
+    ///   as few rows as possible, all of the same length, and this length as short as possible.
+    ///   There may still be a few more workgroups than `blocks`. They do no harm, because every
+    ///   invocation checks its number.
     ///
     /// Book: chapter 9, *A launch*.
     ///

@@ -8,7 +8,7 @@
 // Returns the vector from sorted particle i to sorted particle j, a length.
 //
 // The bin of j is `over` = (columns, rows) away from the bin of i. Offsets are in units of
-// box.side, but the vector is not.
+// box.side. The vector is a length, like box.side.
 fn separation(i: u32, j: u32, over: vec2<i32>) -> vec2<real> {
     // task 9.8: a vector between two bins
     return (vec2<real>(over) + (sorted_positions[j] - sorted_positions[i])) * box.side;
@@ -22,7 +22,7 @@ struct Along {
     v: real,
 }
 
-// Returns the position of a particle that moves by `distance`, before it meets a wall.
+// Returns the position of a particle that moves by `distance`, as if there were no walls.
 //
 // `distance` is in units of the bin's side. The result has an offset 0 ≤ … < 1, from a column that
 // may be outside the box. The offset plus the distance can be any number. Carry its floor over to

@@ -4,8 +4,8 @@
 // it. It turns the numbers of particles in the bins into the starts of the bins.
 //
 // A workgroup sums a block of THREADS numbers in its own fast memory. It cannot see the work of
-// other workgroups, so it writes the sum of its block to `sums`. The host then has these sums
-// summed in the same way, and added to the blocks (task 9.6b).
+// other workgroups, so it writes the sum of its block to `sums`. The host then launches the prefix
+// sum of these sums, and a kernel that adds the result to the blocks (task 9.6b).
 
 @group(0) @binding(0) var<storage, read_write> values: array<u32>;
 @group(0) @binding(1) var<storage, read_write> sums: array<u32>;
@@ -20,10 +20,10 @@
 // - `fetch(k)` reads number k.
 // - `meet()` is the barrier.
 //
-// The algorithm is that of Hillis and Steele. For reach = 1, 2, 4, …, each invocation adds the
-// number `reach` places before its own number to its own number. After the last round, fetch(local)
-// is the sum of the numbers 0 to local of the block, including its own. The prefix sum leaves its
-// own out.
+// The algorithm is that of Hillis and Steele. In the rounds reach = 1, 2, 4, … below THREADS, each
+// invocation adds number local − reach, if it exists, to number local. After the last round,
+// fetch(local) is the sum of the numbers 0 to local of the block. The prefix sum does not include
+// number local itself.
 //
 // The invocations of a workgroup do not run in step. meet() holds each of them until all have
 // called it and all their writes are visible. Each round needs two barriers, and no more: one before

@@ -8,8 +8,8 @@ use crate::Lab9;
 impl SoftKernels for Lab9 {
     /// Adds the launches of a prefix sum to `work`.
     ///
-    /// Each of `scan.levels` has the kernels `scan_blocks` and `add_sums`, and the `launch` on
-    /// which they run.
+    /// Each level in `scan.levels` has the kernels `scan_blocks` and `add_sums`. Launch both with
+    /// the `launch` of their level, which has an invocation for each number.
     ///
     /// 1. On the way up, from level 0 to the last level, each level sums its blocks. So each level
     ///    can read the sums of the level below.
@@ -30,16 +30,19 @@ impl SoftKernels for Lab9 {
 
     /// Records the launches that sort the particles by bin.
     ///
-    /// The tags, positions and velocities of the last step are copied to the sorted arrays.
-    /// `sort.starts` becomes the index at which each bin begins.
+    /// The sorted arrays receive copies of the tags, positions and velocities of the last step.
+    /// `sort.starts` receives the index at which each bin begins.
     ///
-    /// - The kernel `count` counts the particles of each bin in `starts`, which must be zero at
-    ///   first.
+    /// - The kernel `count` adds the number of particles in each bin to `starts`. At first,
+    ///   `starts` contains the numbers of the previous sort: clear it.
     /// - `scan` turns the counts into starts ([`record_scan`](Self::record_scan)).
-    /// - `scatter` gives each particle a slot in its bin, and `order` copies the particle to its
-    ///   index.
+    /// - `scatter` writes the number of each particle to a slot of its bin. The slots of a bin are
+    ///   in the order of arrival.
+    /// - `order` copies each particle to the sorted arrays. There the particles of a bin are in the
+    ///   order of their ids.
     ///
-    /// The kernels `count`, `scatter` and `order` run once for each particle: `sort.launch`.
+    /// Launch the kernels `count`, `scatter` and `order` with `sort.launch`, which has an
+    /// invocation for each particle.
     ///
     /// Book: chapter 9, *A counting sort*.
     fn record_sort(sort: &Sort, work: &mut Work<'_>) {

@@ -76,8 +76,8 @@ pub(crate) fn same_bins(random: &mut Random, ask: &mut impl Ask) {
         let mut regions = filled(BINS, 3);
         in_between(&mut regions, change(last), change(other), Duration::from_millis(100));
         let name = format!(
-            "two threads that run at the same time, and 12 bins with 3 in a region. Particles {other} and {last} \
-             change from bin {from} to bin {to}"
+            "12 bins in regions of 3. At the same time, one thread moves particle {other} and another thread moves \
+             particle {last} from bin {from} to bin {to}"
         );
         ask_bins(ask, &name, &mut regions, |particle| {
             if [other, last].contains(&particle) { to } else { particle as usize / 30 }

@@ -80,7 +80,7 @@ pub(crate) fn one_by_one(random: &mut Random, ask: &mut impl Ask) {
         let mut meter = Meter::default();
         let changes = drawn(random);
         changes.iter().for_each(|change| change_bin(&regions, &mut meter, *change));
-        let name = format!("132 changes, and 12 bins with {each} in a region");
+        let name = format!("12 bins in regions of {each}; 132 changes");
         let question =
             format!("{name}: (1) locks taken, (2) locks waited for, (3) most locks held at once");
         let counts =
@@ -112,8 +112,8 @@ pub(crate) fn large_numbers(_: &mut Random, ask: &mut impl Ask) {
         [meter.locks as f64].into_iter().chain(inside.map(|p| f64::from(*p))).collect()
     };
     let question = format!(
-        "particle {particle} changes from bin {from} of 70000 to bin {to}. Particle 5 is in the old bin too: (1) \
-         number of locks taken, (2) the particles in the two bins"
+        "there are 70000 bins, and particle {particle} changes from bin {from} to bin {to}. Particle 5 is in the old \
+         bin too: (1) number of locks taken, (2) the particles in the two bins"
     );
     ask.exact(&question, found, || vec![2.0, 5.0, f64::from(particle)]);
 }
@@ -125,7 +125,8 @@ pub(crate) fn many_threads(random: &mut Random, ask: &mut impl Ask) {
         let times = 20 + random.below(12);
         let Sent { mut regions, locks } = Sent::by(threads, times as u32, each);
         let name = format!(
-            "{times} changes of each of 360 particles by {threads} threads, and 12 bins with {each} in a region"
+            "12 bins in regions of {each}; {threads} threads together change the bin of each of 360 particles {times} \
+             times"
         );
         let question = format!("{name}: locks taken");
         ask.exact(

@@ -77,7 +77,7 @@ pub trait HardKernels: Launcher + Sized + 'static {
     /// `least_rank`, `take`.
     fn choose() -> &'static str;
 
-    /// Adds all candidates of some rows of work to `found`, in any order.
+    /// Adds all candidates of the rows `rows` to `found`, in any order.
     ///
     /// # Errors
     /// The device has too little memory for the candidates of a single row.
