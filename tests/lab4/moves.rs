@@ -41,8 +41,8 @@ impl Case {
         format!("{n} particles in {along} rows of bins, with ids from {first} on")
     }
 
-    /// Returns the particles after the move, and the changes of bins.
-    fn moved(&self) -> (Vec<Particle>, Vec<usize>) {
+    /// Returns the particles after the move, and the changes of bins: particle, old bin, new bin.
+    fn moved(&self) -> (Vec<Particle>, Vec<[usize; 3]>) {
         let mut particles = self.particles.clone();
         for (p, a) in particles.iter_mut().zip(&self.accelerations) {
             advance(p, *a, self.grid.size());
@@ -50,7 +50,7 @@ impl Case {
         let bins =
             |p: &Particle, now: &Particle| [p.id as usize, self.grid.bin(p), self.grid.bin(now)];
         let all = self.particles.iter().zip(&particles).map(|(p, now)| bins(p, now));
-        let changes = all.filter(|[_, from, to]| from != to).flatten().collect();
+        let changes = all.filter(|[_, from, to]| from != to).collect();
         (particles, changes)
     }
 
@@ -81,15 +81,19 @@ pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
         let mut particles = case.particles.clone();
         let mut reported = Vec::new();
         move_own(&case.grid, &mut particles, &case.accelerations, |change| {
-            reported.extend([change.particle as usize, change.from, change.to]);
+            reported.push([change.particle as usize, change.from, change.to]);
         });
+        // The particles may move in any order.
+        reported.sort_unstable();
         let name = case.name();
         let question = format!("{name}: x y vx vy of each particle");
         ask.exact(&question, || numbers(&particles), || numbers(&case.moved().0));
         let question = format!(
-            "{name}: for each change that is reported, the particle, the old bin and the new bin"
+            "{name}: the particle, the old bin and the new bin of each change that is reported, in ascending order of \
+             particles"
         );
-        ask.exact(&question, || integers(reported), || integers(case.moved().1));
+        let right = || integers(case.moved().1.into_flattened());
+        ask.exact(&question, || integers(reported.into_flattened()), right);
         let question = format!(
             "{name}: number of particles that have already changed their bins when the first change is reported"
         );
