@@ -4,7 +4,7 @@ use hard_discs::Candidate;
 
 use crate::candidate::order;
 
-/// Sorts the candidates, and appends the ones that happen to `taken`.
+/// Sorts the candidates, and appends to `taken` the candidates that happen.
 ///
 /// - Go through the candidates in the order of [`order`].
 /// - A candidate happens if all its discs are still `free` in this step. Append it to `taken`, and

@@ -18,17 +18,18 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Counts the collisions that happened.
+    /// Counts the collisions in `taken`, which happened.
     pub fn taken(&mut self, taken: &[Candidate]) {
         let pairs = taken.iter().filter(|c| matches!(c.hit, Hit::Pair(..))).count();
         self.pairs += pairs as u64;
         self.walls += (taken.len() - pairs) as u64;
     }
 
-    /// Returns the counters of all ranks together, under the names of lab 7, and the messages that
-    /// were sent.
+    /// Returns the sum of each counter over all ranks, under the name that lab 7 uses.
     ///
-    /// All ranks call this function together; only the root's result is valid.
+    /// Also returns the pair tests of the busiest rank, and the messages and bytes per step
+    /// ([`Traffic::report`]). All ranks call this function together; only the root's result is
+    /// valid.
     pub fn report(
         &self,
         world: &SimpleCommunicator,

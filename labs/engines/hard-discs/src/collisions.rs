@@ -65,17 +65,16 @@ pub trait Collisions: Sized + Send + Sync + 'static {
     /// Compares two candidates in the order in which they are taken. The order is total.
     fn order(a: &Candidate, b: &Candidate) -> Ordering;
 
-    /// Appends the candidates that really happen to `taken`, in this order. Marks their discs as
-    /// not free.
+    /// Appends to `taken` the candidates that really happen, and marks their discs as not free.
     ///
-    /// A candidate really happens if all its discs are still `free`. The candidates are left in any
-    /// order.
+    /// The candidates are taken in the order of [`order`](Self::order). A candidate really happens
+    /// if all its discs are still `free`. The list `candidates` is left in any order.
     fn take_in_order(candidates: &mut [Candidate], free: &mut [bool], taken: &mut Vec<Candidate>);
 
-    /// Moves a disc that hits walls at `time` from the start of the step to the end of the step.
+    /// Moves a disc through the whole step. The disc hits the walls of `hit` at `time`.
     fn bounce(disc: &mut Disc, time: f64, hit: Hit, square: Square);
 
-    /// Moves two discs that touch at `time` from the start of the step to the end of the step.
+    /// Moves two discs through the whole step. The discs touch at `time`.
     fn collide(a: &mut Disc, b: &mut Disc, time: f64, square: Square);
 }
 

@@ -23,14 +23,15 @@ pub const BLOCKS: usize = 21;
 /// The unit of work that a worker takes from the queue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Deal {
-    /// This number of discs.
+    /// A chunk with this number of discs.
     Discs(usize),
     /// A whole block.
     Blocks,
 }
 
-/// A search in which every disc is in the smallest block that contains its box of this step.
+/// A search in which every disc is in the smallest block that contains the disc's swept box.
 ///
+/// The swept box contains all points that the disc can touch in the window that is searched.
 /// A disc can meet only the discs of its block and of blocks that overlap this block.
 pub struct Grid<C> {
     rules: PhantomData<C>,
@@ -40,7 +41,7 @@ pub struct Grid<C> {
 }
 
 impl<C: BroadPhase> Grid<C> {
-    /// Makes a grid whose work `workers` take from a queue.
+    /// Makes a grid. The `workers` take the work of a search from a queue, in units of `deal`.
     pub fn new(workers: Workers, deal: Deal) -> Self {
         Self { rules: PhantomData, workers, deal, blocks: vec![Vec::new(); BLOCKS] }
     }
@@ -67,7 +68,7 @@ impl<C: Collisions + BroadPhase + ParallelLoops> Find for Grid<C> {
     ) {
         self.fill(discs, square, window);
         let blocks = &self.blocks;
-        // The iterations of the loop: each is a block and a range of indices of discs in it.
+        // Each iteration of the loop is a block and a range of indices into the block's discs.
         let all_discs = blocks.iter().enumerate().map(|(block, discs)| (block, 0..discs.len()));
         let (iterations, chunk): (Vec<(usize, Range<usize>)>, _) = match self.deal {
             Deal::Blocks => (all_discs.collect(), 1),

@@ -48,12 +48,12 @@ pub fn all_pairs<C: Step>(_: &Config) -> Built {
     engine::<C>(AllPairs::<C>::default(), Choice::Sort, Workers::One)
 }
 
-/// Returns the schedule with a queue of iterations, in chunks of the parameter [`CHUNK`].
+/// Returns the schedule with a queue of iterations. The parameter [`CHUNK`] is the chunk size.
 pub fn dynamic(config: &Config) -> Schedule {
     Schedule::Dynamic { chunk: config.parameter(CHUNK.name) as usize }
 }
 
-/// Builds an engine that tests all pairs and divides `which` loop among threads.
+/// Builds an engine that tests all pairs, and divides the loops that `which` names among threads.
 ///
 /// If both loops are divided, `schedule` applies to the outer loop.
 ///
@@ -63,9 +63,10 @@ pub fn loops<C: Step + ParallelLoops>(config: &Config, which: Which, schedule: S
     built::<C>(config, which, schedule, Collect::Own, Choice::Sort)
 }
 
-/// Builds an engine that tests all pairs with discs from a queue ([`dynamic`]).
+/// Builds an engine that tests all pairs. The threads take discs from a queue ([`dynamic`]).
 ///
-/// `collect` and `choice` are the ways to collect candidates and to put them in order.
+/// The threads store candidates in the place that `collect` names. `choice` is the way to put the
+/// candidates in order.
 ///
 /// # Errors
 /// The system refuses to start the threads.
@@ -97,7 +98,8 @@ pub fn grid<C: Step + BroadPhase + ParallelLoops>(_: &Config) -> Built {
 
 /// Builds an engine with a grid of three levels. Several threads take work from a queue.
 ///
-/// The queue contains discs in chunks ([`DISC_CHUNK`]) or whole blocks ([`WHOLE_BLOCKS`]).
+/// A thread takes either a chunk of discs, whose size is the parameter [`DISC_CHUNK`], or a whole
+/// block, if the parameter [`WHOLE_BLOCKS`] is on.
 ///
 /// # Errors
 /// The system refuses to start the threads.

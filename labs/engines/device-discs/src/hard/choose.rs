@@ -46,7 +46,7 @@ pub enum Choice<K> {
 }
 
 impl<K: HardKernels> Choice<K> {
-    /// Appends the candidates that really happen to `taken`, and marks their discs as not free.
+    /// Appends to `taken` the candidates that really happen, and marks their discs as not free.
     ///
     /// # Errors
     /// The device has too little memory for these candidates, or its rounds do not end.
