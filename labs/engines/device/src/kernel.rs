@@ -35,8 +35,8 @@ impl Kernel {
     /// valid WGSL, or that need a feature that the device lacks.
     ///
     /// # Panics
-    /// A task in the sources is not done yet ([`refuse_todo`]), or the device refuses the sources
-    /// outside an error scope.
+    /// If a task in the sources is not done yet ([`refuse_todo`]), or if the device refuses the
+    /// sources and no error scope is open.
     pub fn new(
         gpu: &Gpu,
         name: &'static str,

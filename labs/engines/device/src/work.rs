@@ -62,12 +62,13 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Submits the work and does not wait for it. If the device refuses any part of the work, it
-    /// runs nothing.
+    /// Submits the work. Waits for the device only if there is a stopwatch.
+    ///
+    /// If the device refuses any part of the work, the device runs nothing.
     ///
     /// # Panics
-    /// The device refuses the work outside an error scope. It never refuses a compiled kernel with
-    /// a launch within its limits.
+    /// If the device refuses the work and no error scope is open. The device never refuses a launch
+    /// of a compiled kernel that is within the device's limits.
     pub fn submit(mut self) {
         self.pass = None;
         let timed = self.stopwatch.filter(|_| !self.launches.is_empty());

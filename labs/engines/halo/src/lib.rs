@@ -10,13 +10,16 @@
 //! | [`Blocks`] | the partition of the rows, the neighbours, the interior, the targets of movers |
 //! | [`Messages`] | how lists travel to the neighbours while a rank works, and to all ranks |
 //!
-//! The compiler resolves the calls. All ranks run the same program, and call the functions of
+//! The compiler resolves the calls to these traits, so they cost no more than calls to ordinary
+//! functions. All ranks run the same program, and call the functions of
 //! [`Simulation`](common::soft::Simulation) together.
 //!
 //! # Example
 //!
-//! Seven rows are divided among three ranks, and one rank gets no rows. The last line shows the
-//! rows of a block that need ghosts:
+//! Seven rows are divided among three ranks, and one rank gets no rows. The last line computes
+//! which rows of block 2, the rows 3 to 6, need ghosts. The interior of this block is `4..7`. Row 3
+//! needs ghosts from row 2. Row 6 is at the wall of the box and needs none, so the second range is
+//! empty:
 //!
 //! ```
 //! use halo::{Cuts, border_rows};

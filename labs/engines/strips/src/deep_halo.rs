@@ -32,6 +32,7 @@ pub struct Outlook {
     pub height: f64,
     /// Number of particles of a rank, at least 1.
     pub particles: f64,
-    /// Number of steps that the lists of all ranks last, at least 1. No epoch is longer.
+    /// Greatest number of steps of an epoch, at least 1. The lists of all ranks are expected to
+    /// last this number of steps.
     pub most: u32,
 }

@@ -61,7 +61,7 @@ pub struct Scenery {
     pub density: f64,
     /// Height of a strip. The length of the strip along x does not matter.
     pub height: f64,
-    /// Number of steps that the lists of all ranks last, at least 1. Ghosts are chosen again when
-    /// the lists end.
+    /// Greatest number of steps that ghosts should last, at least 1. The lists of all ranks are
+    /// expected to last this number of steps, and ghosts are chosen again when lists are rebuilt.
     pub most: u32,
 }

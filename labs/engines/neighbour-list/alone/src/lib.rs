@@ -14,7 +14,7 @@ use neighbour_list_core::kernels::{
 };
 use neighbour_list_core::{Bodies, Primitives};
 
-/// Whether near pairs are random or absent.
+/// Whether chance decides which pairs are near. Otherwise no pair is near.
 pub const DRAWN: Parameter =
     Parameter::switch("drawn", "1: chance decides what is near; 0: nothing is", true);
 
@@ -30,12 +30,16 @@ pub fn plain(_: &Config) -> Built {
     of(|data| dispatch(Plain(data)), false)
 }
 
-/// Builds the program that lists pairs with [`Primitives::collect`], for the parameter [`DRAWN`].
+/// Builds the program that lists pairs with [`Primitives::collect`].
+///
+/// The parameter [`DRAWN`] determines which pairs are near.
 pub fn collect<P: Primitives>(config: &Config) -> Built {
     of(|data| dispatch(Collect(data, PhantomData::<P>)), is_drawn(config))
 }
 
-/// Builds the program that filters pairs with [`Primitives::filter`], for the parameter [`DRAWN`].
+/// Builds the program that filters pairs with [`Primitives::filter`].
+///
+/// The parameter [`DRAWN`] determines which pairs are near.
 pub fn filter<P: Primitives>(config: &Config) -> Built {
     of(|data| dispatch(Filter(data, PhantomData::<P>)), is_drawn(config))
 }
@@ -72,8 +76,8 @@ struct Loop {
     /// Zero accelerations.
     zeros: Vec<f64>,
     pairs: Vec<Pair>,
-    /// Whether chance decides which particles are near, and with how many particles each is
-    /// compared.
+    /// Whether chance decides which pairs are near, and how many following particles [`Collect`]
+    /// compares with each particle.
     drawn: bool,
     passes: usize,
     /// Number of near pairs and of chunks with a particle outside. The compiler cannot omit work
@@ -91,8 +95,8 @@ struct Plain<'a>(&'a mut Loop);
 /// Calls [`collect`](Primitives::collect) for nearly all particles, each with the next three
 /// particles.
 ///
-/// If the near pairs are to be random, each particle is compared with a random number of following
-/// particles (0 to 6) instead.
+/// If `drawn` is true, each particle is compared with a random number of following particles
+/// instead, from 0 to 6.
 struct Collect<'a, P>(&'a mut Loop, PhantomData<P>);
 
 /// Calls [`filter`](Primitives::filter) with nearly every pair of consecutive particles.

@@ -102,7 +102,9 @@ impl Arrangement {
     }
 }
 
-/// Sorts the pairs of each crowd and removes duplicates. The pairs of the crowds end at `ends`.
+/// Sorts the pairs of each crowd and removes duplicates.
+///
+/// `ends[i]` is the end of crowd i's pairs in `groups.pairs`, before duplicates are removed.
 fn sort_pairs(groups: &mut Groups, ends: &[u32]) {
     let mut start = 0;
     let mut kept = 0;
@@ -122,7 +124,8 @@ fn sort_pairs(groups: &mut Groups, ends: &[u32]) {
     groups.pairs.truncate(kept);
 }
 
-/// Returns the start of each run, if runs of these lengths follow one another from 0 on.
+/// Returns the start of each run. The first run starts at 0, and each other run starts where the
+/// previous run ends.
 fn running_starts(lengths: &[u32]) -> Vec<u32> {
     let mut start = 0;
     let mut starts = Vec::with_capacity(lengths.len());

@@ -14,9 +14,9 @@ use crate::span::Span;
 /// group, and so on. Returns whether all members stayed in the box. If one left the box, the result
 /// is not valid.
 ///
-/// Members are in the order of their ids. Every pair of a group is computed, whether in contact or
-/// not, because adding zero changes no bit. If there are fewer than sixteen groups, the last group
-/// is computed several times.
+/// Members are in the order of their ids. Every pair of a group is computed, to avoid a branch. A
+/// pair that is not in contact adds zero to the accelerations, which changes no bit. If there are
+/// fewer than sixteen groups, the last group is computed several times.
 #[inline(always)]
 pub(crate) fn run_together<const M: usize>(
     start: &Bodies,
