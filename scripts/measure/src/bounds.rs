@@ -28,7 +28,10 @@ pub struct Costs {
     operation: f64,
 }
 
-/// Nanoseconds per particle and step that the counts of a program allow.
+/// Bounds on a program's time per particle and step, in nanoseconds, computed from its counts.
+///
+/// `instructions` and `bandwidth` are lower bounds. `branches` assumes a simple predictor and
+/// `latency` assumes no prefetching, so a program may take less time than these two.
 #[derive(Clone, Copy, Deserialize, Serialize)]
 pub struct Bounds {
     /// Time of the instructions at the core's greatest rate.
@@ -78,7 +81,10 @@ impl Costs {
 }
 
 impl Bounds {
-    /// Computes the bounds from counts per particle and step, and from the streaming bound.
+    /// Computes the bounds from counts per particle and step.
+    ///
+    /// `streaming` is the measured time per particle of streaming, in nanoseconds. It determines
+    /// the bandwidth of this machine.
     pub fn new(counts: Counts, costs: &Costs, streaming: f64) -> Self {
         let [instructions, first, last, mispredicted] = counts;
         Self {
@@ -122,6 +128,8 @@ pub(crate) fn bytes(counts: Counts) -> f64 {
 }
 
 /// Returns the bytes that streaming loads into the first-level cache in a nanosecond.
+///
+/// `streaming` is the time per particle of streaming, in nanoseconds.
 pub(crate) fn bandwidth(streaming: f64) -> f64 {
     STREAMED / streaming
 }

@@ -3,7 +3,9 @@
 use lab_kit::table::three_digits;
 use serde::{Deserialize, Serialize};
 
-/// Seconds of the takes of a run. There is at least one take.
+/// Times, in seconds, of a run that was measured several times.
+///
+/// Each measurement is a *take*. There is at least one take.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Times {
     /// The shortest take. It is the most reliable one, because noise only adds time.
@@ -14,7 +16,7 @@ pub struct Times {
     pub takes: Vec<f64>,
 }
 
-/// A quantity computed from the shortest take and from the median.
+/// A quantity that is computed twice: from the shortest take, and from the median.
 #[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub struct Span {
     /// The quantity from the shortest take.
@@ -30,12 +32,13 @@ pub struct Ratio {
     pub of_minima: f64,
     /// Ratio of the medians.
     pub of_medians: f64,
-    /// Whether the ranges of the two runs do not overlap, so that one of them is faster.
+    /// Whether one run is faster: its range, from the shortest take to the median, does not overlap
+    /// the range of the other run.
     pub decided: bool,
 }
 
 impl Times {
-    /// Summarises takes, in any order. Returns `None` if there are no takes.
+    /// Summarises takes, which are seconds in any order. Returns `None` if there are no takes.
     pub fn of(mut takes: Vec<f64>) -> Option<Self> {
         takes.sort_by(f64::total_cmp);
         let min = *takes.first()?;

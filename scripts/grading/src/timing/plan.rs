@@ -114,8 +114,8 @@ mod tests {
         }
         let count = jobs.len();
         let own = jobs.iter().filter(|job| job.whose == Whose::Own).count();
-        // There are 7 sizes for complexity. For scaling, 2 workers and 3 workers each run on the
-        // full scene and on a scene that grows with their number.
+        // Complexity needs 7 runs, one for each size. Scaling needs 4 runs: for both numbers of
+        // workers, 2 and 3, one run on the full scene and one run on a scene that grows with them.
         assert!(own == 7 + 4 && count < 40, "{own} of {count}");
     }
 

@@ -80,9 +80,10 @@ fn is_for(page: &str, labs: &[Lab]) -> bool {
     }
 }
 
-/// Returns the text with its quizzes written out, because the handout has no known-wrong programs.
+/// Returns the text with the quizzes about `collected` labs written out as Markdown.
 ///
-/// A quiz reveals much of an answer, so only quizzes about `collected` labs are kept.
+/// A quiz shows the code of a known-wrong program, and the handout has no such programs. A quiz
+/// reveals much of an answer, so the quizzes about labs that are not collected yet are removed.
 fn with_quizzes(kit: &Kit, collected: &[Lab], text: &str) -> Result<String> {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {
@@ -99,7 +100,9 @@ fn with_quizzes(kit: &Kit, collected: &[Lab], text: &str) -> Result<String> {
     Ok(out)
 }
 
-/// Returns the text with the included code of files that the handout lacks.
+/// Returns the text with code in place of each include of a file that the handout lacks.
+///
+/// Includes of files in `labs` are replaced by code, too.
 fn with_code(kit: &Kit, page: &Path, text: &str, files: &Files) -> Result<String> {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {
@@ -113,7 +116,7 @@ fn with_code(kit: &Kit, page: &Path, text: &str, files: &Files) -> Result<String
         let source = fs::canonicalize(&source)
             .with_context(|| format!("{} shows {path}", page.display()))?;
         let in_kit = source.strip_prefix(fs::canonicalize(kit.root())?)?.to_owned();
-        // A lab's starter has no anchors, so code from it is written out.
+        // A lab's starter has no anchors, so an include of a part of it would find nothing.
         if files.contains_key(&in_kit) && !in_kit.starts_with("labs") {
             out.push_str(line);
             continue;

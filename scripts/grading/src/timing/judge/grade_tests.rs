@@ -57,8 +57,8 @@ fn the_slope_decides() {
 
 #[test]
 fn to_dawdle_on_small_scenes_makes_no_line_flat() {
-    // The program computes all pairs. On small scenes it waits until four seconds have passed, as
-    // on the largest scene.
+    // The program computes all pairs. On small scenes it waits until four seconds have passed,
+    // which is about its time on the largest scene.
     let (grade, words) = complexity(|n| (1e-9 * n * n).max(4.0));
     assert!(grade.unwrap() < 30.0 && words.contains("begins at the solution's"), "{words}");
     let (grade, _) = complexity(|n| 2e-6 * n + 1.0);
@@ -67,8 +67,8 @@ fn to_dawdle_on_small_scenes_makes_no_line_flat() {
 
 #[test]
 fn to_sleep_on_small_scenes_makes_no_line_flat() {
-    // The program is quadratic. On the largest scene it is five times as slow as the solution. On
-    // smaller scenes it sleeps until it is five times as slow, too.
+    // The program is quadratic. On the largest scene it takes about five times as long as the
+    // solution. On smaller scenes it sleeps until it has taken five times as long there, too.
     let rubric = Facts { complexity: timed(64_000), ..Facts::default() };
     let work = |n: f64| 1.5e-10 * n * n;
     let mut record = record(&rubric, 2, |whose, n, _| {
@@ -127,8 +127,8 @@ fn one_worker_at_work_does_not_scale() {
     let (verdict, grade, words) = grade_of_scaling(&scaling(|n, _| 2e-6 * n));
     assert_eq!((verdict, grade), (Verdict::Graded, Some(0.0)), "{words}");
     assert!(words.contains("no faster than one"), "{words}");
-    // A submitted program that is faster than the grader's serial program may still run on one
-    // worker.
+    // This program uses only one worker, but it takes half the time of the grader's serial program.
+    // So its times alone look like those of a parallel program.
     let mut record = scaling(|n, _| 1e-6 * n);
     assert_eq!(grade_of_scaling(&record).1, Some(100.0));
     for run in record.found.runs.iter_mut().filter(|run| run.whose == Whose::Own) {
@@ -235,7 +235,8 @@ fn only_what_can_be_graded_is_timed_again() {
     let noisy = 4.0;
     let done = |cores, record: Record| is_done_on(cores, &record.found, &rubric);
     assert!(done(2, of(2, quiet)) && !done(2, of(2, noisy)));
-    // With one core there is no scaling. With more cores there is.
+    // With one core, no run of scaling is needed. With two cores, runs are needed, and the record
+    // of one core lacks them.
     assert!(done(1, of(1, quiet)) && !done(2, of(1, quiet)));
     let mut half = of(2, quiet);
     half.found.runs.retain(|run| run.whose != Whose::Own);
