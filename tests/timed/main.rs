@@ -41,7 +41,7 @@ fn order(line: &str) -> Option<Order> {
 
 fn line() -> String {
     let mut line = String::new();
-    // A grader that closes the pipe has no further orders.
+    // If the grader has closed the pipe, the line is empty and there is no further order.
     let _ = io::stdin().read_line(&mut line);
     line
 }
@@ -79,7 +79,7 @@ fn timed(nonce: &str, team: &Team<'_>) -> io::Result<()> {
     out.write_all(&bytes)?;
     out.flush()?;
     drop(out);
-    // The grader measures the processors' work while this process exists.
+    // Wait for the grader, which can read the processor time only while this process exists.
     line();
     Ok(())
 }

@@ -41,7 +41,7 @@ impl DiscsOnRanks {
         Self { task, variant, config, ranks: ranks.to_vec(), first: |_| {} }
     }
 
-    /// Returns the same runs, with a call to `first` on every rank before each run.
+    /// Returns the same runs, in which every rank calls `first` before it builds an engine.
     #[must_use]
     pub fn first(mut self, first: fn(&SimpleCommunicator)) -> Self {
         self.first = first;
@@ -90,7 +90,8 @@ impl DiscsOnRanks {
         });
     }
 
-    /// Asks for the variant's counters with these names after `steps` steps of a scene.
+    /// Asks for the variant's counters with these `names` after `steps` steps of a scene. `verdict`
+    /// receives the root's counters, NaN for a counter that the variant does not have.
     pub fn counters(
         &self,
         ask: &mut impl Ask,
@@ -147,7 +148,7 @@ impl DiscsOnRanks {
         });
     }
 
-    /// Returns an engine of the variant, as `common` builds it, after the call to `first`.
+    /// Calls the function that was set with `first`, and then builds an engine of the variant.
     ///
     /// # Panics
     /// If the engine cannot be built.

@@ -146,7 +146,7 @@ impl RunsOnRanks {
         });
     }
 
-    /// Returns an engine of the variant, as `common` builds it.
+    /// Builds an engine of the variant.
     ///
     /// # Panics
     /// If the engine cannot be built.

@@ -8,8 +8,10 @@ use crate::Columns;
 /// Beginning of each line of a rank's column, on the rank's standard output.
 const MARK: &str = "|column|";
 
-/// Prints a column for [`join_columns`]: the contents of each row on `rank`, by the row's name. All
-/// ranks must print the same rows once; a rank without contents passes an empty text.
+/// Prints the column of `rank` for [`join_columns`]: the name and the contents of each row.
+///
+/// Each rank must call this function exactly once, and all ranks must pass the same row names in
+/// the same order. The text of a row without contents is empty.
 pub fn print_column(rank: i32, rows: &[(&str, String)]) {
     let mut lines = String::from("\n");
     for (row, (name, cell)) in rows.iter().enumerate() {

@@ -56,7 +56,7 @@ fn window(
     length: f64,
     tolerance: f64,
 ) -> Result<(), String> {
-    // If a particle exceeds the allowed speed below, the window is computed again.
+    // The loop below computes the window again if a particle exceeds the allowed speed.
     let speeds: Vec<f64> = particles.iter().map(|p| p.vx.hypot(p.vy)).collect();
     let mut allowed = 1.25 * speeds.iter().copied().fold(0.0, f64::max) + 0.1;
     loop {
