@@ -63,11 +63,16 @@ impl Taken {
             self.taken.push(*candidate);
         }
     }
+}
 
-    /// Returns the candidates that were taken, and for each disc whether it is free.
-    fn numbers(&self) -> Vec<f64> {
-        [values(&self.taken), flags(&self.free)].concat()
-    }
+/// Asks which candidates are taken, and which discs are free afterwards.
+fn ask_both(ask: &mut impl Ask, case: &str, found: impl Fn() -> Taken, right: impl Fn() -> Taken) {
+    let question = format!("{case}: {EACH} taken afterwards, in their order");
+    ask.exact(&question, || values(&found().taken), || values(&right().taken));
+    let question = format!(
+        "{case}: for each disc, from disc 0 on, 1 if it is still free afterwards, 0 if not"
+    );
+    ask.exact(&question, || flags(&found().free), || flags(&right().free));
 }
 
 /// Asks whether a candidate of any kind is taken when some discs are no longer free.
@@ -80,20 +85,19 @@ pub(crate) fn single_takes(random: &mut Random, ask: &mut impl Ask) {
         let hit = [pair, pair, Hit::Corner(a), Hit::WallX(a)][random.below(4)];
         let candidate = Candidate { time: random.between(0.0, 1.0), hit };
         let gone: Vec<usize> = (0..discs).filter(|&disc| !before.free[disc]).collect();
-        let question = format!(
-            "{}. There are {discs} discs, of which {gone:?} are not free, and one candidate is taken already: {EACH} \
-             taken afterwards; then for each disc 1 if it is still free, 0 if not",
+        let case = format!(
+            "{}. There are {discs} discs, of which {gone:?} are not free, and one candidate is taken already",
             event(&candidate)
         );
         let found = || {
             let mut after = before.clone();
             take(&candidate, &mut after.free, &mut after.taken);
-            after.numbers()
+            after
         };
-        ask.exact(&question, found, || {
+        ask_both(ask, &case, found, || {
             let mut after = before.clone();
             after.take(&candidate);
-            after.numbers()
+            after
         });
     }
 }
@@ -132,20 +136,19 @@ pub(crate) fn takes(random: &mut Random, ask: &mut impl Ask) {
         let sorted = in_order(random, n, discs);
         let mut given = sorted.clone();
         random.shuffle(&mut given);
-        let question = format!(
-            "{} candidates of {discs} discs, and one more candidate that is taken already: {EACH} taken afterwards, \
-             in their order; then for each disc 1 if it is still free, 0 if not",
+        let case = format!(
+            "{} candidates of {discs} discs, and one more candidate that is taken already",
             given.len()
         );
         let found = || {
             let mut after = before.clone();
-            take_in_order(&mut given, &mut after.free, &mut after.taken);
-            after.numbers()
+            take_in_order(&mut given.clone(), &mut after.free, &mut after.taken);
+            after
         };
-        ask.exact(&question, found, || {
+        ask_both(ask, &case, found, || {
             let mut after = before.clone();
             sorted.iter().for_each(|candidate| after.take(candidate));
-            after.numbers()
+            after
         });
     }
 }
