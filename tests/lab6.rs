@@ -54,9 +54,10 @@ oracle::questions! {
     }
     task_6_6 {
         table_of_leavers => "Particles that left the block of a rank, and their new rows: the particles (1) for the \
-                             rank before, (2) for the rank after, (3) for ranks farther away.",
-        leavers => "60 particles that left the block of any rank: the particles (1) for the rank before, (2) for the \
-                    rank after, (3) for ranks farther away.",
+                             neighbour with the lower number, (2) for the neighbour with the higher number, (3) for \
+                             ranks farther away.",
+        leavers => "60 particles that left the block of any rank: the particles (1) for the neighbour with \
+                    the lower number, (2) for the neighbour with the higher number, (3) for ranks farther away.",
         one_step after "6.3, 6.4, 6.5" => "One step of a dozen particles on ranks with two rows each: the messages \
                                            that each rank sends and gets.",
     }

@@ -36,8 +36,8 @@ pub(crate) fn two_runs(random: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn steps_in_a_row(random: &mut Random, ask: &mut impl Ask) {
     let scene = Kind::Official.scene(500, random.bits() as u32 | 1);
     let question = format!(
-        "{}, 500 particles, {STEPS} official steps one by one with a read after each, and then in a row: x and y of \
-         each particle, for both runs",
+        "{}, 500 particles, {STEPS} official steps with a read after each step, and then the same steps with one read \
+         after the last: x and y of each particle at the end, for both runs",
         entry().name()
     );
     let found = || {

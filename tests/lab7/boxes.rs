@@ -146,7 +146,8 @@ pub(crate) fn looks_around(random: &mut Random, ask: &mut impl Ask) {
             blocks[block].push((k * 7919 % 4097 * 70_001) as u32);
         }
         let question = format!(
-            "{n} discs in blocks {blocks:?}: both discs of each pair that is tested, in ascending order"
+            "{n} discs in blocks {blocks:?}: the two discs of each tested pair, the lower disc first, with the pairs \
+             in ascending order"
         );
         ask.exact(&question, || pairs_looked_at(&blocks), || pairs_that_may_meet(&blocks));
     }

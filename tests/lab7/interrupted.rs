@@ -77,8 +77,8 @@ pub(crate) fn interrupted_queue(random: &mut Random, ask: &mut impl Ask) {
     for (places, is_long) in Places::drawn(random, 40) {
         let n = if is_long { 20_000 + 10 * random.below(2) } else { 100 };
         let question = format!(
-            "{n} iterations in chunks of 10. A second worker takes a part each time the first worker is interrupted, \
-             {}: the start and end of each part of both workers",
+            "{n} iterations in parts of 10. A second worker takes a part each time the first worker is interrupted, \
+             {}: the start and end of each part that the first or the second worker takes",
             places.words()
         );
         ask.exact(
@@ -152,7 +152,7 @@ fn holds_all(found: &[f64], own: u32) -> Result<(), String> {
     match missing {
         Some(disc) => Err(format!("the candidate of disc {disc} is not in the list")),
         None if discs.len() > right.count() => {
-            Err(format!("{} slots are in use, which are too many", discs.len()))
+            Err(format!("too many slots are in use: {}", discs.len()))
         }
         None => Ok(()),
     }

@@ -129,12 +129,14 @@ fn is_its_job(deal: &Deal, worker: usize, d: usize, job: &[usize]) -> Result<(),
     let Deal { workers, offsets } = deal;
     let [row, column, part] = [job[0], job[1], job[2]];
     if row > column || column >= *workers {
-        return Err("the row must be the smaller number of the two blocks");
+        return Err(
+            "row and column must be two block numbers below the number of workers, with row ≤ column",
+        );
     }
     let is_opposite = d > 0 && 2 * d == *workers;
     if is_opposite != (part > 0) {
         return Err(
-            "two opposite blocks must be searched by halves, and all other pairs of blocks as a whole",
+            "the part must be 1 or 2 (a half) for opposite blocks, and 0 (the whole) for every other pair of blocks",
         );
     }
     // The block `near` is at offset p of the worker. The block `far` is d steps further round the
@@ -142,15 +144,15 @@ fn is_its_job(deal: &Deal, worker: usize, d: usize, job: &[usize]) -> Result<(),
     let from_row = if is_opposite { part == 1 } else { (row + d) % workers == column };
     let [near, far] = if from_row { [row, column] } else { [column, row] };
     if (near + d) % workers != far {
-        return Err("the distance between the two blocks is different");
+        return Err("the blocks of row and column are not at this distance from each other");
     }
     let offset = (near + workers - worker) % workers;
     let bridges = |p: &usize| offsets.contains(&((p + d) % workers));
     match offsets.iter().find(|p| **p == offset || bridges(p)) {
         Some(first) if *first == offset && bridges(first) => Ok(()),
         _ => Err(
-            "the job must belong to the first of the worker's offsets that makes this distance with another of its \
-             blocks. The worker does not have both blocks, or an earlier offset makes this distance too",
+            "the job must be made from the worker's first offset that is at this distance from another of the worker's \
+             offsets. Either the worker does not have both blocks, or an earlier offset is at this distance too",
         ),
     }
 }

@@ -6,8 +6,9 @@
 
 /// Returns the root of the group of number `k`: follow the parents until a number is its own parent.
 ///
-/// Replace the parent of each number that you pass by its grandparent. The number stays in its group, and
-/// the path is half as long for the next search.
+/// On the way, make the grandparent of each number that you visit its new parent, and visit this
+/// grandparent next. The number stays in its group, and the path is half as long for the next
+/// search.
 ///
 /// Book: chapter 11, *Groups*.
 #[inline]

@@ -60,5 +60,5 @@ pub fn move_own(
     accelerations: &[Vec2],
     mut changed: impl FnMut(Change),
 ) {
-    todo!("task 4.4: move, and change bins at that moment")
+    todo!("task 4.4: move particles, and report each change of bin at once")
 }

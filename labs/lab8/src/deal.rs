@@ -46,10 +46,10 @@ pub fn distance(i: usize, j: usize, workers: usize) -> usize {
 /// blocks may be enough. For W = 7, blocks 0, 1 and 3 are enough: 0 and 1 are 1 apart, 1 and 3 are
 /// 2 apart, and 0 and 3 are 3 apart. Fewer blocks mean fewer bytes.
 ///
-/// The rule: begin with 0. While a distance is missing, add one of the offsets 1 … W − 1. Choose
-/// the offset whose distances to the offsets chosen so far include the most missing distances. If
-/// several offsets are equally good, choose the least. [`distance`] returns the distance between
-/// two offsets.
+/// The rule: begin with 0. While a distance is missing, count for each of the offsets 1 … W − 1 how
+/// many of the missing distances occur between it and the offsets chosen so far. Add the offset
+/// with the highest count. If several offsets have this count, add the least of them. [`distance`]
+/// returns the distance between two offsets.
 ///
 /// (Finding the fewest blocks is a hard problem, known as difference bases. A few more blocks do no
 /// harm here.)

@@ -11,10 +11,12 @@ impl SoftKernels for Lab9 {
     /// Each level in `scan.levels` has the kernels `scan_blocks` and `add_sums`. Launch both with
     /// the `launch` of their level, which has an invocation for each number.
     ///
-    /// 1. On the way up, from level 0 to the last level, each level sums its blocks. So each level
-    ///    can read the sums of the level below.
-    /// 2. On the way down, the last level is already complete. Each level below it, from the last
-    ///    but one to level 0, adds the sums of the level above to its blocks.
+    /// 1. On the way up, launch `scan_blocks` for every level, from level 0 to the last level. The
+    ///    launch of a level also writes the sums of its blocks, which are the numbers of the next
+    ///    level.
+    /// 2. On the way down, launch `add_sums` for every level except the last, from the last but one
+    ///    to level 0. The launch of a level adds the numbers of the next level to its blocks. The
+    ///    last level is a single block, so it is already complete.
     ///
     /// Book: chapter 9, *A prefix sum of any length*.
     fn record_scan(scan: &Scan, work: &mut Work<'_>) {
@@ -29,8 +31,8 @@ impl SoftKernels for Lab9 {
     /// - The kernel `count` adds the number of particles in each bin to `starts`. At first,
     ///   `starts` contains the numbers of the previous sort: clear it.
     /// - `scan` turns the counts into starts ([`record_scan`](Self::record_scan)).
-    /// - `scatter` writes the number of each particle to a slot of its bin. The slots of a bin are
-    ///   in the order of arrival.
+    /// - `scatter` writes the index of each particle in the unsorted arrays (not its id) to a slot
+    ///   of its bin. The slots of a bin are in the order of arrival.
     /// - `order` copies each particle to the sorted arrays. There the particles of a bin are in the
     ///   order of their ids.
     ///

@@ -11,7 +11,7 @@
 // The arrival number of each particle in its bin: 0 for the first particle.
 @group(0) @binding(8) var<storage, read_write> arrivals: array<u32>;
 
-// The numbers of the particles, bin by bin. The particles of a bin are in the order of arrival.
+// The indices of the particles, bin by bin. The particles of a bin are in the order of arrival.
 @group(0) @binding(9) var<storage, read_write> slots: array<u32>;
 
 // Counts each particle i < box.n in its bin, tags[i].x.
@@ -28,7 +28,7 @@ fn count(
     // todo: task 9.7: count the particles of each bin
 }
 
-// Puts the number of each particle into the slots of its bin, in the order of arrival.
+// Puts the index of each particle into the slots of its bin, in the order of arrival.
 @compute @workgroup_size(THREADS)
 fn scatter(
     @builtin(global_invocation_id) id: vec3<u32>,

@@ -7,7 +7,7 @@ use windows::Span;
 
 /// Advances `x`, one coordinate of each particle in free flight, by `steps` steps of length `dt`.
 ///
-/// `v` contains the velocity of each particle. No wall is near.
+/// `v` contains the velocity of each particle along this coordinate. No wall is near.
 ///
 /// The result must be, bit for bit, the result of single steps. Each step rounds the product
 /// `v * dt` once, adds it to the position, and rounds the sum. But fetch each particle from memory

@@ -76,7 +76,7 @@ pub fn move_own(
     accelerations: &[Vec2],
     mut changed: impl FnMut(Change),
 ) {
-    // task 4.4: move, and change bins at that moment
+    // task 4.4: move particles, and report each change of bin at once
     for (particle, a) in particles.iter_mut().zip(accelerations) {
         let from = grid.bin(particle);
         advance(particle, *a, grid.size());

@@ -10,8 +10,8 @@ use hard_discs::{Candidate, Hit};
 /// time λ is d + λ D. Let s = d · D.
 ///
 /// - If s ≥ 0, the discs do not approach each other. Return `None`, even if they overlap.
+///   (Discs at the same position have s = 0, so the result for them is `None`.)
 /// - Otherwise, if they overlap or touch already (|d|² ≤ 4 r²), they collide at once, at λ = 0.
-///   (Discs at the same position have s = 0.)
 /// - Otherwise, |d + λ D|² = 4 r² is a quadratic equation with Δ = 4 r² |D|² − (d × D)². If Δ ≤ 0,
 ///   the discs pass each other, or only graze. If Δ > 0, they first touch at the smaller root,
 ///   λ = (−s − √Δ) / |D|².

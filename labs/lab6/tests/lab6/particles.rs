@@ -98,8 +98,9 @@ pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
         );
         for side in [0, 1] {
             let question = format!(
-                "{name}: id, x, y, vx, vy of each particle for the rank {}, in the order in which the particles came",
-                ["before", "after"][side]
+                "{name}: id, x, y, vx, vy of each particle for the neighbour with the {} number, in the order in which \
+                 the particles came",
+                ["lower", "higher"][side]
             );
             let found = || numbers(&sorted.near[side]);
             ask.exact(&question, found, || numbers(&left.sorted().near[side]));
