@@ -87,12 +87,12 @@ pub(crate) fn difficulty(task: &TaskFacts) -> String {
     "●".repeat(task.mark) + &"○".repeat(3_usize.saturating_sub(task.mark))
 }
 
-/// Returns the words for a task that is not a core task.
+/// Returns `, optional` for a task that is not a core task; empty for a core task.
 pub(crate) fn optional(task: &TaskFacts) -> &'static str {
     if task.optional { ", optional" } else { "" }
 }
 
-/// Returns the row of a table of tasks with a link to the task. Any other line stays as it is.
+/// Returns the line. If it is the row of a task in a table, the task's number becomes a link.
 fn linked(line: &str, hints: &[Hints]) -> String {
     for Hints { task, .. } in hints {
         if let Some(rest) = line.strip_prefix(&format!("| {task} |")) {
@@ -127,7 +127,7 @@ mod tests {
 
     const PAGE: &str = "# Lab\n\n| 1.2 | `f` |\n| 9.9 | x |\n\n### Force\n\nPush.\n\n```sh\n# Move\n```\n\n### Move\n\nGo.\n";
 
-    /// Returns the page of a kit with two tasks.
+    /// Calls [`placed`] with the text of a page, in a kit whose only lab has two tasks.
     fn filled(page: &str, text: &str, with_hints: bool) -> anyhow::Result<String> {
         let folder = tempfile::tempdir().unwrap();
         let kit = Kit::of_files(folder.path(), &[("labs/lab1/lab.toml", FACTS)]);

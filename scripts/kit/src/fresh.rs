@@ -48,8 +48,9 @@ pub fn build(
     Ok(output)
 }
 
-/// Returns the packages in `root` that were built from different sources. Also notes the hashes of
-/// packages that were built now.
+/// Returns the packages in `root` whose compiled files were not made from the current sources.
+///
+/// For packages that are up to date, the function notes the hash of the sources.
 fn stale(root: Option<&Path>, output: &Output) -> BTreeSet<String> {
     let root = root.and_then(|root| root.canonicalize().ok()).unwrap_or_default();
     let mut hashes = BTreeMap::new();
@@ -88,8 +89,8 @@ fn is_made_of(made: &Path, hash: &str, folder: &Path, root: &Path) -> bool {
     match noted.split_once(' ') {
         Some((of, identity)) if identity == self::identity(&metadata) => of == hash,
         // A different program, such as an editor, ran Cargo. In this kit's own build directory, the
-        // program used these sources if no source was written later. The time of that write (ctime)
-        // cannot be set back.
+        // program used these sources if no source was written later. The check uses the ctime of
+        // the sources, because no program can set it back.
         _ => {
             let is_own = made.canonicalize().is_ok_and(|made| made.starts_with(root));
             is_own && !is_written_since(folder, &metadata)

@@ -4,8 +4,8 @@ use super::philox::philox4x32;
 
 /// Number of rounds of the network.
 ///
-/// After three rounds a permutation looks random forwards, after four rounds in both directions
-/// (Luby and Rackoff, 1988).
+/// After three rounds the map looks random if only images are computed. After four rounds the map
+/// looks random even if images and preimages are computed (Luby and Rackoff, 1988).
 const ROUNDS: u32 = 4;
 
 /// A random one-to-one map of the numbers 0 .. `n` to themselves that needs no memory.

@@ -20,8 +20,7 @@ const ROWS_PER_RANK: usize = 512;
 pub struct Strips {
     /// The lower end of the first row.
     pub bottom: f64,
-    /// Height of a row. The height is 0 if all discs were at the same height. Then there is one
-    /// row.
+    /// Height of a row. It is 0 if all discs had the same y; then there is one row.
     pub height: f64,
     /// The rows of each rank.
     pub cuts: Cuts,

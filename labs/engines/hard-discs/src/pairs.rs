@@ -26,8 +26,9 @@ pub const LANES: usize = 8;
 
 /// Tests the pairs of disc `a` with `partners`, and calls `found` with each candidate of this step.
 ///
-/// All `partners` have higher numbers than `a`. [`Vec::extend`] with an `Option` would write the
-/// list's length for every pair, and the lists of two threads may share a line of the cache.
+/// All `partners` have higher numbers than `a`. [`Vec::extend`] with an `Option` is not used here,
+/// because it would write the list's length for every pair. That is slow if the lengths of two
+/// threads' lists share a cache line.
 #[inline]
 pub fn look_for<C: Collisions>(
     discs: &[Disc],

@@ -53,12 +53,12 @@ pub fn dynamic(config: &Config) -> Schedule {
     Schedule::Dynamic { chunk: config.parameter(CHUNK.name) as usize }
 }
 
-/// Builds an engine that tests all pairs, and divides the loops that `which` names among threads.
+/// Builds an engine that tests all pairs. The threads share the loops that `which` selects.
 ///
-/// If both loops are divided, `schedule` applies to the outer loop.
+/// If the threads share both loops, `schedule` applies to the outer loop.
 ///
 /// # Errors
-/// The system refuses to start the threads.
+/// If the system refuses to start the threads.
 pub fn loops<C: Step + ParallelLoops>(config: &Config, which: Which, schedule: Schedule) -> Built {
     built::<C>(config, which, schedule, Collect::Own, Choice::Sort)
 }
@@ -69,7 +69,7 @@ pub fn loops<C: Step + ParallelLoops>(config: &Config, which: Which, schedule: S
 /// candidates in order.
 ///
 /// # Errors
-/// The system refuses to start the threads.
+/// If the system refuses to start the threads.
 pub fn collected<C: Step + ParallelLoops>(
     config: &Config,
     collect: Collect,
@@ -102,7 +102,7 @@ pub fn grid<C: Step + BroadPhase + ParallelLoops>(_: &Config) -> Built {
 /// block, if the parameter [`WHOLE_BLOCKS`] is on.
 ///
 /// # Errors
-/// The system refuses to start the threads.
+/// If the system refuses to start the threads.
 pub fn grid_parallel<C: Step + BroadPhase + ParallelLoops>(config: &Config) -> Built {
     let workers = Workers::new(config.threads)?;
     let deal = match config.parameter(WHOLE_BLOCKS.name) > 0.0 {
@@ -116,7 +116,7 @@ pub fn grid_parallel<C: Step + BroadPhase + ParallelLoops>(config: &Config) -> B
 /// Builds an engine with sorted occupied cells that searches each step in one window.
 ///
 /// # Errors
-/// The system refuses to start the threads.
+/// If the system refuses to start the threads.
 pub fn cells<C: Step + BroadPhase>(config: &Config) -> Built {
     in_windows::<C>(config, Some(1))
 }
@@ -124,7 +124,7 @@ pub fn cells<C: Step + BroadPhase>(config: &Config) -> Built {
 /// Builds an engine with sorted occupied cells. The parameter [`WINDOWS`] is the number of windows.
 ///
 /// # Errors
-/// The system refuses to start the threads.
+/// If the system refuses to start the threads.
 pub fn planned<C: Step + BroadPhase>(config: &Config) -> Built {
     let windows = config.parameter(WINDOWS.name) as usize;
     in_windows::<C>(config, (windows > 0).then_some(windows))

@@ -120,7 +120,7 @@ fn fetch(to: &mut Vec<f64>, from: &[f64], indices: &[u32]) {
     to.extend(indices.iter().map(|index| from[*index as usize]));
 }
 
-/// Returns positions that arrived in a message as x and y.
+/// Splits the positions of a message into x and y. All x come first in a message.
 #[inline]
 fn halves(positions: &[f64]) -> Positions<'_> {
     let (x, y) = positions.split_at(positions.len() / 2);

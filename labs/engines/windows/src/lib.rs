@@ -77,7 +77,8 @@
 //!
 //! | module | contents |
 //! |--------|----------|
-//! | `rules`, `span` | the decisions of the user, and their arguments |
+//! | `rules` | the decisions that the engine leaves to a type that implements [`Rules`] |
+//! | `span` | the steps of a window, and the box |
 //! | `path` | the path of a particle that no force bends |
 //! | `search` | the particles that could meet in a window |
 //! | `groups` | groups of particles, and their run through a window |

@@ -44,7 +44,7 @@ impl Workers {
     /// Starts `threads` threads. The calling thread is one of them.
     ///
     /// # Errors
-    /// The system refuses to start the threads.
+    /// If the system refuses to start the threads.
     pub fn new(threads: usize) -> Result<Self, BuildError> {
         if threads <= 1 {
             return Ok(Self::One);

@@ -58,14 +58,15 @@ pub(super) fn own_lines(kit: &Kit, lab: Lab, sources: &Sources) -> Result<Vec<Li
     for (path, bytes) in sources {
         let before = given.get(Path::new(path)).map_or(&[][..], Vec::as_slice);
         let [before, after] = [before, bytes].map(String::from_utf8_lossy);
-        // Indents differ where a student added a block.
+        // Lines are compared without their indents, because these differ inside an added block.
         let [old, new] =
             [&before, &after].map(|text| text.lines().map(str::trim).collect::<Vec<_>>());
         let is_code = |line: &str| !line.is_empty() && !line.starts_with("//");
         let mut task = None;
         for change in TextDiff::from_slices(&old, &new).ops() {
             let replaced = &old[change.old_range()];
-            // An equal line, such as a brace, may be in the middle of an answer.
+            // Lines that are the same in the starter, such as braces, may be in the middle of an
+            // answer. They end the answer only if a function begins in them.
             if change.tag() == DiffTag::Equal && replaced.iter().any(|line| is_head(line)) {
                 task = None;
             }
@@ -97,7 +98,8 @@ pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>
         let Some((nth, old, new)) = only_change(&region.body, &known.body) else { continue };
         let own = lines.iter().filter(|line| line.task == Some(known.region.task));
         let equal: Vec<&Line> = own.filter(|line| line.text == old).collect();
-        // An equal line at a different place is a different mistake.
+        // The mistake changes only one of the lines with this text. If the student's answer has
+        // more or fewer of these lines, nobody knows which of them to change.
         let count = region.body.lines().filter(|line| line.trim() == old).count();
         let own = equal.get(nth).filter(|_| equal.len() == count);
         changes.extend(own.map(|line| Change {
@@ -118,8 +120,8 @@ pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>
     Ok(changes)
 }
 
-/// Finds the only line that differs. Returns the number of equal lines before the line, the line,
-/// and its new text; `None` if several lines differ.
+/// Finds the only line that differs. Returns the number of earlier lines in `old` with the same
+/// text, the old text of the line, and its new text; `None` if several lines differ.
 fn only_change<'a>(old: &'a str, new: &'a str) -> Option<(usize, &'a str, &'a str)> {
     let [old, new] = [old, new].map(|text| {
         let code = text.lines().map(str::trim);

@@ -158,10 +158,10 @@ impl ValueFormatter<f64> for Fitted {
     }
 }
 
-/// Returns the positions of labels on a logarithmic axis, and the positions between them.
+/// Returns the positions of labels on a logarithmic axis, and of the faint lines between them.
 ///
-/// Labels are powers of ten. If there are fewer than three, 2 and 5 times the powers have labels
-/// too. If there are more than `most` powers, only some of them have labels.
+/// Labels are powers of ten. If there are fewer than three powers, their multiples by 2 and by 5
+/// have labels too. If there are more than `most` powers, only some of them have labels.
 fn decades(positions: (f64, f64), most: usize) -> (Vec<f64>, Vec<f64>) {
     let ticks = multiples(&[1], positions);
     let between = multiples(&[2, 3, 4, 5, 6, 7, 8, 9], positions);

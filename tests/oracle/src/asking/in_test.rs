@@ -55,7 +55,8 @@ impl Ask for InTest {
     fn example(&mut self, table: impl FnOnce() -> String) {
         let table = table();
         if is_rank() {
-            // The test that started this rank compares the table.
+            // A rank only prints the table. The test that started the rank compares the table with
+            // the snapshot.
             print!(
                 "{}",
                 table.lines().map(|line| format!("{EXAMPLE}{line}\n")).collect::<String>()

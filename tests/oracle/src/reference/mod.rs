@@ -21,7 +21,7 @@ use group::Group;
 /// Accuracy of the reference.
 #[derive(Clone, Copy, Debug)]
 pub struct Fineness {
-    /// Length of a window and greatest length of a step.
+    /// Greatest duration of a window. No step is longer than its window.
     pub window: f64,
     /// Allowed error of a step.
     pub tolerance: f64,
@@ -31,7 +31,7 @@ impl Fineness {
     /// Accuracy of the kit's tables.
     pub const FINE: Self = Self { window: 2e-4, tolerance: 1e-16 };
     /// Accuracy with longer windows, different steps and a looser tolerance. The difference from
-    /// the results with [`Self::FINE`] shows the error of both.
+    /// the results with [`Self::FINE`] is an estimate of the greater of the two errors.
     pub const CHECK: Self = Self { window: 3.1e-4, tolerance: 1e-15 };
 }
 

@@ -52,7 +52,8 @@ struct Results {
     trajectories: Vec<Moment>,
     /// Times of every setup of LAMMPS.
     tried: Vec<Timed>,
-    /// Times of the best setup of each style and of the programs, which took turns.
+    /// Times of the programs, and of the best setup of each style. The programs and these setups
+    /// ran in turns.
     times: Vec<Timed>,
     yardstick: Vec<Bound>,
 }

@@ -49,10 +49,10 @@ pub struct Planned<R, O> {
 }
 
 impl<R: Rules, O: Observer> Planned<R, O> {
-    /// Makes an engine that runs on `crew`, with windows of `steps` steps, or 0 for the planner's
-    /// choice.
+    /// Makes an engine that runs on `crew`, with windows of `steps` official steps.
     ///
-    /// Each official step is divided into `divide` small steps.
+    /// If `steps` is 0, the planner chooses the length of windows. Each official step is divided
+    /// into `divide` small steps.
     pub fn new(crew: impl Into<Crew>, steps: u32, divide: u32) -> Self {
         let crew = crew.into();
         Self {
@@ -136,7 +136,8 @@ impl<R: Rules, O: Observer> Planned<R, O> {
                 return;
             }
             if steps == 1 {
-                // Even in one step too many particles touch, so no window is worth its cost.
+                // Forces bend too many paths even in a window of a single step, so windows are not
+                // worth their cost.
                 self.plan.strategy = Strategy::List;
                 self.plain.start(self.window.bodies.clone(), self.size);
                 return;

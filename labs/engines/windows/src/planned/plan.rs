@@ -72,16 +72,19 @@ const SMALL_MARGIN: f64 = 0.02;
 /// Returns the best number of official steps in a window, if groups take `divide` small steps for
 /// each.
 ///
-/// Opening a window costs the same for every length. The time for groups grows with the number of
-/// particles in them, and so with the window's length, and with `divide`. The sum of both costs per
-/// step is least at a length proportional to 1 / √`divide`. Opening a window for a single step is
-/// not worth its cost.
+/// Opening a window costs the same for every length. The time for groups is proportional to
+/// `divide`. It also grows with the number of particles in groups, and longer windows have more of
+/// these particles. The sum of both costs per step is least at a length proportional to
+/// 1 / √`divide`. Opening a window for a single step is not worth its cost.
 fn divided(steps: u32, divide: u32) -> u32 {
     let length = f64::from(steps) / f64::from(divide.max(1)).sqrt();
     (length as u32).max(steps.min(2))
 }
 
-/// Returns `MAX_NEIGHBOURS_IN_WINDOWS` for steps that are divided into `divide`.
+/// Returns the number of particles per cutoff disc above which lists are cheaper than windows.
+///
+/// Each official step is divided into `divide` small steps. For undivided steps the result is
+/// [`MAX_NEIGHBOURS_IN_WINDOWS`].
 ///
 /// A step costs nearly `divide` times as much if all particles take small steps, but not if only
 /// groups do. The numbers were measured for `divide` from 2 to 20.

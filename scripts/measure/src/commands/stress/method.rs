@@ -52,12 +52,12 @@ impl Method {
         }
     }
 
-    /// Returns the expected ends of one step, in id order; `None` for particles whose end is
-    /// unknown.
+    /// Returns the expected state of each particle after one step, in id order; `None` for
+    /// particles whose state cannot be predicted.
     pub(super) fn step(self, size: f64, before: &[Particle]) -> Vec<Option<Expected>> {
         let (official, magnitudes) = modelled(size, before);
         let expected = match self {
-            // The seven digits of a position do not determine a steep force.
+            // A position in single precision has seven digits: too few to determine a steep force.
             Self::SinglePrecision if magnitudes.iter().any(|a| steep(*a)) => None,
             Self::Better => better(size, before, &magnitudes),
             _ => Some(official.into_iter().zip(magnitudes).map(Some).collect()),
@@ -78,7 +78,7 @@ impl Allowed {
         a: f64,
     ) -> Option<f64> {
         let speed = expected.vx.abs().max(expected.vy.abs()) + DT * a;
-        // Allows for rounding along a long path, and of a coordinate far from the corner.
+        // Allows for the rounding errors of a long path and of a coordinate far from the corner.
         let digits = 1e-15 * (size + DT * speed);
         let [shift, change] = [DT * DT * a, DT * a];
         let position = self.position * (1.0 + 100.0 * shift) + digits + self.of_force * shift;

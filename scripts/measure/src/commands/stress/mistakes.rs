@@ -43,7 +43,7 @@ fn a_pair_that_was_thrown_back_to_a_wall_did_not_pass() {
     assert!(met.iter().any(|met| met.worst > 1e6), "no particle was thrown");
 }
 
-/// Judges a program that claims to use the method `says`, in all short trials.
+/// Judges, in all short trials, a program that claims to use the method given in `says`.
 fn cells(says: Method, mistake: Mistake) -> Vec<Cell> {
     let trials = short(4);
     trials.iter().flat_map(|trial| judge(says, |asked| run(mistake, asked), trial).cells).collect()

@@ -34,7 +34,7 @@ pub trait Primitives: Default + Send + Sync + 'static {
         signs: impl Signs,
     ) -> usize;
 
-    /// Copies the pairs whose squared distance is at most `squared` to `near`, in their order.
+    /// Copies to `near`, in order, the pairs whose squared distance is at most `squared`.
     ///
     /// There are at most [`ROOM`] pairs. Returns the number of pairs that were copied. Later
     /// elements of `near` have no meaning.

@@ -186,7 +186,7 @@ impl<P: Primitives> NullaryFnOnce for Filter<'_, P> {
     }
 }
 
-/// Appends the pairs whose squared distance is at most `squared` to `near`.
+/// Appends to `near` the pairs whose squared distance is at most `squared`.
 #[inline(always)]
 fn keep_near<P: Primitives>(
     pairs: &[Pair],
