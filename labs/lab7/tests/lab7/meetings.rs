@@ -144,6 +144,12 @@ impl Triangle {
             let touching = Seen { d: self.at(x, 0.0), v };
             self.resting().meets(ask, "in contact, or nearly", touching, 1e-12);
         }
+        // The square of the distance exceeds that of two radii by its last digit, but the distance
+        // itself is rounded to two radii.
+        let above = (self.r * self.r).next_up() - self.r * self.r;
+        let v = self.at(-self.r * random.magnitude(1e-6, 1e6), 0.0);
+        let last = Seen { d: self.at(self.r, above.sqrt()), v };
+        self.resting().meets(ask, "a last digit before contact", last, 1e-12);
         let gap = self.r * 0.5_f64.powi(1 + random.below(40) as i32);
         let v = self.at(-gap * random.magnitude(1.001, 1e6), 0.0);
         let near = Seen { d: self.at(self.r + gap, 0.0), v };
