@@ -53,13 +53,13 @@ pub fn print(questions: &[Question]) {
 #[cfg(unix)]
 pub fn answer(questions: &[Question], ask: fn(&str, &mut Random, &mut Recorder) -> bool) {
     name_the_lab();
-    let order = Order::read(1);
+    let order = Order::read();
     let mut recorder = Recorder::to_grader().expect("the standard input can be replaced");
     order.ask(questions, |name, random| ask(name, random, &mut recorder));
     recorder.end();
 }
 
-/// Judges answers for the grader: `judge FILE QUESTION SEED SNAPSHOTS` prints the result; `judge`
+/// Judges answers for the grader: `judge QUESTION SEED FILE SNAPSHOTS` prints the result; `judge`
 /// alone prints the table. The paths of the lab's snapshots begin with `SNAPSHOTS`.
 ///
 /// The result begins with three numbers: the number of requested answers, the number of correct
@@ -71,14 +71,14 @@ pub fn judge(questions: &[Question], ask: fn(&str, &mut Random, &mut Judge) -> b
     if std::env::args().len() == 1 {
         return print(questions);
     }
-    let order = Order::read(2);
-    let argument = |number| std::env::args().nth(number).expect("FILE QUESTION SEED SNAPSHOTS");
-    let snapshots = argument(4);
+    let order = Order::read();
+    let mut paths = std::env::args().skip(3);
+    let mut path = || paths.next().expect("QUESTION SEED FILE SNAPSHOTS");
+    let (file, snapshots) = (path(), path());
     let snapshot = format!("{snapshots}{}.snap", order.question.replace("::", "_"));
     // Only worked examples have a snapshot.
     let snapshot = std::fs::read_to_string(snapshot).unwrap_or_default();
-    let mut judge =
-        Judge::new(argument(1).as_ref(), &snapshot).expect("the file of answers can be read");
+    let mut judge = Judge::new(file.as_ref(), &snapshot).expect("the file of answers can be read");
     order.ask(questions, |name, random| ask(name, random, &mut judge));
     let verdict = judge.end();
     println!("{} {} {}", verdict.asked, verdict.right, u8::from(verdict.broke_off));
@@ -92,9 +92,9 @@ struct Order {
 }
 
 impl Order {
-    /// Reads the arguments from number `first` on.
-    fn read(first: usize) -> Self {
-        let mut arguments = std::env::args().skip(first);
+    /// Reads the first two arguments.
+    fn read() -> Self {
+        let mut arguments = std::env::args().skip(1);
         let mut next = || arguments.next().expect("QUESTION SEED");
         Self { question: next(), seed: next().parse().expect("the seed is a number") }
     }

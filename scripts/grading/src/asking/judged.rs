@@ -41,7 +41,7 @@ impl Judge {
     /// If the judging program fails. The submission is never the cause.
     pub(crate) fn judge(&self, question: &Question, seed: u64, answers: &Path) -> Result<Judged> {
         let mut command = Command::new(&self.program);
-        command.arg(answers).args([&question.test, &seed.to_string()]).arg(&self.snapshots);
+        command.args([&question.test, &seed.to_string()]).args([answers, &self.snapshots]);
         let done = run(&mut command, self.limit)?;
         let succeeded = done.status.is_some_and(|status| status.success());
         let test = &question.test;
