@@ -1,6 +1,8 @@
 //! Questions about the order of two candidates, and about the candidates that happen: tasks 7.3 and
 //! 7.4.
 
+use std::cell::LazyCell;
+
 use hard_discs::{Candidate, Hit};
 use lab7::{order, take, take_in_order};
 use oracle::{Ask, Random, flags, truth, within};
@@ -66,13 +68,19 @@ impl Taken {
 }
 
 /// Asks which candidates are taken, and which discs are free afterwards.
-fn ask_both(ask: &mut impl Ask, case: &str, found: impl Fn() -> Taken, right: impl Fn() -> Taken) {
+fn ask_both(
+    ask: &mut impl Ask,
+    case: &str,
+    found: impl FnOnce() -> Taken,
+    right: impl FnOnce() -> Taken,
+) {
+    let (found, right) = (LazyCell::new(found), LazyCell::new(right));
     let question = format!("{case}: {EACH} taken afterwards, in their order");
-    ask.exact(&question, || values(&found().taken), || values(&right().taken));
+    ask.exact(&question, || values(&found.taken), || values(&right.taken));
     let question = format!(
         "{case}: for each disc, from disc 0 on, 1 if it is still free afterwards, 0 if not"
     );
-    ask.exact(&question, || flags(&found().free), || flags(&right().free));
+    ask.exact(&question, || flags(&found.free), || flags(&right.free));
 }
 
 /// Asks whether a candidate of any kind is taken when some discs are no longer free.
@@ -142,7 +150,7 @@ pub(crate) fn takes(random: &mut Random, ask: &mut impl Ask) {
         );
         let found = || {
             let mut after = before.clone();
-            take_in_order(&mut given.clone(), &mut after.free, &mut after.taken);
+            take_in_order(&mut given, &mut after.free, &mut after.taken);
             after
         };
         ask_both(ask, &case, found, || {
