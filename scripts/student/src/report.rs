@@ -128,15 +128,24 @@ fn explain(progress: &Progress, all: bool) {
     }
     let others = &failures[shown.min(failures.len())..];
     let waiting = others.iter().filter(|outcome| outcome.todo().is_some()).count();
-    match others.len() - waiting {
+    print_more(
+        others.len() - waiting,
+        "test of this task fails: --all shows it",
+        "tests of this task fail: --all shows them",
+    );
+    print_more(
+        waiting,
+        "test needs an earlier task first: --all names it",
+        "tests need an earlier task first: --all names it",
+    );
+}
+
+/// Prints how many tests are not shown, in words for one test or for several.
+fn print_more(count: usize, one: &str, several: &str) {
+    match count {
         0 => {}
-        1 => println!("  One more test of this task fails: --all shows it.\n"),
-        more => println!("  {more} more tests of this task fail: --all shows them.\n"),
-    }
-    match waiting {
-        0 => {}
-        1 => println!("  One more test needs an earlier task first: --all names it.\n"),
-        more => println!("  {more} more tests need an earlier task first: --all names it.\n"),
+        1 => println!("  One more {one}.\n"),
+        _ => println!("  {count} more {several}.\n"),
     }
 }
 
