@@ -6,6 +6,7 @@ use std::io::Write;
 use std::iter::from_fn;
 use std::net::{TcpListener, TcpStream, ToSocketAddrs, UdpSocket};
 use std::os::unix::net::UnixStream;
+use std::path::PathBuf;
 use std::process::Command;
 use std::sync::Once;
 
@@ -186,14 +187,21 @@ fn answers() {
     }
     // The answers go through a socket, which only its owner can write to.
     for process in ["self", "1", "2"] {
-        for entry in fs::read_dir(format!("/proc/{process}/fd")).into_iter().flatten().flatten() {
-            let target = fs::read_link(entry.path()).unwrap_or_default();
-            if target.to_string_lossy().starts_with("socket:") {
-                let opened = fs::OpenOptions::new().write(true).open(entry.path());
-                must_fail("the grader's socket", opened);
+        for (path, target) in descriptors(process) {
+            if target.starts_with("socket:") {
+                must_fail("the grader's socket", fs::OpenOptions::new().write(true).open(path));
             }
         }
     }
+}
+
+/// Returns the path of each descriptor of a process, and what the descriptor refers to.
+fn descriptors(process: &str) -> impl Iterator<Item = (PathBuf, String)> {
+    let entries = fs::read_dir(format!("/proc/{process}/fd")).into_iter().flatten().flatten();
+    entries.map(|entry| {
+        let target = fs::read_link(entry.path()).unwrap_or_default();
+        (entry.path(), target.to_string_lossy().into_owned())
+    })
 }
 
 /// Checks that the memory, the descriptors and the open files of other processes are not
@@ -207,10 +215,9 @@ fn others() {
         let process = format!("/proc/{number}");
         let written = fs::OpenOptions::new().write(true).open(format!("{process}/mem"));
         must_fail("another's memory to write", written);
-        for entry in fs::read_dir(format!("{process}/fd")).into_iter().flatten().flatten() {
-            let target = fs::read_link(entry.path()).unwrap_or_default();
-            if target.starts_with("/kit") || target.to_string_lossy().contains("grade") {
-                succeeded(&format!("a descriptor of process {number}: {}", target.display()));
+        for (_, target) in descriptors(&number.to_string()) {
+            if target.starts_with("/kit") || target.contains("grade") {
+                succeeded(&format!("a descriptor of process {number}: {target}"));
             }
         }
     }
