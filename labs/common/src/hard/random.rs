@@ -7,7 +7,7 @@ use crate::room::room_for;
 
 /// The parameters of a random scene.
 ///
-/// The four values of a disc are drawn in the order x, y, vx, vy. Each is computed from a number u
+/// A disc gets its four values in the order x, y, vx, vy. Each is computed from a number u
 /// in 0 .. 1 that consists of 53 random bits from the Mersenne Twister MT19937. A coordinate is
 /// linear in u. For a velocity component let s = 2 u − 1: the component has the sign of s, and its
 /// magnitude is linear in |s|.
@@ -23,7 +23,7 @@ pub struct RandomScene {
     pub seed: u32,
     /// Least and greatest magnitude of a velocity component.
     pub speeds: (f64, f64),
-    /// Side of the central square in which the discs' centres lie.
+    /// Side of the central square that contains the discs' centres.
     pub within: f64,
 }
 

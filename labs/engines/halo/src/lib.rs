@@ -18,8 +18,8 @@
 //!
 //! Seven rows are divided among three ranks, and one rank gets no rows. The last line computes
 //! which rows of block 2, the rows 3 to 6, need ghosts. The interior of this block is `4..7`. Row 3
-//! needs ghosts from row 2. Row 6 is at the wall of the box and needs none, so the second range is
-//! empty:
+//! needs ghosts from row 2. Row 6 is at the wall of the box, so it needs no ghosts, and the second
+//! range is empty:
 //!
 //! ```
 //! use halo::{Cuts, border_rows};

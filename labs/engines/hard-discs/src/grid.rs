@@ -29,7 +29,7 @@ pub enum Deal {
     Blocks,
 }
 
-/// A search in which every disc is in the smallest block that contains the disc's swept box.
+/// A search that puts every disc into the smallest block that contains the disc's swept box.
 ///
 /// The swept box contains all points that the disc can touch in the window that is searched.
 /// A disc can meet only the discs of its block and of blocks that overlap this block.

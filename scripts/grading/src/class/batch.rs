@@ -154,7 +154,7 @@ fn taken(trees: &Mutex<Vec<Tree>>) -> Tree {
     trees.lock().expect("popping does not panic").pop().expect("a tree for each worker")
 }
 
-/// Makes a progress bar for `of` submissions, of which `done` are finished already.
+/// Makes a progress bar for `of` submissions. The first `done` of them are finished already.
 pub(crate) fn bar(what: &'static str, of: usize, done: usize) -> ProgressBar {
     let bar = progress(of as u64).with_position(done as u64).with_message(what);
     bar.tick();

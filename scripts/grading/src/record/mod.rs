@@ -290,7 +290,7 @@ impl Record {
         record
     }
 
-    /// Returns Ada's record with a speed measure worth 25 points, of which she has 0.
+    /// Returns Ada's record with a speed measure: she has 0 of its 25 points.
     pub(crate) fn sample_of_speed(verdict: Verdict) -> Self {
         let mut record = Self::sample();
         record.marked.measures.push(Measure {

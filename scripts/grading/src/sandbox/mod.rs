@@ -288,8 +288,8 @@ impl Sandbox {
 
 /// Returns a command that makes the sandbox.
 ///
-/// Code inside the sandbox could read the environment of this command, to which a shell also adds
-/// its current folder. Therefore the environment contains only `PATH`.
+/// Code inside the sandbox could read the environment of this command, and a shell also adds its
+/// current folder to it. Therefore the environment contains only `PATH`.
 fn launcher(program: &str) -> Command {
     let mut command = Command::new(program);
     command.env_clear().current_dir("/");

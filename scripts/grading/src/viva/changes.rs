@@ -99,7 +99,7 @@ pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>
         let own = lines.iter().filter(|line| line.task == Some(known.region.task));
         let equal: Vec<&Line> = own.filter(|line| line.text == old).collect();
         // The mistake changes only one of the lines with this text. If the student's answer has
-        // more or fewer of these lines, nobody knows which of them to change.
+        // more or fewer of these lines, the line to change is not known.
         let count = region.body.lines().filter(|line| line.trim() == old).count();
         let own = equal.get(nth).filter(|_| equal.len() == count);
         changes.extend(own.map(|line| Change {

@@ -57,8 +57,8 @@ fn regrade(kit: &Path, folder: &Path, options: &[&str]) -> [String; 2] {
     message
 }
 
-/// Makes a kit in which the two tasks of lab 1 are worth `points`. It contains the records of two
-/// grading runs.
+/// Makes a kit whose two tasks of lab 1 are worth `points`. It contains the records of two grading
+/// runs.
 fn kit_of(points: [u32; 2]) -> (TempDir, Kit) {
     let folder = tempfile::tempdir().unwrap();
     let [first, second] = points;

@@ -96,8 +96,8 @@ impl<K: HardKernels, R: Real> Simulation for HardDiscs<K, R> {
     }
 
     /// # Panics
-    /// The device has too little memory for these discs or candidates, or the rounds in which it
-    /// chooses collisions do not end.
+    /// The device has too little memory for these discs or candidates, or its rounds of choosing
+    /// collisions do not end.
     fn step(&mut self) {
         let start = Instant::now();
         let margins = Margins::of::<R>(&self.discs, self.square);

@@ -18,8 +18,8 @@ pub(super) struct Groups {
 impl Groups {
     /// Returns the groups of particles at positions `at` for the next `dt`.
     ///
-    /// Each particle is no faster than its entry in `fastest`. So the particle moves away from `at`
-    /// by at most this speed times `dt`, even if a wall reflects the particle.
+    /// The entry of a particle in `fastest` is an upper bound of its speed. So the particle moves
+    /// away from `at` by at most this bound times `dt`, even if a wall reflects the particle.
     pub(super) fn new(at: &[Vec2], fastest: &[f64], dt: f64) -> Self {
         let n = at.len();
         let discs = at.iter().zip(fastest).zip(0..).map(|((at, fastest), index)| Disc {

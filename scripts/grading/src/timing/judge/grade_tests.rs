@@ -128,7 +128,7 @@ fn one_worker_at_work_does_not_scale() {
     assert_eq!((verdict, grade), (Verdict::Graded, Some(0.0)), "{words}");
     assert!(words.contains("no faster than one"), "{words}");
     // This program uses only one worker, but it takes half the time of the grader's serial program.
-    // So its times alone look like those of a parallel program.
+    // So its times alone look as if the program were parallel.
     let mut record = scaling(|n, _| 1e-6 * n);
     assert_eq!(grade_of_scaling(&record).1, Some(100.0));
     for run in record.found.runs.iter_mut().filter(|run| run.whose == Whose::Own) {

@@ -13,8 +13,8 @@ const QUIET: f64 = 1.06;
 /// kit's fastest program is 25 times as fast as the slowest program that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// Smallest share of its time in which a program computes, if it has a free processor and does not
-/// wait.
+/// A program that has a free processor and does not wait computes for at least this share of its
+/// time.
 const MOSTLY: f64 = 0.7;
 /// Length of a pause in a take, in seconds, above which the pause counts as waiting. Shorter pauses
 /// are errors of the clock.
