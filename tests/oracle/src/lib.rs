@@ -46,8 +46,8 @@ mod watchdog;
 
 pub use apart::apart;
 pub use asking::{
-    Ask, InTest, Judge, Near, Recorder, begins_send, beside, digest, flags, in_test, integers,
-    memory, no_other_calls, others_within, resident, rounded, truth,
+    Ask, InTest, Judge, Near, begins_send, beside, digest, flags, in_test, integers, memory,
+    no_other_calls, others_within, resident, rounded, truth,
 };
 pub use bits::difference;
 pub use columns::{Columns, spaced};
@@ -65,7 +65,7 @@ pub use table::{Table, ascending};
 pub use watchdog::{watched, within};
 
 #[cfg(unix)]
-pub use asking::itself_on;
+pub use asking::{Recorder, itself_on};
 
 #[cfg(unix)]
 pub mod mpiexec;

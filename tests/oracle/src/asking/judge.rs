@@ -135,7 +135,7 @@ impl Ask for Judge {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, unix))]
 mod tests {
     use std::fs::File;
 

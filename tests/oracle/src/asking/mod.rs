@@ -16,6 +16,7 @@ mod in_test;
 mod judge;
 #[cfg(unix)]
 mod ranks;
+#[cfg(unix)]
 mod recorder;
 mod wire;
 
@@ -25,6 +26,7 @@ pub use self::in_test::{InTest, in_test};
 pub use self::judge::Judge;
 #[cfg(unix)]
 pub use self::ranks::itself_on;
+#[cfg(unix)]
 pub use self::recorder::Recorder;
 use crate::right::compare;
 

@@ -4,13 +4,16 @@
 //! loopback network for everything.
 
 use std::env;
-use std::fs::{self, File};
-use std::path::PathBuf;
-use std::process::Command;
+use std::io::{self, Read, Write};
+use std::os::unix::net::{UnixListener, UnixStream};
+use std::process::{Child, Command};
+use std::thread::{self, sleep};
+use std::time::Duration;
 
 use lab_machine::Mpiexec;
+use tempfile::TempDir;
 
-/// Variable that marks a program as a rank of a job.
+/// Variable that marks a program as a rank of a job, and contains the path of the job's socket.
 const RANK_OF: &str = "CUTOFF_RANK_OF";
 
 /// Variables in which the launchers of Open MPI and MPICH pass a rank its number.
@@ -32,12 +35,22 @@ const ENVIRONMENT: [(&str, &str); 8] = [
     ("CUTOFF_WATCH", "18"),
 ];
 
-/// Returns an empty file for the answers of this rank. `None` if this process is not a rank.
-pub(super) fn file_of_this_rank() -> Option<File> {
-    env::var_os(RANK_OF)?;
-    let rank = RANK.iter().find_map(|name| env::var(name).ok()?.parse().ok());
-    let file = File::create(path(rank.expect("the launcher numbers its ranks")));
-    Some(file.expect("a rank can write its answers"))
+/// Returns this rank's connection to the program that started the job. `None` if this process is
+/// not a rank.
+///
+/// The function waits until all ranks of the job are connected. So none of them runs the
+/// submission's code while the socket still accepts connections.
+///
+/// # Panics
+/// If the program that started the job does not answer.
+pub(super) fn connect() -> Option<UnixStream> {
+    let socket = env::var_os(RANK_OF)?;
+    let rank = RANK.iter().find_map(|name| env::var(name).ok()?.parse::<u8>().ok());
+    let rank = rank.expect("the launcher numbers its ranks");
+    let mut stream = UnixStream::connect(socket).expect("a rank can connect to its job's socket");
+    stream.write_all(&[rank]).expect("a rank can send its number");
+    stream.read_exact(&mut [0]).expect("all ranks connect");
+    Some(stream)
 }
 
 /// Runs this program on `ranks` ranks. Returns the concatenated answers of all ranks.
@@ -45,12 +58,56 @@ pub(super) fn file_of_this_rank() -> Option<File> {
 /// # Panics
 /// If the job fails.
 pub(super) fn run(ranks: usize) -> Vec<u8> {
+    let folder = TempDir::new().expect("a job needs a folder for its socket");
+    let socket = folder.path().join("answers");
+    let listener = UnixListener::bind(&socket).expect("a job needs a socket");
     let mut job = itself_on(ranks);
-    job.env(RANK_OF, ranks.to_string()).envs(ENVIRONMENT);
-    let ended = job.status().expect("mpiexec starts");
+    let mut job = job.env(RANK_OF, &socket).envs(ENVIRONMENT).spawn().expect("mpiexec starts");
+    let streams = accept(listener, ranks, &mut job).expect("the ranks connect");
+    let (ended, answers) = thread::scope(|scope| {
+        let readers: Vec<_> =
+            streams.into_iter().map(|stream| scope.spawn(move || read(stream))).collect();
+        let ended = job.wait().expect("mpiexec ends");
+        let answers = readers.into_iter().flat_map(|it| it.join().expect("readers do not panic"));
+        (ended, answers.collect())
+    });
     assert!(ended.success(), "the job on {ranks} ranks failed, or gave no answer in time");
-    let answers = (0..ranks).map(|rank| fs::read(path(rank)).expect("each rank wrote its answers"));
-    answers.collect::<Vec<_>>().concat()
+    answers
+}
+
+/// Accepts one connection from each rank and tells all ranks to start. Returns the connections in
+/// the order of the ranks; they are fewer if the job ends early.
+fn accept(listener: UnixListener, ranks: usize, job: &mut Child) -> io::Result<Vec<UnixStream>> {
+    listener.set_nonblocking(true)?;
+    let mut numbered = Vec::new();
+    while numbered.len() < ranks && job.try_wait()?.is_none() {
+        match listener.accept() {
+            Ok((mut stream, _)) => {
+                stream.set_nonblocking(false)?;
+                let mut rank = [0];
+                stream.read_exact(&mut rank)?;
+                numbered.push((rank, stream));
+            }
+            Err(error) if error.kind() == io::ErrorKind::WouldBlock => {
+                sleep(Duration::from_millis(1));
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    drop(listener);
+    numbered.sort_by_key(|(rank, _)| *rank);
+    let mut streams: Vec<_> = numbered.into_iter().map(|(_, stream)| stream).collect();
+    for stream in &mut streams {
+        stream.write_all(&[1])?;
+    }
+    Ok(streams)
+}
+
+/// Reads the answers of a rank. A rank that crashes leaves a part of them.
+fn read(mut stream: UnixStream) -> Vec<u8> {
+    let mut answers = Vec::new();
+    let _ = stream.read_to_end(&mut answers);
+    answers
 }
 
 /// Returns the command that starts this program, with its arguments, as the ranks of a job. The
@@ -69,8 +126,4 @@ pub fn itself_on(ranks: usize) -> Command {
     }
     job.args(env::args_os().skip(1));
     job
-}
-
-fn path(rank: usize) -> PathBuf {
-    env::temp_dir().join(format!("answers-of-rank-{rank}"))
 }

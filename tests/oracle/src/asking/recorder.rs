@@ -2,16 +2,11 @@
 //! cannot know whether they are correct.
 
 use std::fs::File;
-#[cfg(unix)]
-use std::io;
-use std::io::Write;
-#[cfg(unix)]
-use std::os::fd::AsFd;
-#[cfg(unix)]
+use std::io::{self, Write};
+use std::os::fd::{AsFd, OwnedFd};
 use std::process::exit;
 
 use super::Ask;
-#[cfg(unix)]
 use super::ranks;
 use super::wire::{END, to_bytes, write};
 
@@ -33,7 +28,6 @@ impl Recorder {
     ///
     /// # Errors
     /// If the system cannot replace the standard input.
-    #[cfg(unix)]
     pub fn to_grader() -> io::Result<Self> {
         let socket = io::stdin().as_fd().try_clone_to_owned()?;
         rustix::stdio::dup2_stdin(File::open("/dev/null")?)?;
@@ -71,9 +65,8 @@ impl Ask for Recorder {
 
     fn in_tests_only(&mut self, _part: impl FnOnce()) {}
 
-    /// Starts this program again as the ranks of each job. Each rank writes a file of its own, and
-    /// these files are then written one after the other.
-    #[cfg(unix)]
+    /// Starts this program again as the ranks of each job. Each rank sends its answers to this
+    /// process, which writes them one rank after the other.
     fn on_ranks(
         &mut self,
         _task: &str,
@@ -81,8 +74,8 @@ impl Ask for Recorder {
         on_this_rank: impl FnOnce(&mut Self),
         _of_rank: impl FnMut(usize, usize, &mut Self),
     ) {
-        if let Some(file) = ranks::file_of_this_rank() {
-            on_this_rank(&mut Self(file));
+        if let Some(stream) = ranks::connect() {
+            on_this_rank(&mut Self(OwnedFd::from(stream).into()));
             exit(0);
         }
         for &count in counts {
