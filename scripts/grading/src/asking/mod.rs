@@ -20,6 +20,7 @@ use answering::Answers;
 pub(crate) use judged::Judge;
 use judged::Judged;
 use lab_kit::harness::located_panic;
+use lab_kit::machine::on_all_cores;
 use lab_kit::process::Finished;
 use question_list::Question;
 
@@ -87,12 +88,13 @@ impl Questions {
     pub(crate) fn of(sandbox: &Sandbox, folder: &Path, judge: Judge, seed: u64) -> Result<Self> {
         let all = question_list::read(&judge.program)?;
         let mut questions = Self { judge, solution: folder.to_owned(), all: Vec::new() };
-        for question in all {
+        let asked = on_all_cores(&all, |question| {
             let start = Instant::now();
-            let judged = questions.ask_solution(sandbox, &question, seed)?;
+            let judged = questions.ask_solution(sandbox, question, seed)?;
             let limit = sandbox.limits.run.max(PATIENCE * start.elapsed());
-            questions.all.push(Asked { question, answers: judged.asked, limit });
-        }
+            Ok(Asked { question: question.clone(), answers: judged.asked, limit })
+        });
+        questions.all = asked.into_iter().collect::<Result<_>>()?;
         Ok(questions)
     }
 
