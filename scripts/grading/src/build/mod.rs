@@ -239,9 +239,13 @@ fn is_late(why: &str) -> bool {
 
 /// Whether a line of the compiler's output is `--> src/lib.rs:3:5` or `src/lib.rs:3:5: error`.
 fn names_a_place(line: &str) -> bool {
-    let mut parts = line.split(": error").next().unwrap_or_default().rsplit(':');
-    let mut is_number = || parts.next().is_some_and(|part| part.parse::<u32>().is_ok());
-    line.trim_start().starts_with("--> ") || is_number() && is_number()
+    let is_place = |place: &str| {
+        let mut parts = place.rsplit(':');
+        let mut is_number = || parts.next().is_some_and(|part| part.parse::<u32>().is_ok());
+        is_number() && is_number()
+    };
+    line.trim_start().starts_with("--> ")
+        || line.split_once(": error").is_some_and(|(place, _)| is_place(place))
 }
 
 /// Downloads missing dependencies of a new tree, because a build in the sandbox has no network.
@@ -268,13 +272,15 @@ fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<()
 /// Removes the compiled files of packages, because `include_bytes!` could read them. Dependencies
 /// stay compiled.
 fn clean(root: &Path, packages: &[&str], sandbox: &Sandbox) -> Result<()> {
-    let mut cargo = sandbox.cargo(root, GIVEN_FILE);
-    cargo.args(["clean", "--quiet", "--offline", "--release"]);
-    cargo.args(packages.iter().flat_map(|package| ["--package", *package]));
-    let finished = run_process(&mut cargo, sandbox.limits.build)?;
-    let well = finished.status.is_some_and(|status| status.success());
-    ensure!(well, "what was built before cannot be removed: {}", finished.stderr.trim());
-    Ok(())
+    machine_works(|| {
+        let mut cargo = sandbox.cargo(root, GIVEN_FILE);
+        cargo.args(["clean", "--quiet", "--offline", "--release"]);
+        cargo.args(packages.iter().flat_map(|package| ["--package", *package]));
+        let finished = run_process(&mut cargo, sandbox.limits.build)?;
+        let well = finished.status.is_some_and(|status| status.success());
+        ensure!(well, "what was built before cannot be removed: {}", named(&finished.stderr));
+        Ok(())
+    })
 }
 
 /// Empties source files that were compiled. Their modification times are old, so Cargo does not
@@ -327,6 +333,7 @@ mod tests {
         for (why, own) in [
             ("error[E0425]: `x`\n  --> src/lib.rs:3:5\n", true),
             ("it compiles, but not:\nsrc/bin/answer.rs:3:5: error[E0308]: types\n", true),
+            ("thread panicked at write.rs:1967:6:\n   at ./nptl/create.c:442:8\n", false),
             (&format!("{LATE} 120 s"), true),
             (&format!("it compiles, but not:\n{LATE} 120 s"), true),
             ("error: failed to write x: No space left on device (os error 28)", false),

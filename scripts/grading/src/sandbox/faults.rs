@@ -42,8 +42,9 @@ const SIGNS: [&str; 11] = [
     "Too many open files",
 ];
 
-/// Exit codes of a shell that cannot start a program, and of a sandbox whose program was killed.
-const CODES: [i32; 3] = [126, 127, 137];
+/// Exit codes of a sandbox that cannot be made, of a shell that cannot start a program, and of a
+/// sandbox whose program was killed. A Rust program that panics ends with 101.
+const CODES: [i32; 4] = [1, 126, 127, 137];
 
 /// Calls `once`, and repeats the call as long as its result `is_doubtful`. A result is doubtful if
 /// a fault of the machine may have ended the run.
@@ -145,6 +146,7 @@ mod tests {
     fn a_panic_is_no_fault_of_the_machine() {
         for (script, doubtful) in [
             ("exit 0", false),
+            ("exit 1", true),
             ("echo 'No space left on device' >&2; exit 0", false),
             ("echo 'thread main panicked at src/lib.rs' >&2; exit 101", false),
             ("echo 'Os { code: 28, kind: StorageFull }' >&2; exit 101", true),
