@@ -38,6 +38,9 @@ pub struct Job {
     /// after step 1.
     #[serde(skip)]
     pub every: Option<u64>,
+    /// Whether the job writes the state after the last step. No other state is written then.
+    #[serde(skip)]
+    pub last: bool,
     /// Whether the program records the activities of each rank.
     #[serde(skip)]
     pub events: bool,
@@ -51,6 +54,9 @@ pub struct RunOutput {
     /// Seconds of the engine's `load`.
     #[serde(default)]
     pub loading: f64,
+    /// Seconds of the engine's `read`.
+    #[serde(default)]
+    pub reading: f64,
     /// Bytes of memory at the end; `None` if the system does not report them.
     #[serde(default)]
     pub resident: Option<u64>,
@@ -80,7 +86,16 @@ pub struct Averages {
 impl Job {
     /// Makes a job of one step on one worker.
     pub fn new(program: Program, scene: Scene) -> Self {
-        Self { program, scene, steps: 1, workers: 1, statistics: false, every: None, events: false }
+        Self {
+            program,
+            scene,
+            steps: 1,
+            workers: 1,
+            statistics: false,
+            every: None,
+            last: false,
+            events: false,
+        }
     }
 
     /// Returns the number of ranks; `None` for a program without ranks.
@@ -97,6 +112,11 @@ impl Job {
     /// Returns the number of threads of all ranks together.
     pub fn all_workers(&self) -> usize {
         self.ranks().unwrap_or(1) * self.threads()
+    }
+
+    /// Whether the job writes states.
+    pub(crate) fn writes(&self) -> bool {
+        self.last || self.every.is_some()
     }
 
     /// Returns the job's name in a progress bar.
@@ -125,9 +145,13 @@ impl Job {
         if self.statistics {
             command.arg("--statistics");
         }
-        if let Some(every) = self.every {
-            command.args(["--full", "--every", &every.to_string()]);
-            command.arg("-o").arg(folder.join(FRAMES));
+        if self.writes() {
+            command.arg("--full").arg("-o").arg(folder.join(FRAMES));
+        }
+        if self.last {
+            command.arg("--last");
+        } else if let Some(every) = self.every {
+            command.args(["--every", &every.to_string()]);
         }
         if self.events {
             command.arg("--events").arg(folder.join(EVENTS));

@@ -43,6 +43,9 @@ struct Options {
     /// Write every K-th step
     #[arg(long, default_value_t = 10, value_name = "K", value_parser = clap::value_parser!(u64).range(1..))]
     every: u64,
+    /// Write only the state after the last step
+    #[arg(long, conflicts_with = "every")]
+    last: bool,
     /// Write 'x y vx vy' with all digits instead of 'x y' with six
     #[arg(long)]
     full: bool,
@@ -76,6 +79,8 @@ struct Loaded {
 struct Run {
     loading: Duration,
     stepping: Duration,
+    /// Time for reading the particles, without the time for writing them.
+    reading: Duration,
     statistics: Vec<Statistics>,
 }
 
@@ -159,7 +164,8 @@ fn simulate(
     root: bool,
     mut frames: Option<&mut FrameWriter<&mut dyn Write>>,
 ) -> io::Result<Run> {
-    let mut run = Run { loading: Duration::ZERO, stepping: Duration::ZERO, statistics: Vec::new() };
+    let [loading, stepping, reading] = [Duration::ZERO; 3];
+    let mut run = Run { loading, stepping, reading, statistics: Vec::new() };
     let bar = program::progress(root, options.steps);
     let mut chunk = Vec::new();
     let mut done = 0;
@@ -172,11 +178,13 @@ fn simulate(
         run.statistics.extend(simulation.statistics());
         // Under MPI, reading the particles is collective: every rank calls `read`, although only
         // the root has an output file.
-        if options.choice.output.is_some() && (done - 1) % options.every == 0 {
+        if options.choice.output.is_some() && is_written(done, options) {
             chunk.resize(n.min(CHUNK), Particle::default());
             for first in (0..n).step_by(CHUNK) {
                 let chunk = &mut chunk[..CHUNK.min(n - first)];
+                let start = Instant::now();
                 simulation.read(first, chunk);
+                run.reading += start.elapsed();
                 if let Some(frames) = &mut frames {
                     frames.particles(chunk)?;
                 }
@@ -191,16 +199,23 @@ fn simulate(
     Ok(run)
 }
 
+/// Whether the state is written when `done` steps are done. Steps are numbered from 0.
+fn is_written(done: u64, options: &Options) -> bool {
+    if options.last { done == options.steps } else { (done - 1) % options.every == 0 }
+}
+
 /// Returns the number of steps to take in a row after `done` steps.
 ///
-/// Steps are numbered from 0. The run stops for output after steps 0, `every`, 2 `every`, … With
+/// Unless it is the last state alone, the run stops for output after steps 0, `every`, 2 `every`, … With
 /// statistics it stops after each step. Without output and statistics it still stops from time to
 /// time, to move the progress bar.
 fn batch(done: u64, options: &Options) -> u64 {
     const BAR: u64 = 50;
     let look = match () {
         () if options.statistics => 1,
-        () if options.choice.output.is_some() => done.next_multiple_of(options.every) - done + 1,
+        () if options.choice.output.is_some() && !options.last => {
+            done.next_multiple_of(options.every) - done + 1
+        }
         () => BAR,
     };
     look.min(BAR).min(options.steps - done)
@@ -225,7 +240,7 @@ fn report(
         let line = json!({
             "variant": variant.name, "n": n, "steps": options.steps,
             "threads": config.threads, "seconds": seconds,
-            "loading": run.loading.as_secs_f64(), "resident": program::resident(),
+            "loading": run.loading.as_secs_f64(), "reading": run.reading.as_secs_f64(), "resident": program::resident(),
             "statistics": averages,
             "counters": program::counters_as_json(counters),
         });

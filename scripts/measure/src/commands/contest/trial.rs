@@ -21,7 +21,7 @@ pub(super) struct Drawn {
 
 /// The end of a correct run.
 pub(super) struct End {
-    /// Seconds of loading and stepping.
+    /// Seconds of loading, stepping and reading the state.
     pub(super) seconds: f64,
     /// Root mean square distance from the exact positions.
     pub(super) error: f64,
@@ -43,7 +43,7 @@ impl Drawn {
         runner: &Runner,
         job: Job,
     ) -> Result<std::result::Result<End, String>> {
-        let job = Job { steps: STEPS, every: Some(STEPS - 1), ..job };
+        let job = Job { steps: STEPS, last: true, ..job };
         let output = match runner.run(&job) {
             Ok(output) => output,
             Err(why) => return Ok(Err(format!("{why:#}"))),
@@ -54,7 +54,7 @@ impl Drawn {
         }
         let of_judged = |particle: &Particle| state[particle.id as usize];
         let judged: Vec<Particle> = self.exact.iter().map(of_judged).collect();
-        let seconds = output.loading + output.seconds;
+        let seconds = output.loading + output.seconds + output.reading;
         Ok(Ok(End { seconds, error: rms(&judged, &self.exact), state: state.clone() }))
     }
 

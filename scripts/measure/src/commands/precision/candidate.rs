@@ -61,10 +61,10 @@ impl Candidate {
 
     /// Makes a job of some official steps on one worker.
     ///
-    /// The program writes the states after the first and the last step.
+    /// The program writes the state after the last step.
     pub(super) fn job(&self, scene: &Arc<Scene>, steps: u64) -> Job {
         let job = Job::new(self.program.clone(), scene::Scene::Given(Arc::clone(scene)));
-        Job { steps, every: Some((steps - 1).max(1)), ..job }
+        Job { steps, last: true, ..job }
     }
 
     /// Compares the ends of the candidate's runs with the reference; `None` if there are no runs.
