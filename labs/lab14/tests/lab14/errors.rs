@@ -82,7 +82,7 @@ pub(crate) fn meetings(_: &mut Random, ask: &mut impl Ask) {
             ("a wall", vec![at(3.0, 5.0, -1.0)]),
             ("two far apart", vec![at(3.0, 5.0, 0.4), at(9.0, 9.0, 0.0)]),
             ("two head on", vec![at(3.0, 5.0, 0.4), at(7.0, 5.0, -0.4)]),
-            ("one hits another", vec![at(3.0, 5.0, 0.4), at(4.5, 5.0, 0.0)]),
+            ("one hits another", vec![at(3.0, 5.0, 0.2), at(4.5, 5.0, 0.0)]),
         ] {
             let v = particles[0].vx;
             let scene = Scene::new(10.0 * CUTOFF, particles).expect("all are in the box");
