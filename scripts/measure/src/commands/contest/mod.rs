@@ -134,8 +134,10 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let landmarks = landmarks(kit, &entries);
     println!("{}", show::tables(&entries, &landmarks));
     println!(
-        "{} rounds, scenes from seed {seed} on, up to {} threads",
-        options.rounds, contest.threads
+        "Rounds: {}. Scenes from seed {seed} on, up to {} threads{}",
+        options.rounds,
+        contest.threads,
+        if options.quick { "; small scenes, so the numbers say little" } else { "" }
     );
     let results = Results { seed, threads: contest.threads, entries, landmarks };
     options.files.write(results, |shown| options.draw(shown))?;

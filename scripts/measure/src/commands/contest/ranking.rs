@@ -1,20 +1,23 @@
 //! Three rankings. Two entries are tied if the rounds do not decide which one is better.
 
+use oracle::contest::Kind;
+
 use super::entry::Entry;
 use crate::clock::Span;
 
 /// Median error up to which an entry counts as accurate, as a multiple of the official step's
-/// error. Rounding and chaos change the error a little.
+/// error. Rounding and chaos change the error a little. For the same reason smaller differences
+/// between two errors are ties.
 pub(super) const ACCURATE: f64 = 1.05;
 
-/// A ranking.
+/// A ranking of the entries whose error is at most the official step's error on every kind of scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ranking {
-    /// By time, among the entries whose error is at most the official step's error.
+    /// By time.
     Fastest,
     /// By error, among the entries whose time is at most the reference's time.
     MostAccurate,
-    /// By counted instructions, among the entries whose error is at most the official step's error.
+    /// By counted instructions.
     FewestInstructions,
 }
 
@@ -31,25 +34,18 @@ impl Ranking {
 
     /// Returns the quantity that the ranking compares; `None` if the entry is not ranked.
     fn of(self, entry: &Entry) -> Option<Span> {
-        if !entry.faults.is_empty() {
+        if !entry.faults.is_empty() || !is_accurate(entry) {
             return None;
         }
         let time = entry.time?;
-        let is_accurate = || {
-            let mut all = oracle::contest::Kind::ALL.into_iter();
-            all.all(|kind| entry.errors(kind).is_some_and(|errors| errors.median <= ACCURATE))
-        };
         match self {
-            Self::Fastest => is_accurate().then_some(time),
+            Self::Fastest => Some(time),
             Self::MostAccurate => {
-                if time.min <= 1.0 {
-                    entry.error
-                } else {
-                    None
-                }
+                let error = entry.error.filter(|_| time.min <= 1.0)?;
+                Some(Span { min: error.min / ACCURATE, ..error })
             }
             Self::FewestInstructions => {
-                let count = entry.instructions.filter(|_| is_accurate())?;
+                let count = entry.instructions?;
                 // Counts of two runs differ by at most a thousandth.
                 Some(Span { min: 0.999 * count, median: 1.001 * count })
             }
@@ -69,6 +65,13 @@ impl Ranking {
     }
 }
 
+/// Whether an entry is accurate on every kind of scene. One kind without forces would otherwise buy
+/// time for the other kinds.
+fn is_accurate(entry: &Entry) -> bool {
+    let median = |kind| entry.errors(kind).map(|errors| errors.median);
+    Kind::ALL.into_iter().all(|kind| median(kind).is_some_and(|error| error <= ACCURATE))
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::entry::tests::entry;
@@ -77,15 +80,16 @@ mod tests {
     #[test]
     fn what_is_not_decided_is_a_tie() {
         let quick = entry(&[(0.5, 1.0), (0.6, 1.0), (0.7, 1.0)]);
-        let alike = entry(&[(0.55, 1.0), (0.65, 1.0), (0.75, 1.0)]);
+        let rounded = entry(&[(0.55, 0.999), (0.65, 0.999), (0.75, 0.999)]);
+        let exact = entry(&[(0.9, 0.1), (0.95, 0.1), (0.99, 0.1)]);
         let slow = entry(&[(2.0, 0.1), (2.1, 0.1), (2.2, 0.1)]);
         let wrong = entry(&[(0.1, 9.0)]);
         let mut lost = entry(&[(0.1, 1.0)]);
         lost.faults.push("crowd, seed 1: particle 3 is missing".into());
-        let all = [&quick, &alike, &slow, &wrong, &lost];
+        let all = [&quick, &rounded, &exact, &slow, &wrong, &lost];
         let places = |ranking: Ranking| all.map(|entry| ranking.place(entry, &all));
-        assert_eq!(places(Ranking::Fastest), [Some(1), Some(1), Some(3), None, None]);
-        assert_eq!(places(Ranking::MostAccurate), [Some(1), Some(1), None, Some(3), None]);
-        assert_eq!(places(Ranking::FewestInstructions), [None; 5]);
+        assert_eq!(places(Ranking::Fastest), [Some(1), Some(1), Some(3), Some(4), None, None]);
+        assert_eq!(places(Ranking::MostAccurate), [Some(2), Some(2), Some(1), None, None, None]);
+        assert_eq!(places(Ranking::FewestInstructions), [None; 6]);
     }
 }

@@ -50,8 +50,9 @@ pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
             text += &format!("\nnot ranked: {}: {fault}", entry.name());
         }
     }
-    text + "\n1 is the time of solution2:sorted, and the error of the official step. A place with = is shared.\n\
-            * measured for the book, on its machine"
+    text + "\nTime and error: the best and the median of the rounds. 1 is the time of solution2:sorted, and the error of\n\
+            the official step. A place with = is shared; with - an entry is too slow or not accurate enough.\n\
+            * an engine of the kit, measured for the book on its machine; solution14:entry is the starter"
 }
 
 /// Formats a place, with `=` if it is shared.
