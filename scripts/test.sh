@@ -16,7 +16,7 @@ set -uo pipefail
 cd "$(dirname "$0")/.."
 
 STAGES=(format tests doctests starters figures book)
-REST=(lint editor handout proof marks pages smoke)
+REST=(lint deny editor handout proof marks pages smoke)
 # Stages that run only by name: `gradescope` after a change of scripts/gradescope, for it builds the kit once more.
 BY_NAME=(gradescope)
 
@@ -63,6 +63,15 @@ stage_format() {
 stage_lint() {
     name_left_out
     cargo clippy --all-targets $(everything) -- -D warnings
+}
+
+# Compares the licences, versions and sources of all dependencies with deny.toml, and looks for advisories where they can
+# be loaded.
+stage_deny() {
+    have cargo-deny || { skip "no cargo-deny"; return; }
+    cargo deny check bans licenses sources || return
+    cargo deny fetch db || { leave_out "no database of advisories"; return; }
+    cargo deny check advisories
 }
 
 # On a machine with only Rust, neither cargo nor an editor reports an error in any lab. The build has its own folder: in
