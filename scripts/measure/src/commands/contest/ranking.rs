@@ -34,7 +34,7 @@ impl Ranking {
 
     /// Returns the quantity that the ranking compares; `None` if the entry is not ranked.
     fn of(self, entry: &Entry) -> Option<Span> {
-        if !entry.faults.is_empty() || !is_accurate(entry) {
+        if !entry.faults.is_empty() || inaccurate(entry).is_some() {
             return None;
         }
         let time = entry.time?;
@@ -65,11 +65,11 @@ impl Ranking {
     }
 }
 
-/// Whether an entry is accurate on every kind of scene. One kind without forces would otherwise buy
-/// time for the other kinds.
-fn is_accurate(entry: &Entry) -> bool {
+/// Returns the first kind of scene on which an entry is not accurate; `None` if it is accurate on all.
+/// One kind without forces would otherwise buy time for the other kinds.
+pub(super) fn inaccurate(entry: &Entry) -> Option<Kind> {
     let median = |kind| entry.errors(kind).map(|errors| errors.median);
-    Kind::ALL.into_iter().all(|kind| median(kind).is_some_and(|error| error <= ACCURATE))
+    Kind::ALL.into_iter().find(|&kind| median(kind).is_none_or(|error| error > ACCURATE))
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use lab_kit::table::three_digits;
 use oracle::contest::Kind;
 
 use super::entry::Entry;
-use super::ranking::Ranking;
+use super::ranking::{ACCURATE, Ranking, inaccurate};
 use crate::chart::{Axis, Chart, Kind as Look, Series};
 use crate::clock::{Span, Times};
 use crate::columns::Columns;
@@ -46,12 +46,16 @@ pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
     }
     let mut text = format!("{}\n{}", places.table(&rows), kinds.table(&rows));
     for entry in &all {
-        if let Some(fault) = entry.faults.first() {
-            text += &format!("\nnot ranked: {}: {fault}", entry.name());
+        let inaccurate = || {
+            let kind = inaccurate(entry)?;
+            Some(format!("{}: the error is above {ACCURATE}", kind.name()))
+        };
+        if let Some(why) = entry.faults.first().cloned().or_else(inaccurate) {
+            text += &format!("\nnot ranked: {}: {why}", entry.name());
         }
     }
     text + "\nTime and error: the best and the median of the rounds. 1 is the time of solution2:sorted, and the error of\n\
-            the official step. A place with = is shared; with - an entry is too slow or not accurate enough.\n\
+            the official step. A place with = is shared.\n\
             * an engine of the kit, measured for the book on its machine; solution14:entry is the starter"
 }
 
