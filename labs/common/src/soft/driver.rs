@@ -201,7 +201,7 @@ fn simulate(
 
 /// Whether the state is written when `done` steps are done. Steps are numbered from 0.
 fn is_written(done: u64, options: &Options) -> bool {
-    if options.last { done == options.steps } else { (done - 1) % options.every == 0 }
+    if options.last { done == options.steps } else { (done - 1).is_multiple_of(options.every) }
 }
 
 /// Returns the number of steps to take in a row after `done` steps.
