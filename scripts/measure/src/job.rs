@@ -34,16 +34,21 @@ pub struct Job {
     /// Whether the program collects statistics, which costs time.
     #[serde(skip)]
     pub statistics: bool,
-    /// Number of steps between two states, or `None` for no states. The first state is the one
-    /// after step 1.
+    /// States that the program writes; `None` for no states.
     #[serde(skip)]
-    pub every: Option<u64>,
-    /// Whether the job writes the state after the last step. No other state is written then.
-    #[serde(skip)]
-    pub last: bool,
+    pub states: Option<States>,
     /// Whether the program records the activities of each rank.
     #[serde(skip)]
     pub events: bool,
+}
+
+/// The states that a program writes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum States {
+    /// The state after step 1, and then a state after each of this number of steps.
+    Every(u64),
+    /// The state after the last step.
+    Last,
 }
 
 /// The numbers that a run prints or writes.
@@ -92,8 +97,7 @@ impl Job {
             steps: 1,
             workers: 1,
             statistics: false,
-            every: None,
-            last: false,
+            states: None,
             events: false,
         }
     }
@@ -112,11 +116,6 @@ impl Job {
     /// Returns the number of threads of all ranks together.
     pub fn all_workers(&self) -> usize {
         self.ranks().unwrap_or(1) * self.threads()
-    }
-
-    /// Whether the job writes states.
-    pub(crate) fn writes(&self) -> bool {
-        self.last || self.every.is_some()
     }
 
     /// Returns the job's name in a progress bar.
@@ -145,13 +144,12 @@ impl Job {
         if self.statistics {
             command.arg("--statistics");
         }
-        if self.writes() {
+        if let Some(states) = self.states {
             command.arg("--full").arg("-o").arg(folder.join(FRAMES));
-        }
-        if self.last {
-            command.arg("--last");
-        } else if let Some(every) = self.every {
-            command.args(["--every", &every.to_string()]);
+            match states {
+                States::Every(steps) => command.args(["--every", &steps.to_string()]),
+                States::Last => command.arg("--last"),
+            };
         }
         if self.events {
             command.arg("--events").arg(folder.join(EVENTS));

@@ -57,7 +57,7 @@ impl Runner {
         let line = line.with_context(|| format!("{name} printed no results"))?;
         let mut output: RunOutput =
             serde_json::from_str(line).with_context(|| format!("{name} printed odd results"))?;
-        if job.writes() {
+        if job.states.is_some() {
             output.frames = read_frames(&frames, job.scene.n())
                 .with_context(|| format!("{name} wrote odd frames"))?;
         }

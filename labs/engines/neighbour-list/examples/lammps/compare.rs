@@ -7,7 +7,7 @@ use clap::Args;
 use common::soft::{CUTOFF, DT, MASS, Particle, Scene};
 use lab_kit::program::Program;
 use lab_measure::commands::precision::reference::{self, Reference};
-use lab_measure::job::Job;
+use lab_measure::job::{Job, States};
 use lab_measure::scene::{self, read_frames, write_scene};
 use oracle::{acceleration_of_pair, energy};
 use serde::Serialize;
@@ -116,7 +116,8 @@ impl Compared {
         let mut moments = Vec::new();
         for program in programs {
             let job = Job::new(program.clone(), scene::Scene::Given(Arc::clone(&scene)));
-            let frames = lammps.runner.run(&Job { steps, every: Some(every), ..job })?.frames;
+            let states = Some(States::Every(every));
+            let frames = lammps.runner.run(&Job { steps, states, ..job })?.frames;
             for (style, theirs) in &theirs {
                 for (k, here) in frames.iter().enumerate() {
                     let there = theirs.get(k);

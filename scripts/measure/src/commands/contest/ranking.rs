@@ -13,11 +13,12 @@ pub(super) const ACCURATE: f64 = 1.05;
 /// A ranking of the entries whose error is at most the official step's error on every kind of scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ranking {
-    /// By time.
+    /// The entry with the shortest time is first.
     Fastest,
-    /// By error, among the entries whose time is at most the reference's time.
+    /// The entry with the least error is first. Only entries that take at most the reference's time
+    /// take part.
     MostAccurate,
-    /// By counted instructions.
+    /// The entry with the fewest counted instructions is first.
     FewestInstructions,
 }
 
@@ -65,8 +66,8 @@ impl Ranking {
     }
 }
 
-/// Returns the first kind of scene on which an entry is not accurate; `None` if it is accurate on all.
-/// One kind without forces would otherwise buy time for the other kinds.
+/// Returns the first kind of scene with too great an error; `None` if the entry is accurate on all
+/// kinds. One kind without forces would otherwise buy time for the other kinds.
 pub(super) fn inaccurate(entry: &Entry) -> Option<Kind> {
     let median = |kind| entry.errors(kind).map(|errors| errors.median);
     Kind::ALL.into_iter().find(|&kind| median(kind).is_none_or(|error| error > ACCURATE))

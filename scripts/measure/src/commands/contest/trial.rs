@@ -7,7 +7,7 @@ use common::soft::{Particle, Scene};
 use oracle::contest::{Kind, STEPS};
 
 use crate::commands::precision::reference::rms;
-use crate::job::Job;
+use crate::job::{Job, States};
 use crate::runner::Runner;
 
 /// A scene and its exact end.
@@ -43,7 +43,7 @@ impl Drawn {
         runner: &Runner,
         job: Job,
     ) -> Result<std::result::Result<End, String>> {
-        let job = Job { steps: STEPS, last: true, ..job };
+        let job = Job { steps: STEPS, states: Some(States::Last), ..job };
         let output = match runner.run(&job) {
             Ok(output) => output,
             Err(why) => return Ok(Err(format!("{why:#}"))),

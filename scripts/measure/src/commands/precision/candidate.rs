@@ -11,7 +11,7 @@ use oracle::energy;
 use super::group::Point;
 use super::reference::{Reference, rms};
 use crate::clock::Times;
-use crate::job::{Job, RunOutput};
+use crate::job::{Job, RunOutput, States};
 use crate::runner::Runner;
 use crate::scene;
 
@@ -64,7 +64,7 @@ impl Candidate {
     /// The program writes the state after the last step.
     pub(super) fn job(&self, scene: &Arc<Scene>, steps: u64) -> Job {
         let job = Job::new(self.program.clone(), scene::Scene::Given(Arc::clone(scene)));
-        Job { steps, last: true, ..job }
+        Job { steps, states: Some(States::Last), ..job }
     }
 
     /// Compares the ends of the candidate's runs with the reference; `None` if there are no runs.

@@ -8,7 +8,7 @@ use lab_kit::binaries::Known;
 use lab_kit::program::Program;
 
 use super::method::Method;
-use crate::job::Job;
+use crate::job::{Job, States};
 use crate::runner::Runner;
 use crate::scene;
 
@@ -53,7 +53,7 @@ impl Lab<'_> {
         let scene = scene::Scene::Given(Arc::new(asked.scene.clone()));
         let mut job = Job::new(self.program.clone(), scene);
         job.steps = asked.steps;
-        job.every = Some(asked.every);
+        job.states = Some(States::Every(asked.every));
         // If two workers waited for each other a million times, the time would depend mostly on the
         // machine's load.
         job.workers = if asked.steps > 5_000 { 1 } else { 2 };
@@ -64,7 +64,7 @@ impl Lab<'_> {
             // More small steps would make no difference in free flight.
             job.program.parameters.push(("substeps".into(), (10.0 / asked.stretch).floor()));
             job.steps = (asked.steps as f64 * asked.stretch) as u64;
-            job.every = Some((asked.every as f64 * asked.stretch) as u64);
+            job.states = Some(States::Every((asked.every as f64 * asked.stretch) as u64));
         } else if asked.stretch != 1.0 {
             return None;
         }
