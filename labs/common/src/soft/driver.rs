@@ -206,8 +206,8 @@ fn is_written(done: u64, options: &Options) -> bool {
 
 /// Returns the number of steps to take in a row after `done` steps.
 ///
-/// Unless it is the last state alone, the run stops for output after steps 0, `every`, 2 `every`, … With
-/// statistics it stops after each step. Without output and statistics it still stops from time to
+/// The run stops for output after steps 0, `every`, 2 `every`, …, unless only the last state is
+/// written. With statistics it stops after each step. In all other cases it stops from time to
 /// time, to move the progress bar.
 fn batch(done: u64, options: &Options) -> u64 {
     const BAR: u64 = 50;
@@ -240,7 +240,8 @@ fn report(
         let line = json!({
             "variant": variant.name, "n": n, "steps": options.steps,
             "threads": config.threads, "seconds": seconds,
-            "loading": run.loading.as_secs_f64(), "reading": run.reading.as_secs_f64(), "resident": program::resident(),
+            "loading": run.loading.as_secs_f64(), "reading": run.reading.as_secs_f64(),
+            "resident": program::resident(),
             "statistics": averages,
             "counters": program::counters_as_json(counters),
         });

@@ -1,7 +1,7 @@
 //! Measures the cost of a round: `cargo run --release -p workers --example round`.
 //!
 //! In a round without work all threads begin and end. Before each round the caller works alone for
-//! some time, in which the other threads wait.
+//! some time, and the other threads wait.
 
 use std::thread::available_parallelism;
 use std::time::{Duration, Instant};
@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use common::BuildError;
 use workers::Workers;
 
-/// Times for which the caller works alone before a round, in microseconds.
+/// Lengths of the caller's own work before a round, in microseconds.
 const ALONE: [u64; 5] = [0, 20, 40, 100, 1000];
 /// Number of rounds for each number of threads and each of these times.
 const ROUNDS: usize = 2000;

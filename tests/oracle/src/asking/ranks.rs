@@ -38,8 +38,8 @@ const ENVIRONMENT: [(&str, &str); 8] = [
 /// Returns this rank's connection to the program that started the job. `None` if this process is
 /// not a rank.
 ///
-/// The function waits until all ranks of the job are connected. So none of them runs the
-/// submission's code while the socket still accepts connections.
+/// The function waits until all ranks of the job are connected. So the submission's code starts only
+/// after the socket has stopped accepting connections.
 ///
 /// # Panics
 /// If the program that started the job does not answer.
