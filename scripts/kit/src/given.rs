@@ -1,4 +1,6 @@
 //! Given files belong to the kit: a submission consists of the files with tasks, and of new files.
+//! The starter of an open lab is complete and has no gap to fill: there all files of the library
+//! belong to the student.
 //!
 //! A new file is a module, and the module's declaration is often in a given file. So the
 //! declaration is copied into the kit's own version of the given file. Nothing else that a student
@@ -18,9 +20,9 @@ use crate::starter::{self, todo};
 /// The files that the kit gives for a lab.
 #[derive(Debug, Default)]
 pub struct Given {
-    /// Files in src/ without a task.
+    /// Other files in src/.
     pub files: Sources,
-    /// Paths of the files in src/ with a task, which belong to the student.
+    /// Paths of the files in src/ that belong to the student.
     pub tasks: BTreeSet<String>,
     /// Manifest and tests.
     pub beside: Sources,
@@ -39,6 +41,11 @@ impl Given {
             } else {
                 given.files.insert(path, bytes);
             }
+        }
+        if given.tasks.is_empty() {
+            let library = |path: &String| !path.starts_with("src/main");
+            given.tasks = given.files.keys().filter(|path| library(path)).cloned().collect();
+            given.files.retain(|path, _| !library(path));
         }
         Ok(given)
     }
@@ -161,6 +168,7 @@ fn plain(path: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::Given;
+    use crate::kit::Kit;
     use crate::sources::Sources;
 
     fn sources(files: &[(&str, &str)]) -> Sources {
@@ -191,6 +199,13 @@ mod tests {
             (&files["src/lib.rs"][..], changed),
             (&b"mod task;\n"[..], vec!["src/lib.rs".to_owned()])
         );
+    }
+
+    #[test]
+    fn an_open_lab_belongs_to_the_student() {
+        let given = Given::of(&Kit::find().unwrap(), "14".parse().unwrap()).unwrap();
+        assert!(given.tasks.iter().eq(["src/entry.rs", "src/lib.rs"]), "{:?}", given.tasks);
+        assert!(given.files.keys().eq(["src/main.rs"]));
     }
 
     #[test]
