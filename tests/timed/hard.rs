@@ -7,14 +7,21 @@ use common::hard::{Disc, RandomScene, Simulation};
 
 use crate::Order;
 
-/// Executes an order with one of the programs. `None` if the order is for a different program.
-pub fn run(order: &Order, programs: &[Variant<dyn Simulation>]) -> Option<Vec<f64>> {
+/// Executes an order with one of the programs. The program may `begin` as soon as the scene is made.
+///
+/// Returns `None` if the order is for a different program.
+pub fn run(
+    order: &Order,
+    programs: &[Variant<dyn Simulation>],
+    begin: &dyn Fn(),
+) -> Option<Vec<f64>> {
     let variant = programs.iter().find(|variant| variant.name == order.variant)?;
-    let config = variant.config().with_threads(order.threads);
-    let mut engine = (variant.build)(&config).expect("it can be built here");
     let side = 20.0 * (order.n as f64).sqrt();
     let scene = RandomScene::new(order.n, side, 1.0, order.seed).with_speeds(0.5, 1.5);
     let scene = scene.draw().expect("the scene is sound");
+    begin();
+    let config = variant.config().with_threads(order.threads);
+    let mut engine = (variant.build)(&config).expect("it can be built here");
     engine.load(&scene);
     for _ in 0..order.steps {
         engine.step();

@@ -1,9 +1,9 @@
 //! The timed program: `timed NONCE WORKERS`.
 //!
-//! It reports that it is ready, waits for an order, and executes it: it makes the scene, passes it
-//! to the lab, and sends all particles back. The grader's clock runs from the order to the last
-//! particle, so all work in between is timed, and no work can be done before the order. If workers
-//! are ranks, all ranks are ready before the first rank reports this.
+//! It waits for an order, makes the scene, and reports that it is ready. Then it waits for a line of
+//! the grader, passes the scene to the lab, and sends all particles back. The grader's clock runs
+//! from this line to the last particle. No code of the lab has run before this line, so all of the
+//! lab's work is timed. If workers are ranks, all ranks are ready before the first rank reports this.
 
 #![allow(missing_docs)]
 
@@ -25,10 +25,12 @@ pub struct Order {
     pub n: u64,
     pub seed: u32,
     pub steps: u64,
+    /// Kind of the scene, if the discs are soft: [`oracle::contest::Kind::name`].
+    pub kind: String,
 }
 
 fn order(line: &str) -> Option<Order> {
-    let mut words = line.split_whitespace();
+    let mut words = line.trim_end().splitn(7, ' ');
     Some(Order {
         serial: words.next()? == "serial",
         variant: words.next()?.to_owned(),
@@ -36,6 +38,7 @@ fn order(line: &str) -> Option<Order> {
         n: words.next()?.parse().ok()?,
         seed: words.next()?.parse().ok()?,
         steps: words.next()?.parse().ok()?,
+        kind: words.next()?.to_owned(),
     })
 }
 
@@ -61,13 +64,16 @@ fn main() -> ExitCode {
 
 /// Executes an order together with the rest of the team.
 fn timed(nonce: &str, team: &Team<'_>) -> io::Result<()> {
-    if team.is_first() {
-        println!("\n@{nonce} ready");
-    }
-    let message = team.share(if team.is_first() { line() } else { String::new() });
-    let Some(order) = order(&message) else { panic!("there is no such order") };
+    let next = || team.share(if team.is_first() { line() } else { String::new() });
+    let Some(order) = order(&next()) else { panic!("there is no such order") };
+    let begin = || {
+        if team.is_first() {
+            println!("\n@{nonce} ready");
+        }
+        next();
+    };
     // x, y, vx, vy of each particle, in the order of ids.
-    let state = scene::run(&order);
+    let state = scene::run(&order, &begin);
     let Some(state) = state else { panic!("there is no variant {}", order.variant) };
     if !team.is_first() {
         return Ok(());

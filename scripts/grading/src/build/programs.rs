@@ -27,7 +27,6 @@ const ONLY_TESTS: [&str; 1] = ["insta"];
 impl Programs {
     /// Collects the programs of a lab, for a package beside the lab's `folder`.
     pub(super) fn of(kit: &Kit, lab: Lab, rubric: &Facts, folder: &Path) -> Result<Self> {
-        let serial = rubric.scaling.is_some();
         let mut sources = Sources::new();
         for path in questions(kit, lab)? {
             let to = format!("src/questions/{}", path.strip_prefix(kit.path("tests"))?.display());
@@ -45,7 +44,7 @@ impl Programs {
             sources.insert(format!("{timed}/{to}"), read_bytes(&kit.path(from))?);
         }
         sources.insert(format!("{timed}/scene.rs"), scene(lab, rubric).into_bytes());
-        Ok(Self { manifest: manifest(folder, lab, serial)?, sources })
+        Ok(Self { manifest: manifest(folder, lab, timing::has_serial(rubric))?, sources })
     }
 
     /// Puts empty programs into `package`.
@@ -86,13 +85,16 @@ fn scene(lab: Lab, rubric: &Facts) -> String {
     let mut run = String::from("None");
     for (discs, variants) in timing::programs(rubric) {
         modules += &format!("mod {discs};\n");
-        run += &format!(".or_else(|| {discs}::run(order, lab{lab}::{variants}))");
+        run += &format!(".or_else(|| {discs}::run(order, lab{lab}::{variants}, begin))");
     }
-    if rubric.scaling.is_some() {
-        run =
-            format!("if order.serial {{ soft::run(order, solution2::VARIANTS) }} else {{ {run} }}");
+    if timing::has_serial(rubric) {
+        run = format!(
+            "if order.serial {{ soft::run(order, solution2::VARIANTS, begin) }} else {{ {run} }}"
+        );
     }
-    format!("{modules}\npub fn run(order: &crate::Order) -> Option<Vec<f64>> {{\n    {run}\n}}\n")
+    format!(
+        "{modules}\npub fn run(order: &crate::Order, begin: &dyn Fn()) -> Option<Vec<f64>> {{\n    {run}\n}}\n"
+    )
 }
 
 /// Writes the manifest.

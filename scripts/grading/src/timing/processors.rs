@@ -1,6 +1,6 @@
-//! Limits the processors of a program and measures its processor time.
+//! Limits the processors of a program, and measures its processor time and its memory.
 
-use std::io;
+use std::{fs, io};
 
 use crate::sandbox::processes::{all, family};
 
@@ -28,6 +28,18 @@ pub(crate) fn confined<T>(_count: usize, start: impl FnOnce() -> io::Result<T>) 
 pub(crate) fn seconds(root: u32) -> Option<f64> {
     let all = all();
     (!all.is_empty()).then(|| family(&all, root).map(|(_, process)| process.seconds).sum())
+}
+
+/// Returns the largest memory that a process and each of its descendants have had, added up, in
+/// bytes; `None` if unknown.
+pub(crate) fn peak(root: u32) -> Option<u64> {
+    let all = all();
+    let peaks = family(&all, root).map(|(number, _)| {
+        let text = fs::read_to_string(format!("/proc/{number}/status")).ok()?;
+        let kibibytes = text.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+        Some(1024 * kibibytes.trim().strip_suffix(" kB")?.parse::<u64>().ok()?)
+    });
+    (!all.is_empty()).then(|| peaks.flatten().sum())
 }
 
 #[cfg(all(test, target_os = "linux"))]

@@ -7,7 +7,7 @@ use anyhow::{Result, ensure};
 
 use super::correctness::{STRAY, difference, is_another};
 use super::plan::SERIAL;
-use super::take::{Taken, is_doubtful, take};
+use super::take::{Order, Taken, is_doubtful, take};
 use crate::record::{Outcome, Run, Whose};
 use crate::sandbox::Sandbox;
 use crate::sandbox::faults::believed;
@@ -47,7 +47,7 @@ pub(crate) fn one_round(
         });
         // The serial program is in the solution's folder.
         let folder = if run.whose == Whose::Own { own } else { solution };
-        let once = || take(sandbox, folder, run, seed, run.workers, allowed);
+        let once = || take(sandbox, folder, &Order::of(run, seed), run.workers, allowed);
         let taken = match believed(once, is_doubtful, || sandbox.works())? {
             Ok(taken) => taken,
             Err((outcome, why)) => {

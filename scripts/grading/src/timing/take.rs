@@ -10,16 +10,17 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, ensure};
 
-use super::processors::{confined, seconds};
+use super::processors::{confined, peak, seconds};
 use crate::record::{Outcome, Run, Whose};
 use crate::sandbox::Sandbox;
 use crate::sandbox::faults::is_sign;
 use lab_kit::process::{ends, panic_in, start as start_process};
+use oracle::contest::Kind;
 
 /// Name of the timed program in its folder.
 pub(crate) const PROGRAM: &str = "timed";
 
-/// Time limit for starting a program. The start is not timed.
+/// Time limit for starting a program and making its scene. Neither is timed.
 const START: Duration = Duration::from_secs(20);
 
 /// Time limit for reading the error messages of a program that crashed.
@@ -28,12 +29,37 @@ const REST: Duration = Duration::from_secs(5);
 /// Maximal number of bytes that a program may print.
 const MOST: u64 = 1 << 28;
 
+/// A request to the timed program.
+pub(crate) struct Order<'a> {
+    /// Whether to run the serial program of the earlier labs.
+    pub(crate) serial: bool,
+    pub(crate) variant: &'a str,
+    pub(crate) workers: usize,
+    pub(crate) n: usize,
+    pub(crate) seed: u32,
+    pub(crate) steps: u64,
+    pub(crate) kind: Kind,
+}
+
+impl<'a> Order<'a> {
+    /// Requests a run on the official scene of this seed.
+    pub(crate) fn of(run: &'a Run, seed: u32) -> Self {
+        let Run { variant, workers, n, steps, .. } = run;
+        let serial = run.whose == Whose::Serial;
+        let kind = Kind::Official;
+        Self { serial, variant, workers: *workers, n: *n, seed, steps: *steps, kind }
+    }
+}
+
 /// Result of a run.
 pub(crate) struct Taken {
-    /// Seconds from sending the order to receiving the last particle, on the grader's clock.
+    /// Seconds from the line that lets the program begin to its last particle, on the grader's
+    /// clock.
     pub(crate) seconds: f64,
     /// Processor time in these seconds; `None` if the system does not report it.
     pub(crate) processors: Option<f64>,
+    /// Largest memory of the processes in bytes; `None` if the system does not report it.
+    pub(crate) memory: Option<u64>,
     /// x, y, vx, vy of each particle.
     pub(crate) state: Vec<f64>,
 }
@@ -66,14 +92,13 @@ enum Reply {
 pub(crate) fn take(
     sandbox: &Sandbox,
     folder: &Path,
-    run: &Run,
-    seed: u32,
+    order: &Order<'_>,
     processors: usize,
     limit: Duration,
 ) -> Result<Result<Taken, Trouble>> {
     let nonce = nonce();
     let mut command = sandbox.program(folder, PROGRAM);
-    command.args([&nonce, &run.workers.to_string()]);
+    command.args([&nonce, &order.workers.to_string()]);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut process = confined(processors, || start_process(&mut command))
         .context("a timed program does not start")?;
@@ -84,8 +109,13 @@ pub(crate) fn take(
     let complaints = ends(child.stderr.take());
     let root = child.id();
     let (send, receive) = channel();
-    let most = 32 * run.n;
+    let most = 32 * order.n;
     thread::spawn(move || listen(stdout, &nonce, most, &send));
+    let Order { variant, workers, n, seed, steps, .. } = order;
+    let whose = if order.serial { "serial" } else { "lab" };
+    let kind = order.kind.name();
+    // If the program has closed its stdin, the missing answer is reported later.
+    let _ = writeln!(stdin, "{whose} {variant} {workers} {n} {seed} {steps} {kind}");
 
     match receive.recv_timeout(START) {
         Ok(Reply::Ready) => {}
@@ -93,11 +123,8 @@ pub(crate) fn take(
         Err(error) => return Ok(Err(ended(error, START, &complaints))),
     }
     let before = seconds(root);
-    let whose = if run.whose == Whose::Serial { "serial" } else { "lab" };
-    let Run { variant, workers, n, steps, .. } = run;
     let start = Instant::now();
-    // If the program has closed its stdin, the missing answer is reported later.
-    let _ = writeln!(stdin, "{whose} {variant} {workers} {n} {seed} {steps}");
+    let _ = writeln!(stdin, "begin");
     let (end, state) = match receive.recv_timeout(limit) {
         Ok(Reply::State(end, state)) => (end, state),
         Ok(Reply::TooMuch) => {
@@ -112,6 +139,7 @@ pub(crate) fn take(
     Ok(Ok(Taken {
         seconds: end.duration_since(start).as_secs_f64(),
         processors: before.zip(after).map(|(before, after)| (after - before).max(0.0)),
+        memory: peak(root),
         state,
     }))
 }

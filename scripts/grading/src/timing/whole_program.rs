@@ -9,7 +9,7 @@ use anyhow::{Result, anyhow};
 
 use super::correctness::difference;
 use super::scene;
-use super::take::{Taken, Trouble, is_doubtful, take};
+use super::take::{Order, Taken, Trouble, is_doubtful, take};
 use crate::record::{Run, Task, Whose, number};
 use crate::sandbox::Sandbox;
 use crate::sandbox::faults::believed;
@@ -40,7 +40,7 @@ fn result(
     folder: &Path,
     PlannedRun { run, seed, .. }: &PlannedRun,
 ) -> Result<Result<Taken, Trouble>> {
-    take(sandbox, folder, run, *seed, usize::MAX, sandbox.limits.run)
+    take(sandbox, folder, &Order::of(run, *seed), usize::MAX, sandbox.limits.run)
 }
 
 /// Plans the runs of whole programs.
