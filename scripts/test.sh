@@ -118,8 +118,16 @@ in_handout() ( # in_handout COMMAND…
 
 stage_proof() { cargo lab prove; }
 
-full_marks() { cargo lab grade solutions --lab "$1" --no-timing --into "$2" >"$LOG.marks" 2>&1; }
-# Each solution gets full marks when it is graded as a submission.
+full_marks() { # full_marks LAB FOLDER
+    local times=--no-timing
+    # A contest needs times.
+    has_contest "$1" && times=
+    # shellcheck disable=SC2086 # one word or none
+    cargo lab grade solutions --lab "$1" $times --into "$2" >"$LOG.marks" 2>&1
+}
+has_contest() { labs_of contest yes | grep -qx "$1"; } # has_contest LAB
+ranked() { ! has_contest "$1" || grep -q '"leaderboard": \[$' "$2/gradescope/solutions.json"; } # ranked LAB FOLDER
+# Each solution gets full marks when it is graded as a submission, and an entry of a contest is ranked.
 stage_marks() {
     local folder lab labs
     labs=$(labs_with threads)
@@ -131,7 +139,9 @@ stage_marks() {
         # Open MPI 4.1 crashes at the end of about one job in a hundred, after the program has answered.
         grep -q 'exited on signal' "$LOG.marks" && full_marks "$lab" "$folder/$lab-again"
         if grep -Eo '^solutions +100 of [0-9.]+( |$)' "$LOG.marks" | sed "s/^solutions */lab $lab: /"; then
-            continue
+            ranked "$lab" "$folder/$lab" && continue
+            echo "the entry of lab $lab is not ranked"
+            return 1
         elif grep -q -- '--trusted' "$LOG.marks"; then
             skip "no sandbox"
             break

@@ -20,6 +20,11 @@ impl Facts {
         [&self.complexity, &self.scaling, &self.speed].into_iter().flatten()
     }
 
+    /// Whether entries of the lab take part in a contest.
+    pub fn has_contest(&self) -> bool {
+        !self.goals.is_empty()
+    }
+
     /// Returns the rubric of the core tasks: they are worth a hundred points together, and other
     /// tasks and times are worth nothing.
     pub fn core(mut self) -> Self {

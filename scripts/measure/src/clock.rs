@@ -17,7 +17,7 @@ pub struct Times {
 }
 
 /// A quantity that is computed twice: from the shortest take, and from the median.
-#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Span {
     /// The quantity from the shortest take.
     pub min: f64,

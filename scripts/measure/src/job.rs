@@ -52,7 +52,7 @@ pub enum States {
 }
 
 /// The numbers that a run prints or writes.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 pub struct RunOutput {
     /// Seconds that the steps take, without start, scene and output.
     pub seconds: f64,

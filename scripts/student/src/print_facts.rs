@@ -16,13 +16,15 @@ pub(crate) fn run(kit: &Kit) -> Result<ExitCode> {
 }
 
 fn lines(kit: &Kit, lab: Lab) -> Result<String> {
-    let Facts { discs, workers, cluster, hybrid, smoke, .. } = kit.facts(lab)?;
+    let facts = kit.facts(lab)?;
+    let contest = facts.has_contest().then(|| "yes".to_owned());
+    let Facts { discs, workers, cluster, hybrid, smoke, .. } = facts;
     let mut lines = format!("{lab} program {}\n", program(kit, lab));
     lines += &format!("{lab} workers {}\n", serde_json::to_value(workers)?.as_str().unwrap_or(""));
     lines += &format!("{lab} discs {}\n", serde_json::to_value(discs)?.as_str().unwrap_or(""));
-    let of_clusters = [("cluster", cluster), ("hybrid", hybrid)];
+    let some = [("contest", contest), ("cluster", cluster), ("hybrid", hybrid)];
     let runs = smoke.into_iter().map(|command| ("smoke", Some(command)));
-    for (name, value) in of_clusters.into_iter().chain(runs) {
+    for (name, value) in some.into_iter().chain(runs) {
         lines.extend(value.map(|value| format!("{lab} {name} {value}\n")));
     }
     Ok(lines)
@@ -45,7 +47,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let given = "title = \"bins\"\ndiscs = \"soft\"\nworkers = \"threads\"\n";
         let own = "title = \"ranks\"\ndiscs = \"hard\"\nworkers = \"ranks\"\ncluster = \"all\"\n\
-                   smoke = [\"run 3\"]\n";
+                   smoke = [\"run 3\"]\n[[goal]]\nbeats = \"solution2\"\npoints = 1\n";
         let files = [
             ("labs/lab2/Cargo.toml", ""),
             ("solutions/lab2/Cargo.toml", ""),
@@ -56,7 +58,7 @@ mod tests {
         let kit = Kit::of_files(folder.path(), &files);
         let lines = ["2", "3"].map(|lab| lines(&kit, lab.parse().unwrap()).unwrap());
         assert_eq!(lines[0], "2 program solution2\n2 workers threads\n2 discs soft\n");
-        let all = "3 program lab3\n3 workers ranks\n3 discs hard\n3 cluster all\n3 smoke run 3\n";
+        let all = "3 program lab3\n3 workers ranks\n3 discs hard\n3 contest yes\n3 cluster all\n3 smoke run 3\n";
         assert_eq!(lines[1], all);
     }
 }

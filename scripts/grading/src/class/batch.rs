@@ -72,7 +72,9 @@ struct Left<'a> {
 
 impl<'a> Left<'a> {
     fn of(grader: &Grader<'_>, all: &'a [Named], into: &Path, options: &Options) -> Self {
-        let times = !options.no_timing && grader.rubric.timed().next().is_some();
+        let rubric = &grader.rubric;
+        let has_times = rubric.timed().next().is_some() || rubric.has_contest();
+        let times = !options.no_timing && has_times;
         let mut left = Self { open: Vec::new(), untimed: Vec::new() };
         for submission in all {
             let (name, path) = submission;

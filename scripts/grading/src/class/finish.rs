@@ -17,8 +17,10 @@ use crate::roster::ClassFile;
 use crate::roster::late::file_time;
 use crate::score::score;
 use crate::submission::known_wrong;
+use crate::timing::contest::{self, ClassContest};
 use crate::{report, timing};
 use lab_kit::escape::line;
+use lab_measure::commands::contest::publish;
 
 /// Times one submission after another. Returns whether all could be timed.
 ///
@@ -32,15 +34,22 @@ pub(crate) fn time(
     into: &Path,
     mut programs: BTreeMap<String, TempDir>,
 ) -> Result<bool> {
+    let mut contest = None;
     let bar = bar("times", untimed.len(), 0);
     let mut all = true;
     for (name, path) in untimed {
         let mut record = record::read(&into.join(format!("{name}.json")))?;
         let program = programs.remove(name);
-        let taken = time_one(grader, reference, tree, path, program, &mut record.found);
+        let program = match program {
+            None if record.found.status == Status::Graded => build(grader, tree, path).map(Some),
+            program => Ok(program),
+        };
+        let taken = program.and_then(|program| {
+            time_one(grader, reference, &mut contest, program, &mut record.found)
+        });
         if taken.is_err() {
             // The next grading run times this submission again.
-            record.found.timed = false;
+            (record.found.timed, record.found.contest) = (false, None);
             record.found.runs.clear();
             all = false;
         }
@@ -52,23 +61,26 @@ pub(crate) fn time(
     Ok(all)
 }
 
-/// Times a submission. If `program` is `None`, its programs are built first.
+/// Times the programs of a submission; `None` if it has no programs. The first entry of a class
+/// causes the scenes of the `contest` to be drawn.
 fn time_one(
     grader: &Grader<'_>,
     reference: &Reference,
-    tree: &Tree,
-    path: &Path,
+    contest: &mut Option<ClassContest>,
     program: Option<TempDir>,
     found: &mut Findings,
 ) -> Result<()> {
-    let program = match program {
-        None if found.status == Status::Graded => Some(build(grader, tree, path)?),
-        program => program,
-    };
     found.timed = true;
     let Some(own) = program else { return Ok(()) };
     let folders = (own.path(), reference.programs.path());
-    timing::time(grader.sandbox, folders, found, &grader.rubric)
+    if !grader.rubric.has_contest() {
+        return timing::time(grader.sandbox, folders, found, &grader.rubric);
+    }
+    let contest = match contest.take() {
+        Some(drawn) => contest.insert(drawn),
+        None => contest.insert(ClassContest::draw()?),
+    };
+    contest.enter(grader.sandbox, folders, found)
 }
 
 /// Computes points, writes the pages, and prints a line for each submission.
@@ -93,6 +105,14 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
         println!("Not graded: {ungraded}");
     }
     println!("The class: {}", into.join("index.html").display());
+    let entries = records.iter().filter_map(|record| {
+        Some((record.found.name.clone(), vec![record.found.contest.clone()?]))
+    });
+    let entries: Vec<_> = entries.collect();
+    if !entries.is_empty() {
+        let page = publish(grader.kit, entries, &into.join("contest"))?;
+        println!("The contest: {}", page.display());
+    }
     Ok(ended)
 }
 
@@ -159,8 +179,9 @@ fn times(record: &Record) -> String {
         let kind = measure.kind.name();
         measure.grade.map_or(format!("{kind} not graded"), |grade| format!("{kind} {grade:.0}"))
     });
-    match record.found.status {
-        Status::Graded => measures.collect::<Vec<_>>().join(", "),
+    match (record.found.status, &record.found.contest) {
+        (Status::Graded, Some(entry)) => contest::summary(entry),
+        (Status::Graded, None) => measures.collect::<Vec<_>>().join(", "),
         _ => "there is no program to time".into(),
     }
 }

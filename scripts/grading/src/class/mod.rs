@@ -56,7 +56,7 @@ pub(crate) struct Options {
     /// Time limit of a submission's compilation
     #[arg(long, value_name = "SECONDS", default_value_t = 120)]
     build_limit: u64,
-    /// Do not time programs: complexity, scaling and speed are then not graded
+    /// Do not time programs: complexity, scaling and speed are then not graded, and there is no contest
     #[arg(long)]
     no_timing: bool,
     /// If no sandbox can be made, run the code without one, with all your rights

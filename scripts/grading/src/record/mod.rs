@@ -15,6 +15,7 @@ use lab_kit::Lab;
 use lab_kit::answers::RegionId;
 use lab_kit::escape::line;
 use lab_kit::files::{read_bytes, write_file};
+use lab_measure::commands::contest::Entry;
 
 pub(crate) use by_hand::{Attempt, Decision, Lateness};
 pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
@@ -76,6 +77,9 @@ pub(crate) struct Findings {
     /// Timed runs, exactly as they were measured. Measures are computed from the runs and can be
     /// recomputed.
     pub(crate) runs: Vec<Run>,
+    /// Entry in the contest, as it was measured; `None` if the lab has no contest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) contest: Option<Entry>,
 }
 
 /// Marks of a submission, and the decisions that they depend on.

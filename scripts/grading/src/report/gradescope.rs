@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use super::{Words, letter, sentences};
 use crate::record::Record;
 use lab_kit::escape::line;
+use lab_measure::commands::contest::Entry;
 
 /// Converts a record for Gradescope: a test for each task and each measure.
 pub(crate) fn results(record: &Record, words: &Words) -> Value {
@@ -39,7 +40,7 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
     if !record.found.sandboxed {
         output += "It ran without a sandbox: none can be made here.\n";
     }
-    json!({
+    let mut results = json!({
         "score": record.marked.points,
         "output": output,
         "output_format": "md",
@@ -49,14 +50,31 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
             "toolchain": record.found.toolchain, "machine": record.found.machine, "sandboxed": record.found.sandboxed,
         },
         "tests": tests,
-    })
+    });
+    if let Some(entry) = &record.found.contest {
+        results["leaderboard"] = leaderboard(entry);
+    }
+    results
+}
+
+/// Lists the numbers that Gradescope's leaderboard compares. An entry that is not ranked has none.
+fn leaderboard(entry: &Entry) -> Value {
+    let ranked = [("time", entry.time), ("error", entry.error)];
+    let rows =
+        ranked.into_iter().filter(|_| entry.unranked().is_none()).filter_map(|(name, span)| {
+            Some(json!({ "name": name, "value": span?.median, "order": "asc" }))
+        });
+    rows.collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use serde_json::Value;
+    use std::collections::BTreeMap;
 
-    use super::results;
+    use oracle::contest::Kind;
+    use serde_json::{Value, json};
+
+    use super::{Entry, results};
     use crate::record::{Record, Status, Verdict};
     use crate::report::Words;
 
@@ -93,6 +111,34 @@ mod tests {
         let (output, tests) = check(&record);
         assert!(output.contains("25 points are open"));
         assert_eq!(tests[2][1], 0.0);
+    }
+
+    #[test]
+    fn the_leaderboard_lists_only_ranked_entries() {
+        let entry = |error: f64| -> Entry {
+            let round = json!([{ "time": 0.5, "error": error }]);
+            let kinds = Kind::ALL.map(|kind| (kind.name(), round.clone()));
+            let span = |value: f64| json!({ "min": value, "median": value });
+            serde_json::from_value(json!({
+                "program": "lab14:entry", "kinds": BTreeMap::from(kinds), "instructions": null,
+                "time": span(0.5), "error": span(error), "faults": [],
+            }))
+            .unwrap()
+        };
+        let mut record = Record::sample();
+        let mut shown = |entry| {
+            record.found.contest = Some(entry);
+            let results = results(&record, &Words::default());
+            (results["leaderboard"].to_string(), results["output"].to_string())
+        };
+        let (rows, letter) = shown(entry(1.0));
+        let time = r#"{"name":"time","order":"asc","value":0.5}"#;
+        let error = r#"{"name":"error","order":"asc","value":1.0}"#;
+        assert_eq!(rows, format!("[{time},{error}]"));
+        assert!(!letter.contains("not ranked"), "{letter}");
+        let (rows, letter) = shown(entry(2.0));
+        assert_eq!(rows, "[]");
+        assert!(letter.contains("not ranked: official: the error is above 1.05."), "{letter}");
     }
 
     #[test]

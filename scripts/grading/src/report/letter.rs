@@ -2,6 +2,7 @@
 
 use super::{Words, points, sentences, trouble};
 use crate::record::{Attempt, Record, Status, Task};
+use crate::timing::contest;
 use lab_kit::escape::{fenced, line, markdown};
 
 /// Words that follow the points of a task that is right in part.
@@ -46,6 +47,10 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     } else {
         out += tasks;
         out += &speed(record, words);
+        if let Some(entry) = &record.found.contest {
+            let summary = markdown(&line(&contest::summary(entry)));
+            out += &format!("## Contest\n\nYour entry: {summary}.\n\n");
+        }
     }
     if !record.found.changed.is_empty() {
         let changed =

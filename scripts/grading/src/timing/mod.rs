@@ -5,6 +5,7 @@
 //! checked by its result. All measurements go into the record unchanged, and [`judge`] computes
 //! grades from them. [`whole`] checks results only.
 
+pub(crate) mod contest;
 mod correctness;
 mod judge;
 mod plan;
@@ -72,12 +73,18 @@ fn scene(random: &mut Random) -> u32 {
     random.bits() as u32 | 1
 }
 
+/// Whether a lab's programs run beside the serial program.
+pub(crate) fn has_serial(lab: &Facts) -> bool {
+    lab.scaling.is_some() || lab.has_contest()
+}
+
 /// Whether every measure that can be graded on a machine with this many cores is graded.
 pub(crate) fn is_done_on(cores: usize, findings: &Findings, rubric: &Facts) -> bool {
     // On a machine with one core, scaling is never graded.
     let cannot_scale = cores == 1;
     let measures = judge(findings, rubric);
     findings.timed
+        && (findings.contest.is_some() || !rubric.has_contest())
         && measures
             .iter()
             .all(|measure| measure.counts() || measure.kind == Kind::Scaling && cannot_scale)

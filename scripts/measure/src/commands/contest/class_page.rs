@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 use lab_kit::escape::{cell, html};
@@ -17,8 +17,10 @@ use super::{Results, landmarks, show};
 use crate::chart::{Form, svg};
 use crate::numbers::DataFile;
 
-/// Place of the three files: the page, the plane, and the points with the students' names.
+/// Folder of the three files: the page, the plane, and the points with the students' names.
 const FOLDER: &str = "contest";
+/// Name of the page.
+const PAGE: &str = "index.html";
 
 /// A student's best entry.
 struct Student {
@@ -27,16 +29,30 @@ struct Student {
     points: f64,
 }
 
-/// Writes the page, the plane and the points of the entries in the files `NAME.json` in `folder`.
+/// Publishes the entries in the files `NAME.json` in `folder`.
+pub(super) fn write(kit: &Kit, folder: &Path) -> Result<()> {
+    let into = kit.memory().join(FOLDER);
+    println!("{}", publish(kit, read(folder)?, &into)?.display());
+    Ok(())
+}
+
+/// Writes the page of a class, the plane and the points into the folder `into`, and returns the path
+/// of the page. Every student has a name and at least one entry.
 ///
 /// The page names nobody: each entry has a number. `points.csv` lists names, numbers and points.
-pub(super) fn write(kit: &Kit, folder: &Path) -> Result<()> {
-    let files = read(folder)?;
-    let lab = files[0].1[0].program.lab;
+///
+/// # Errors
+/// If there is no entry, a file cannot be written, or a goal of the lab is not a landmark.
+pub fn publish(kit: &Kit, mut entries: Vec<(String, Vec<Entry>)>, into: &Path) -> Result<PathBuf> {
+    // The order of the numbers reveals no name: nobody but the instructor knows the measured times,
+    // on which the digests depend.
+    entries.sort_by_cached_key(|(_, entries)| digest(format!("{entries:?}").as_bytes()));
+    let lab =
+        entries.iter().flat_map(|(_, entries)| entries).next().context("no entry")?.program.lab;
     let goals = kit.facts(lab)?.goals;
     let landmarks = landmarks(kit, &[]);
     let mut students = Vec::new();
-    for (name, entries) in files {
+    for (name, entries) in entries {
         students.extend(best(name, entries, &goals, &landmarks)?);
     }
     let mut list = csv::Writer::from_writer(Vec::new());
@@ -53,17 +69,13 @@ pub(super) fn write(kit: &Kit, folder: &Path) -> Result<()> {
     let text = format!("{tables}\n\n{}\n{points}", rules(&goals));
     let plane = svg(&[vec![show::chart(&entries, &landmarks)]], Form::Page);
     let list = String::from_utf8(list.into_inner()?)?;
-    let into = kit.memory().join(FOLDER);
-    for (name, text) in
-        [("index.html", page(lab, &text)), ("plane.svg", plane), ("points.csv", list)]
-    {
+    for (name, text) in [(PAGE, page(lab, &text)), ("plane.svg", plane), ("points.csv", list)] {
         write_file(&into.join(name), text)?;
-        println!("{}", into.join(name).display());
     }
-    Ok(())
+    Ok(into.join(PAGE))
 }
 
-/// Reads the entries of all students, by name. The order of the files reveals no name.
+/// Reads the entries of all students.
 ///
 /// # Errors
 /// If two files have different scenes, or if a file does not contain a contest.
@@ -77,7 +89,6 @@ fn read(folder: &Path) -> Result<Vec<(String, Vec<Entry>)>> {
             continue;
         }
         let measured = DataFile::read(&path)?.results;
-        let order = digest(measured.to_string().as_bytes());
         let results = Results::deserialize(measured);
         let results = results.with_context(|| format!("{}: no contest", path.display()))?;
         let first = *seed.get_or_insert(results.seed);
@@ -89,12 +100,10 @@ fn read(folder: &Path) -> Result<Vec<(String, Vec<Entry>)>> {
         );
         ensure!(!results.entries.is_empty(), "{}: no entry", path.display());
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        files.push((order, name, results.entries));
+        files.push((name, results.entries));
     }
     ensure!(!files.is_empty(), "{} has no file NAME.json", folder.display());
-    // Nobody but the instructor knows the measured times, on which the digests depend.
-    files.sort_by(|(a, ..), (b, ..)| a.cmp(b));
-    Ok(files.into_iter().map(|(_, name, entries)| (name, entries)).collect())
+    Ok(files)
 }
 
 /// Returns a student's entry with the most points. If several entries have the most points, the

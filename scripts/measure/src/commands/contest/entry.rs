@@ -6,12 +6,13 @@ use lab_kit::program::Program;
 use oracle::contest::Kind;
 use serde::{Deserialize, Serialize};
 
+use super::ranking::{ACCURATE, inaccurate};
 use super::trial::Drawn;
 use crate::clock::{Span, Times};
 
 /// A program in the contest.
-#[derive(Clone, Debug, Deserialize, Serialize)]
-pub(crate) struct Entry {
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Entry {
     pub(super) program: Program,
     /// Name on the page of a class; `None` elsewhere.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -19,18 +20,18 @@ pub(crate) struct Entry {
     /// Rounds of each kind of scene, by its name.
     pub(super) kinds: BTreeMap<String, Vec<Round>>,
     /// Time for all kinds: the least and the median of the rounds' geometric means. `None` if a kind is missing.
-    pub(super) time: Option<Span>,
+    pub time: Option<Span>,
     /// Error for all kinds, computed like the time.
-    pub(super) error: Option<Span>,
+    pub error: Option<Span>,
     /// Instructions per particle and step of the official scene; `None` if they were not counted.
     pub(super) instructions: Option<f64>,
     /// Reasons why the entry is not ranked.
-    pub(super) faults: Vec<String>,
+    pub faults: Vec<String>,
 }
 
 /// Time and error of a run.
-#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
-pub(crate) struct Round {
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub(super) struct Round {
     /// Time as a multiple of the reference's time on the same scene.
     pub(super) time: f64,
     /// Error as a multiple of the official step's error on the same scene.
@@ -38,7 +39,8 @@ pub(crate) struct Round {
 }
 
 impl Entry {
-    pub(super) fn new(program: Program) -> Self {
+    /// Makes the entry of a program that has not run yet.
+    pub fn new(program: Program) -> Self {
         Self {
             program,
             alias: None,
@@ -48,6 +50,15 @@ impl Entry {
             instructions: None,
             faults: Vec::new(),
         }
+    }
+
+    /// Returns why the entry takes part in no ranking; `None` if it takes part.
+    pub fn unranked(&self) -> Option<String> {
+        let inaccurate = || {
+            let kind = inaccurate(self)?;
+            Some(format!("{}: the error is above {ACCURATE}", kind.name()))
+        };
+        self.faults.first().cloned().or_else(inaccurate)
     }
 
     /// Returns the alias or the program's name.

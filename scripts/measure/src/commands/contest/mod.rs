@@ -27,12 +27,15 @@ use crate::cachegrind::Caches;
 use crate::chart::Sheet;
 use crate::numbers::{DataFile, Files};
 use crate::runner::Runner;
-use entry::Entry;
-use racing::Contest;
+pub use class_page::publish;
+pub use entry::Entry;
+pub use racing::Contest;
+use trial::run_by;
+pub use trial::{Drawn, Track};
 
 /// The reference engine, which takes official steps. Times in the contest are multiples of its
 /// time.
-const REFERENCE: &str = "solution2:sorted";
+pub const REFERENCE: &str = "solution2:sorted";
 
 /// Measurements of the kit's own engines, which this command has written.
 const LANDMARKS: &str = "book/data/lab14-landmarks.json";
@@ -124,11 +127,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     };
     let scenes = contest.scenes(options.rounds)?;
     let mut entries: Vec<Entry> = programs.into_iter().map(Entry::new).collect();
-    for (turn, drawn) in scenes.iter().enumerate() {
-        contest.race(&runner, drawn, turn, &mut entries)?;
-    }
-    entries.iter_mut().for_each(Entry::summarise);
-    entries.iter_mut().try_for_each(|entry| contest.repeat(&runner, &scenes[0], entry))?;
+    contest.measure(&|_, job| run_by(&runner, job), &scenes, &mut entries)?;
     contest.count(&mut runner, options.caches, options.rounds, &mut entries)?;
     let seed = contest.seed;
     let landmarks = landmarks(kit, &entries);

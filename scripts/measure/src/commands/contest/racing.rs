@@ -8,7 +8,7 @@ use oracle::contest::{Kind, STEPS};
 
 use super::entry::Entry;
 use super::ranking::ACCURATE;
-use super::trial::{Drawn, End};
+use super::trial::{Drawn, End, Track, run_by};
 use crate::cachegrind::{By, Caches, Profile};
 use crate::commands::count::per;
 use crate::commands::precision::reference::rms;
@@ -32,17 +32,23 @@ const SHORT: u64 = 100;
 const LONG: u64 = 3000;
 
 /// Settings that all runs share.
-pub(super) struct Contest {
-    pub(super) reference: Program,
-    pub(super) threads: usize,
+pub struct Contest {
+    /// Engine whose time is 1.
+    pub reference: Program,
+    /// Number of threads that an entry may use.
+    pub threads: usize,
     /// Divisor of the numbers of particles.
-    pub(super) shrink: usize,
-    pub(super) seed: u32,
+    pub shrink: usize,
+    /// Seed of the first round's scenes.
+    pub seed: u32,
 }
 
 impl Contest {
     /// Generates the random scenes of all rounds and computes their exact final states.
-    pub(super) fn scenes(&self, rounds: u32) -> Result<Vec<Drawn>> {
+    ///
+    /// # Errors
+    /// If the exact motion cannot be computed.
+    pub fn scenes(&self, rounds: u32) -> Result<Vec<Drawn>> {
         eprintln!("computing the exact motion of {} scenes", 5 * rounds);
         let kinds = (0..rounds).flat_map(|round| Kind::ALL.map(|kind| (kind, self.seed + round)));
         let kinds: Vec<(Kind, u32)> = kinds.collect();
@@ -55,15 +61,32 @@ impl Contest {
         Job { workers: self.threads, ..Job::new(program.clone(), scene) }
     }
 
-    /// Runs the reference and all entries on a scene in turn.
-    pub(super) fn race(
+    /// Measures entries on all scenes, and then checks each entry in further runs.
+    ///
+    /// # Errors
+    /// If the reference fails, or a program cannot be run at all.
+    pub fn measure(
         &self,
-        runner: &Runner,
+        track: &Track<'_>,
+        scenes: &[Drawn],
+        entries: &mut [Entry],
+    ) -> Result<()> {
+        for (turn, drawn) in scenes.iter().enumerate() {
+            self.race(track, drawn, turn, entries)?;
+        }
+        entries.iter_mut().for_each(Entry::summarise);
+        entries.iter_mut().try_for_each(|entry| self.repeat(track, &scenes[0], entry))
+    }
+
+    /// Runs the reference and all entries on a scene in turn.
+    fn race(
+        &self,
+        track: &Track<'_>,
         drawn: &Drawn,
         turn: usize,
         entries: &mut [Entry],
     ) -> Result<()> {
-        let run = |program: &Program| drawn.run(runner, self.job(program, drawn));
+        let run = |program: &Program| drawn.run(track, self.job(program, drawn));
         let before = run(&self.reference)?.map_err(anyhow::Error::msg)?;
         let mut seconds = before.seconds;
         for at in turns(entries.len(), turn) {
@@ -91,14 +114,14 @@ impl Contest {
     ///
     /// This detects two faults: the repeated run ends in a state that differs by more than
     /// rounding, or the memory grows with the number of steps.
-    pub(super) fn repeat(&self, runner: &Runner, drawn: &Drawn, entry: &mut Entry) -> Result<()> {
+    fn repeat(&self, track: &Track<'_>, drawn: &Drawn, entry: &mut Entry) -> Result<()> {
         if !entry.faults.is_empty() {
             return Ok(());
         }
         let mut ends = Vec::new();
         let own = self.job(&entry.program, drawn);
         for job in [self.job(&self.reference, drawn), own.clone(), own] {
-            match drawn.run(runner, job)? {
+            match drawn.run(track, job)? {
                 Ok(end) => ends.push(end),
                 Err(why) => entry.fault(drawn, &why),
             }
@@ -113,7 +136,7 @@ impl Contest {
         let mut held = Vec::new();
         for steps in [SHORT, LONG] {
             let job = Job { steps, ..self.job(&entry.program, &small) };
-            match runner.run(&job) {
+            match track(&small, &job)? {
                 Ok(output) => held.extend(output.resident),
                 Err(why) => entry.fault(&small, &format!("{steps} steps: {why}")),
             }
@@ -149,7 +172,8 @@ impl Contest {
             }
         };
         let drawn = Drawn::new(Kind::Official, self.shrink, self.seed + rounds)?;
-        let official = drawn.run(runner, self.job(&self.reference, &drawn))?;
+        let official =
+            drawn.run(&|_, job| run_by(runner, job), self.job(&self.reference, &drawn))?;
         let official = official.map_err(anyhow::Error::msg)?.error;
         runner.under(tool);
         let counted = one_by_one(
@@ -160,7 +184,7 @@ impl Contest {
                     return Ok(None);
                 }
                 let job = self.job(&entry.program, &drawn);
-                let end = drawn.run(runner, job.clone())?;
+                let end = drawn.run(&|_, job| run_by(runner, job), job.clone())?;
                 // A run that was stopped at its limit leaves no readable counts.
                 let profile = Profile::take(runner.folder(), By::Function).ok();
                 let is_right = |end: End| end.error + LEAST <= ACCURATE * (official + LEAST);

@@ -4,7 +4,7 @@ use lab_kit::table::three_digits;
 use oracle::contest::Kind;
 
 use super::entry::Entry;
-use super::ranking::{ACCURATE, Ranking, inaccurate};
+use super::ranking::Ranking;
 use crate::chart::{Axis, Chart, Kind as Look, Series};
 use crate::clock::{Span, Times};
 use crate::columns::Columns;
@@ -46,11 +46,7 @@ pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
     }
     let mut text = format!("{}\n{}", places.table(&rows), kinds.table(&rows));
     for entry in &all {
-        let inaccurate = || {
-            let kind = inaccurate(entry)?;
-            Some(format!("{}: the error is above {ACCURATE}", kind.name()))
-        };
-        if let Some(why) = entry.faults.first().cloned().or_else(inaccurate) {
+        if let Some(why) = entry.unranked() {
             text += &format!("\nnot ranked: {}: {why}", entry.name());
         }
     }

@@ -7,14 +7,25 @@ use common::soft::{Particle, Scene};
 use oracle::contest::{Kind, STEPS};
 
 use crate::commands::precision::reference::rms;
-use crate::job::{Job, States};
+use crate::job::{Job, RunOutput, States};
 use crate::runner::Runner;
 
+/// A way to run a job on a drawn scene. The inner error is a fault of the program, in words.
+pub type Track<'a> = dyn Fn(&Drawn, &Job) -> Result<std::result::Result<RunOutput, String>> + 'a;
+
+/// Runs a job with a runner, in which every error is a fault of the program.
+pub(super) fn run_by(runner: &Runner, job: &Job) -> Result<std::result::Result<RunOutput, String>> {
+    Ok(runner.run(job).map_err(|why| format!("{why:#}")))
+}
+
 /// A scene and its exact end.
-pub(super) struct Drawn {
-    pub(super) kind: Kind,
-    pub(super) seed: u32,
-    pub(super) scene: Arc<Scene>,
+pub struct Drawn {
+    /// Kind of the scene.
+    pub kind: Kind,
+    /// Seed that determines the scene.
+    pub seed: u32,
+    /// The scene.
+    pub scene: Arc<Scene>,
     /// Particles whose error is measured.
     exact: Vec<Particle>,
 }
@@ -40,13 +51,13 @@ impl Drawn {
     /// Runs a job for the contest's steps. The inner error is a fault of the program, in words.
     pub(super) fn run(
         &self,
-        runner: &Runner,
+        track: &Track<'_>,
         job: Job,
     ) -> Result<std::result::Result<End, String>> {
         let job = Job { steps: STEPS, states: Some(States::Last), ..job };
-        let output = match runner.run(&job) {
+        let output = match track(self, &job)? {
             Ok(output) => output,
-            Err(why) => return Ok(Err(format!("{why:#}"))),
+            Err(why) => return Ok(Err(why)),
         };
         let Some(state) = output.frames.last() else { return Ok(Err("it wrote no state".into())) };
         if let Some(fault) = self.fault(state) {
