@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::{Words, letter, sentences};
 use crate::record::Record;
 use lab_kit::escape::line;
-use lab_measure::commands::contest::Entry;
+use lab_measure::commands::contest::{Entry, unranked};
 
 /// Converts a record for Gradescope: a test for each task and each measure.
 pub(crate) fn results(record: &Record, words: &Words) -> Value {
@@ -61,7 +61,7 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
 fn leaderboard(entry: &Entry) -> Value {
     let ranked = [("time", entry.time), ("error", entry.error)];
     let rows =
-        ranked.into_iter().filter(|_| entry.unranked().is_none()).filter_map(|(name, span)| {
+        ranked.into_iter().filter(|_| unranked(entry).is_none()).filter_map(|(name, span)| {
             Some(json!({ "name": name, "value": span?.median, "order": "asc" }))
         });
     rows.collect()

@@ -17,7 +17,7 @@ use crate::sandbox::faults::believed;
 use lab_kit::machine::cores;
 use lab_kit::program::Program;
 use lab_kit::table::three_digits;
-use lab_measure::commands::contest::{Contest, Drawn, Entry, REFERENCE};
+use lab_measure::commands::contest::{Contest, Drawn, Entry, REFERENCE, unranked};
 use lab_measure::job::{Job, RunOutput};
 use oracle::Random;
 
@@ -115,6 +115,6 @@ pub(crate) fn summary(entry: &Entry) -> String {
         let [time, error] = [time, error].map(|span| three_digits(span.median));
         parts.push(format!("time {time} × {REFERENCE}, error {error} × official step"));
     }
-    parts.extend(entry.unranked().map(|why| format!("not ranked: {why}")));
+    parts.extend(unranked(entry).map(|why| format!("not ranked: {why}")));
     parts.join("; ")
 }

@@ -6,7 +6,6 @@ use lab_kit::program::Program;
 use oracle::contest::Kind;
 use serde::{Deserialize, Serialize};
 
-use super::ranking::{ACCURATE, inaccurate};
 use super::trial::Drawn;
 use crate::clock::{Span, Times};
 
@@ -50,15 +49,6 @@ impl Entry {
             instructions: None,
             faults: Vec::new(),
         }
-    }
-
-    /// Returns why the entry takes part in no ranking; `None` if it takes part.
-    pub fn unranked(&self) -> Option<String> {
-        let inaccurate = || {
-            let kind = inaccurate(self)?;
-            Some(format!("{}: the error is above {ACCURATE}", kind.name()))
-        };
-        self.faults.first().cloned().or_else(inaccurate)
     }
 
     /// Returns the alias or the program's name.

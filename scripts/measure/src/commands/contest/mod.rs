@@ -30,6 +30,7 @@ use crate::runner::Runner;
 pub use class_page::publish;
 pub use entry::Entry;
 pub use racing::Contest;
+pub use ranking::unranked;
 use trial::run_by;
 pub use trial::{Drawn, Track};
 

@@ -35,7 +35,7 @@ impl Ranking {
 
     /// Returns the quantity that the ranking compares; `None` if the entry is not ranked.
     fn of(self, entry: &Entry) -> Option<Span> {
-        if !entry.faults.is_empty() || inaccurate(entry).is_some() {
+        if unranked(entry).is_some() {
             return None;
         }
         let time = entry.time?;
@@ -66,9 +66,18 @@ impl Ranking {
     }
 }
 
+/// Returns why an entry takes part in no ranking; `None` if it takes part.
+pub fn unranked(entry: &Entry) -> Option<String> {
+    let inaccurate = || {
+        let kind = inaccurate(entry)?;
+        Some(format!("{}: the error is above {ACCURATE}", kind.name()))
+    };
+    entry.faults.first().cloned().or_else(inaccurate)
+}
+
 /// Returns the first kind of scene with too great an error; `None` if the entry is accurate on all
 /// kinds. One kind without forces would otherwise buy time for the other kinds.
-pub(super) fn inaccurate(entry: &Entry) -> Option<Kind> {
+fn inaccurate(entry: &Entry) -> Option<Kind> {
     let median = |kind| entry.errors(kind).map(|errors| errors.median);
     Kind::ALL.into_iter().find(|&kind| median(kind).is_none_or(|error| error > ACCURATE))
 }

@@ -4,7 +4,7 @@ use lab_kit::table::three_digits;
 use oracle::contest::Kind;
 
 use super::entry::Entry;
-use super::ranking::Ranking;
+use super::ranking::{Ranking, unranked};
 use crate::chart::{Axis, Chart, Kind as Look, Series};
 use crate::clock::{Span, Times};
 use crate::columns::Columns;
@@ -46,7 +46,7 @@ pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
     }
     let mut text = format!("{}\n{}", places.table(&rows), kinds.table(&rows));
     for entry in &all {
-        if let Some(why) = entry.unranked() {
+        if let Some(why) = unranked(entry) {
             text += &format!("\nnot ranked: {}: {why}", entry.name());
         }
     }
