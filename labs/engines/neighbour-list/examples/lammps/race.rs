@@ -19,7 +19,7 @@ pub(crate) struct Raced {
     #[arg(short, value_name = "N", value_delimiter = ',', default_values_t = [10_000, 100_000, 1_000_000])]
     pub(crate) n: Vec<usize>,
     #[command(flatten)]
-    tried: Tried,
+    pub(crate) tried: Tried,
     /// Number of takes of each engine
     #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     rounds: u16,
@@ -72,7 +72,8 @@ impl Raced {
                 Ok(lammps.runner.run(&Job { steps, workers: self.workers.into(), ..job })?.seconds)
             }
         };
-        let setups: Vec<Engine> = self.tried.setups().into_iter().map(Engine::Lammps).collect();
+        let setups = Style::ALL.into_iter().flat_map(|style| self.tried.setups_of(style));
+        let setups: Vec<Engine> = setups.map(Engine::Lammps).collect();
         let takes = in_turns(&setups, self.tried.tries.into(), Engine::name, seconds)?;
         let tried = timed(&setups, takes, n, steps);
         let best = Style::ALL.into_iter().filter_map(|style| quickest(&tried, style));
@@ -156,14 +157,19 @@ fn named<S: serde::Serializer>(engine: &Engine, serializer: S) -> Result<S::Ok, 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::setup::Walls;
+
+    fn lammps(style: Style, skin: f64) -> Engine {
+        Engine::Lammps(Setup { style, skin, sort: 20, delay: 0, walls: Walls::All })
+    }
 
     #[test]
     fn lammps_has_its_best_setup_by_minima_and_by_medians() {
         let ours = Program::new("10".parse().expect("a lab"), true).expect("a lab");
         let engines = [
-            Engine::Lammps(Setup { style: Style::Lepton, skin: 0.01, sort: 20 }),
-            Engine::Lammps(Setup { style: Style::Table, skin: 0.01, sort: 20 }),
-            Engine::Lammps(Setup { style: Style::Table, skin: 0.02, sort: 20 }),
+            lammps(Style::Lepton, 0.01),
+            lammps(Style::Table, 0.01),
+            lammps(Style::Table, 0.02),
             Engine::Ours(ours),
         ];
         let takes = [[4.0, 9.0, 9.5], [7.0, 7.0, 8.0], [6.0, 7.0, 8.0], [1.0, 1.5, 2.0]];
@@ -172,6 +178,6 @@ mod tests {
         assert_eq!((best.min, best.median), (4.0, 7.0));
         assert!(best_of_lammps(&all[3..]).is_none(), "a program of ours is no LAMMPS");
         let quickest = quickest(&all, Style::Table).expect("there is a table");
-        assert_eq!(quickest.name(), "LAMMPS table, skin 0.02, sort 20");
+        assert_eq!(quickest.name(), "LAMMPS table, skin 0.02, sort 20, delay 0, walls all");
     }
 }

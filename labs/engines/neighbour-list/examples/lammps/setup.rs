@@ -6,7 +6,7 @@ use std::process::Command;
 use std::{env, fmt, fs};
 
 use anyhow::{Context, Result, bail};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use lab_kit::Kit;
 use lab_measure::runner::Runner;
 use serde::Serialize;
@@ -47,8 +47,7 @@ impl<'r> Lammps<'r> {
             command = self.command(&self.folder.join("bin/mpiexec"));
             command.args(["-n", &ranks.to_string()]).arg(self.python());
         }
-        let Setup { style, skin, sort } = setup;
-        command.arg(self.script()).args([style.to_string(), skin.to_string(), sort.to_string()]);
+        command.arg(self.script()).args(setup.words());
         self.runner.words(command.args(words), "LAMMPS")
     }
 
@@ -107,42 +106,66 @@ pub(crate) struct Setup {
     pub(crate) skin: f64,
     /// Number of steps after which LAMMPS sorts its particles when it builds its next list.
     pub(crate) sort: u32,
+    /// Age of a list, in steps, at which LAMMPS first checks whether the list has expired. With 0
+    /// it checks in each step, otherwise in every second step.
+    pub(crate) delay: u32,
+    pub(crate) walls: Walls,
+}
+
+/// The particles that LAMMPS tests against the walls in each step.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Walls {
+    /// All particles.
+    All,
+    /// A group of particles near the border, which LAMMPS chooses again in every 20th step.
+    Border,
 }
 
 /// Options for the setups that are tried.
 #[derive(Args)]
 pub(crate) struct Tried {
     /// LAMMPS's skins to try
-    #[arg(long, value_name = "SKIN", value_delimiter = ',', default_values_t = [0.01, 0.015, 0.02])]
+    #[arg(long, value_name = "SKIN", value_delimiter = ',', default_values_t = [0.015, 0.02])]
     skins: Vec<f64>,
     /// Numbers of steps after which LAMMPS sorts its particles, to try
-    #[arg(long, value_name = "STEPS", value_delimiter = ',', default_values_t = [20, 100])]
+    #[arg(long, value_name = "STEPS", value_delimiter = ',', default_values_t = [100])]
     sorts: Vec<u32>,
+    /// Ages of a list, in steps, at which LAMMPS first checks whether it has expired, to try; 0 for
+    /// a check in each step
+    #[arg(long, value_name = "STEPS", value_delimiter = ',', default_values_t = [4])]
+    delays: Vec<u32>,
+    /// Particles that LAMMPS tests against the walls, to try
+    #[arg(long, value_name = "PARTICLES", value_delimiter = ',', default_values = ["border", "all"])]
+    walls: Vec<Walls>,
     /// Number of takes of each setup, before the best of each style takes turns
     #[arg(long, default_value_t = 2, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) tries: u16,
 }
 
 impl Tried {
-    /// Combines every style with every skin and every sort.
-    pub(crate) fn setups(&self) -> Vec<Setup> {
+    /// Combines the style with every skin, sort, delay and kind of walls.
+    pub(crate) fn setups_of(&self, style: Style) -> Vec<Setup> {
         let mut setups = Vec::new();
-        for style in Style::ALL {
-            for &skin in &self.skins {
-                setups.extend(self.sorts.iter().map(|&sort| Setup { style, skin, sort }));
+        for &skin in &self.skins {
+            for &sort in &self.sorts {
+                for &delay in &self.delays {
+                    let setup = |&walls| Setup { style, skin, sort, delay, walls };
+                    setups.extend(self.walls.iter().map(setup));
+                }
             }
         }
         setups
+    }
+
+    /// Returns the first setup of the style. Forces and trajectories are computed with this setup.
+    pub(crate) fn first_of(&self, style: Style) -> Result<Setup> {
+        self.setups_of(style).first().copied().context("there is no setup of LAMMPS to try")
     }
 }
 
 impl Style {
     pub(crate) const ALL: [Self; 2] = [Self::Lepton, Self::Table];
-
-    /// Returns the setup for trajectories and forces. They hardly depend on the setup.
-    pub(crate) fn usual(self) -> Setup {
-        Setup { style: self, skin: 0.01, sort: 20 }
-    }
 }
 
 impl fmt::Display for Style {
@@ -154,9 +177,32 @@ impl fmt::Display for Style {
     }
 }
 
+impl fmt::Display for Walls {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::All => "all",
+            Self::Border => "border",
+        })
+    }
+}
+
+impl Setup {
+    /// Returns the words that describe the setup to the script.
+    fn words(self) -> [String; 5] {
+        let Self { style, skin, sort, delay, walls } = self;
+        [
+            style.to_string(),
+            skin.to_string(),
+            sort.to_string(),
+            delay.to_string(),
+            walls.to_string(),
+        ]
+    }
+}
+
 impl fmt::Display for Setup {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { style, skin, sort } = self;
-        write!(f, "LAMMPS {style}, skin {skin}, sort {sort}")
+        let [style, skin, sort, delay, walls] = self.words();
+        write!(f, "LAMMPS {style}, skin {skin}, sort {sort}, delay {delay}, walls {walls}")
     }
 }
