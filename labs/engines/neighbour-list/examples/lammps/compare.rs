@@ -44,7 +44,7 @@ pub(crate) struct PairError {
 /// Computes forces of pairs with each style of LAMMPS, and returns the errors.
 pub(crate) fn pairs(lammps: &Lammps, tried: &Tried) -> Result<Vec<PairError>> {
     let mut of_styles = Vec::new();
-    for style in Style::ALL {
+    for style in lammps.styles() {
         let printed = lammps.run(tried.first_of(style)?, 1, &["forces"])?;
         let errors: Option<Vec<_>> = printed.lines().map(relative_error).collect();
         let errors = errors.context("LAMMPS printed no forces")?;
@@ -111,7 +111,7 @@ impl Compared {
         let exact = is_moment.then(|| reference::of(&scene, EARLY as f64 * DT)).transpose()?;
         let start = energy(scene.particles());
         let mut theirs = Vec::new();
-        for style in Style::ALL {
+        for style in lammps.styles() {
             theirs.push((style, self.frames_of(lammps, tried.first_of(style)?, &scene)?));
         }
         let mut moments = Vec::new();

