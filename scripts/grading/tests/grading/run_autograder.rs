@@ -62,7 +62,7 @@ impl Container {
             .env("TMPDIR", self.top().join("temporary"))
             .env("RUSTUP_HOME", home("RUSTUP_HOME", ".rustup"))
             .env("CARGO_HOME", home("CARGO_HOME", ".cargo"))
-            // Cargo names its own compiler's libraries here, by which the mounted compiler would find its folder.
+            // With the libraries of Cargo's compiler, the mounted compiler would name their folder.
             .env_remove("LD_LIBRARY_PATH")
             .env("PATH", std::env::join_paths(path).unwrap())
             .output()
