@@ -140,7 +140,7 @@ mod tests {
                       note: run with `RUST_BACKTRACE=1` to see\n";
         let message = message_of(&stdout, stderr);
         let (why, printed) = message.split_once("\n\nprinted by the test:\n").unwrap();
-        assert_eq!(why, "━━━━ Snapshot Summary ━━━━\n- expected\n\nit differs");
+        assert_eq!(why, "- expected\n\nit differs");
         assert!(printed.starts_with("pair 0\npair 1\n") && !printed.contains("pair 20\n"));
         assert!(printed.ends_with("\n… and 31 more lines"), "{printed}");
     }
