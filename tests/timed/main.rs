@@ -3,7 +3,7 @@
 //! It waits for an order, makes the scene, and reports that it is ready. Then it waits for a line of
 //! the grader, passes the scene to the lab, and sends all particles back. The grader's clock runs
 //! from this line to the last particle. No code of the lab has run before this line, so all of the
-//! lab's work is timed. If workers are ranks, all ranks are ready before the first rank reports this.
+//! lab's work is timed. If workers are ranks, all ranks have started before the first rank reports.
 
 #![allow(missing_docs)]
 

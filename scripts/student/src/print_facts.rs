@@ -22,9 +22,9 @@ fn lines(kit: &Kit, lab: Lab) -> Result<String> {
     let mut lines = format!("{lab} program {}\n", program(kit, lab));
     lines += &format!("{lab} workers {}\n", serde_json::to_value(workers)?.as_str().unwrap_or(""));
     lines += &format!("{lab} discs {}\n", serde_json::to_value(discs)?.as_str().unwrap_or(""));
-    let some = [("contest", contest), ("cluster", cluster), ("hybrid", hybrid)];
+    let optional = [("contest", contest), ("cluster", cluster), ("hybrid", hybrid)];
     let runs = smoke.into_iter().map(|command| ("smoke", Some(command)));
-    for (name, value) in some.into_iter().chain(runs) {
+    for (name, value) in optional.into_iter().chain(runs) {
         lines.extend(value.map(|value| format!("{lab} {name} {value}\n")));
     }
     Ok(lines)

@@ -61,8 +61,8 @@ pub(crate) fn time(
     Ok(all)
 }
 
-/// Times the programs of a submission; `None` if it has no programs. The first entry of a class
-/// causes the scenes of the `contest` to be drawn.
+/// Times the programs of a submission; `None` if it has no programs. If the submission is the class's
+/// first entry in a contest, the function also draws the scenes of the `contest`.
 fn time_one(
     grader: &Grader<'_>,
     reference: &Reference,

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use super::{Words, letter, sentences};
 use crate::record::Record;
 use lab_kit::escape::line;
+use lab_measure::clock::Span;
 use lab_measure::commands::contest::{Entry, unranked};
 
 /// Converts a record for Gradescope: a test for each task and each measure.
@@ -57,14 +58,17 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
     results
 }
 
-/// Lists the numbers that Gradescope's leaderboard compares. An entry that is not ranked has none.
+/// Lists the numbers that Gradescope's leaderboard compares. The list is empty if the entry is not
+/// ranked.
 fn leaderboard(entry: &Entry) -> Value {
-    let ranked = [("time", entry.time), ("error", entry.error)];
-    let rows =
-        ranked.into_iter().filter(|_| unranked(entry).is_none()).filter_map(|(name, span)| {
-            Some(json!({ "name": name, "value": span?.median, "order": "asc" }))
-        });
-    rows.collect()
+    if unranked(entry).is_some() {
+        return json!([]);
+    }
+    let numbers = [("time", entry.time), ("error", entry.error)].into_iter();
+    let row = |(name, span): (&str, Option<Span>)| {
+        Some(json!({ "name": name, "value": span?.median, "order": "asc" }))
+    };
+    numbers.filter_map(row).collect()
 }
 
 #[cfg(test)]

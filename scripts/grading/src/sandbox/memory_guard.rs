@@ -12,7 +12,6 @@
 //! would become a unit of the user's manager.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
@@ -21,7 +20,7 @@ use std::time::Duration;
 use rustix::process::{Pid, Signal, kill_process_group};
 
 use super::beside;
-use super::processes::{Process, all, family, in_sockets};
+use super::processes::{Process, all, bytes, family, in_sockets};
 
 /// Maximal memory of all processes of a submission together, in bytes, on any machine.
 const MEMORY_IN_ALL: u64 = 8 << 30;
@@ -99,9 +98,7 @@ fn held(all: &BTreeMap<u32, Process>, root: u32) -> u64 {
 
 /// Returns the machine's total (`MemTotal:`) or available (`MemAvailable:`) memory in bytes.
 fn memory(which: &str) -> Option<u64> {
-    let text = fs::read_to_string("/proc/meminfo").ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix(which))?;
-    Some(line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()? << 10)
+    bytes("/proc/meminfo", which)
 }
 
 #[cfg(all(test, target_os = "linux"))]

@@ -51,6 +51,13 @@ pub(super) fn in_sockets(number: u32) -> u64 {
     sockets.count() as u64 * SOCKET
 }
 
+/// Returns the bytes that a line of a file of `/proc` contains, such as `MemTotal:` of `/proc/meminfo`.
+pub(crate) fn bytes(file: &str, name: &str) -> Option<u64> {
+    let text = fs::read_to_string(file).ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix(name))?;
+    Some(line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()? << 10)
+}
+
 fn process(number: u32) -> Option<Process> {
     let text = fs::read_to_string(format!("/proc/{number}/stat")).ok()?;
     // The name, in parentheses, may contain any character.

@@ -37,7 +37,7 @@ pub(crate) struct ClassContest {
 }
 
 impl ClassContest {
-    /// Draws scenes that nobody has seen before, and computes their exact ends.
+    /// Draws new scenes and computes their exact ends.
     pub(crate) fn draw() -> Result<Self> {
         let mut random = Random::new(RandomState::new().hash_one(()));
         let reference: Program = REFERENCE.parse().map_err(anyhow::Error::msg)?;

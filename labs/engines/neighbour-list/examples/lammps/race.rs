@@ -124,7 +124,7 @@ fn timed(engines: &[Engine], takes: Vec<Vec<f64>>, n: usize, steps: u64) -> Vec<
     all
 }
 
-/// Returns LAMMPS's least times among these styles; `None` if none of them ran.
+/// Returns LAMMPS's least times among the styles that `of` accepts; `None` if no such style ran.
 ///
 /// The least minimum and the least median may belong to different styles. Both show how fast LAMMPS
 /// can be. With the same style for both, one time would be unfair to LAMMPS.

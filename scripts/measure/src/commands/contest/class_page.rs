@@ -44,8 +44,8 @@ pub(super) fn write(kit: &Kit, folder: &Path) -> Result<()> {
 /// # Errors
 /// If there is no entry, a file cannot be written, or a goal of the lab is not a landmark.
 pub fn publish(kit: &Kit, mut entries: Vec<(String, Vec<Entry>)>, into: &Path) -> Result<PathBuf> {
-    // The order of the numbers reveals no name: nobody but the instructor knows the measured times,
-    // on which the digests depend.
+    // The measured times determine the digests, and only the instructor knows these times. So the
+    // order of the numbers reveals no name.
     entries.sort_by_cached_key(|(_, entries)| digest(format!("{entries:?}").as_bytes()));
     let lab =
         entries.iter().flat_map(|(_, entries)| entries).next().context("no entry")?.program.lab;

@@ -31,7 +31,7 @@ pub use class_page::publish;
 pub use entry::Entry;
 pub use racing::Contest;
 pub use ranking::unranked;
-use trial::run_by;
+use trial::by;
 pub use trial::{Drawn, Track};
 
 /// The reference engine, which takes official steps. Times in the contest are multiples of its
@@ -128,7 +128,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     };
     let scenes = contest.scenes(options.rounds)?;
     let mut entries: Vec<Entry> = programs.into_iter().map(Entry::new).collect();
-    contest.measure(&|_, job| run_by(&runner, job), &scenes, &mut entries)?;
+    contest.measure(&by(&runner), &scenes, &mut entries)?;
     contest.count(&mut runner, options.caches, options.rounds, &mut entries)?;
     let seed = contest.seed;
     let landmarks = landmarks(kit, &entries);

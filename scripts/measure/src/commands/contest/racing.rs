@@ -8,7 +8,7 @@ use oracle::contest::{Kind, STEPS};
 
 use super::entry::Entry;
 use super::ranking::ACCURATE;
-use super::trial::{Drawn, End, Track, run_by};
+use super::trial::{Drawn, End, Track, by};
 use crate::cachegrind::{By, Caches, Profile};
 use crate::commands::count::per;
 use crate::commands::precision::reference::rms;
@@ -172,8 +172,7 @@ impl Contest {
             }
         };
         let drawn = Drawn::new(Kind::Official, self.shrink, self.seed + rounds)?;
-        let official =
-            drawn.run(&|_, job| run_by(runner, job), self.job(&self.reference, &drawn))?;
+        let official = drawn.run(&by(runner), self.job(&self.reference, &drawn))?;
         let official = official.map_err(anyhow::Error::msg)?.error;
         runner.under(tool);
         let counted = one_by_one(
@@ -184,7 +183,7 @@ impl Contest {
                     return Ok(None);
                 }
                 let job = self.job(&entry.program, &drawn);
-                let end = drawn.run(&|_, job| run_by(runner, job), job.clone())?;
+                let end = drawn.run(&by(runner), job.clone())?;
                 // A run that was stopped at its limit leaves no readable counts.
                 let profile = Profile::take(runner.folder(), By::Function).ok();
                 let is_right = |end: End| end.error + LEAST <= ACCURATE * (official + LEAST);

@@ -13,9 +13,11 @@ use crate::runner::Runner;
 /// A way to run a job on a drawn scene. The inner error is a fault of the program, in words.
 pub type Track<'a> = dyn Fn(&Drawn, &Job) -> Result<std::result::Result<RunOutput, String>> + 'a;
 
-/// Runs a job with a runner, in which every error is a fault of the program.
-pub(super) fn run_by(runner: &Runner, job: &Job) -> Result<std::result::Result<RunOutput, String>> {
-    Ok(runner.run(job).map_err(|why| format!("{why:#}")))
+/// Runs jobs by a runner. Every error of the runner counts as a fault of the program.
+pub(super) fn by(
+    runner: &Runner,
+) -> impl Fn(&Drawn, &Job) -> Result<std::result::Result<RunOutput, String>> {
+    |_, job| Ok(runner.run(job).map_err(|why| format!("{why:#}")))
 }
 
 /// A scene and its exact end.
