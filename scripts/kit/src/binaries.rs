@@ -119,8 +119,8 @@ impl Binaries {
             known.retain(|variant| variant.name == *name);
             ensure!(!known.is_empty(), "there is no variant '{name}' in {}", program.package());
         }
-        let named = |known: Known| (program.clone().with_variant(&known.name), known);
-        Ok(known.into_iter().map(named).collect())
+        let known = known.into_iter();
+        Ok(known.map(|known| (program.clone().with_variant(&known.name), known)).collect())
     }
 }
 

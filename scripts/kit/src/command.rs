@@ -57,11 +57,8 @@ pub fn families(kit: &Kit) -> Result<Vec<Family>> {
         }
         let name = read_toml_at(&manifest, "/package/name")?;
         let declared = read_toml_at::<Family>(&manifest, "/package/metadata/lab")?;
-        families.extend(name.zip(declared).map(|(package, declared)| Family {
-            folder,
-            package,
-            ..declared
-        }));
+        let both = name.zip(declared);
+        families.extend(both.map(|(package, family)| Family { folder, package, ..family }));
     }
     Ok(families)
 }
@@ -130,12 +127,11 @@ pub fn expect_declared<C: Subcommand>(package: &str) {
 fn faults<C: Subcommand>(kit: &Kit, package: &str) -> Result<Vec<String>> {
     let family = families(kit)?.into_iter().find(|family| family.package == package);
     let declared = family.with_context(|| format!("{package} declares no commands"))?.commands;
-    let shown = |command: &Command| {
+    let mut here = Vec::new();
+    for command in command_line::<C>().get_subcommands().filter(|c| !c.is_hide_set()) {
         let about = command.get_about().map(ToString::to_string).unwrap_or_default();
-        (command.get_name().to_owned(), about)
-    };
-    let command = command_line::<C>();
-    let here: Vec<_> = command.get_subcommands().filter(|c| !c.is_hide_set()).map(shown).collect();
+        here.push((command.get_name().to_owned(), about));
+    }
     let mut faults = Vec::new();
     if declared != here {
         faults.push(format!("the manifest declares {declared:?}, the program has {here:?}"));

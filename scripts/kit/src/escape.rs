@@ -14,12 +14,12 @@ pub fn cut(text: &str, most: usize) -> String {
 
 /// Replaces terminal control characters and marks of writing direction by U+FFFD.
 pub fn plain(text: &str) -> String {
-    let steers = |c: char| {
-        (c.is_control() && c != '\n' && c != '\t')
-            || matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-    };
-    let kept = text.chars().filter(|c| *c != '\r');
-    kept.map(|c| if steers(c) { '\u{fffd}' } else { c }).collect()
+    text.replace('\r', "").replace(steers, "\u{fffd}")
+}
+
+fn steers(c: char) -> bool {
+    (c.is_control() && c != '\n' && c != '\t')
+        || matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// Puts a text on one line.

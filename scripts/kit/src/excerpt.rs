@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, ensure};
 
 use crate::answers::{self, Part};
 use crate::files::read_text;
@@ -20,10 +20,7 @@ fn shown(lines: &[&str], part: &str) -> Option<Lines> {
             let first = first.parse().unwrap_or(1);
             Some(first..=last.map_or(first, |last| last.parse().unwrap_or(lines.len())))
         }
-        (anchor, _) => {
-            let find = |key: &str| lines.iter().position(|l| is_anchor(l, key, anchor));
-            Some(find("ANCHOR:")? + 1..=find("ANCHOR_END:")? + 1)
-        }
+        (anchor, _) => Some(find(lines, "ANCHOR:", anchor)?..=find(lines, "ANCHOR_END:", anchor)?),
     }
 }
 
@@ -36,9 +33,10 @@ pub fn excerpt(file: &Path, part: &str) -> Result<String> {
     let lines: Vec<&str> = source.lines().collect();
     let range = shown(&lines, part).with_context(|| format!("there is no anchor '{part}'"))?;
     if file.extension().is_some_and(|e| e == "rs") {
-        let overlap = |a: &Lines| a.start() <= range.end() && range.start() <= a.end();
-        if let Some(answer) = answers(file, &source)?.into_iter().find(overlap) {
-            bail!("it shows the answer in lines {} to {}", answer.start(), answer.end());
+        for answer in answers(file, &source)? {
+            let overlaps = answer.start() <= range.end() && range.start() <= answer.end();
+            let (first, last) = answer.into_inner();
+            ensure!(!overlaps, "it shows the answer in lines {first} to {last}");
         }
     }
     let shown = lines.iter().zip(1..).filter(|(_, number)| range.contains(number));
@@ -46,9 +44,14 @@ pub fn excerpt(file: &Path, part: &str) -> Result<String> {
     Ok(kept.flat_map(|line| [line, "\n"]).collect())
 }
 
-fn is_anchor(line: &str, key: &str, anchor: &str) -> bool {
-    let Some((before, after)) = line.split_once(key) else { return false };
-    !before.ends_with('_') && after.split_whitespace().next() == Some(anchor)
+/// Finds the line of an anchor's mark, from 1; `key` tells its beginning from its end.
+fn find(lines: &[&str], key: &str, anchor: &str) -> Option<usize> {
+    let at = lines.iter().position(|line| {
+        line.split_once(key).is_some_and(|(before, after)| {
+            !before.ends_with('_') && after.split_whitespace().next() == Some(anchor)
+        })
+    });
+    at.map(|at| at + 1)
 }
 
 /// Returns the lines, including marks, of answers and of items that only answers need.

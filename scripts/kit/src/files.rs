@@ -8,15 +8,19 @@ use hmac_sha256::Hash;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
+/// Returns the message about a file or a folder that cannot be read.
+fn unread(path: &Path) -> String {
+    format!("cannot read {}", path.display())
+}
+
 /// Returns all files below a folder, sorted; empty if there is no such folder.
 pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     let mut folders = vec![folder.to_owned()];
     while let Some(folder) = folders.pop().filter(|folder| folder.exists()) {
-        let unread = || format!("cannot read {}", folder.display());
-        for entry in fs::read_dir(&folder).with_context(unread)? {
-            let entry = entry.with_context(unread)?;
-            let is_folder = entry.file_type().with_context(unread)?.is_dir();
+        for entry in fs::read_dir(&folder).with_context(|| unread(&folder))? {
+            let entry = entry.with_context(|| unread(&folder))?;
+            let is_folder = entry.file_type().with_context(|| unread(&folder))?.is_dir();
             if is_folder { &mut folders } else { &mut files }.push(entry.path());
         }
     }
@@ -48,8 +52,7 @@ pub fn is_left_by_a_tool(name: &str) -> bool {
 
 /// Reads a text file, with Unix line endings and without a byte order mark.
 pub fn read_text(path: &Path) -> Result<String> {
-    let text = fs::read_to_string(path);
-    let text = text.with_context(|| format!("cannot read {}", path.display()))?;
+    let text = fs::read_to_string(path).with_context(|| unread(path))?;
     Ok(text.trim_start_matches('\u{feff}').replace("\r\n", "\n"))
 }
 
@@ -63,37 +66,29 @@ pub fn with_unix_lines(bytes: Vec<u8>) -> Vec<u8> {
 
 /// Reads a TOML file.
 pub fn read_toml<T: DeserializeOwned>(path: &Path) -> Result<T> {
-    let unread = || format!("cannot read {}", path.display());
-    basic_toml::from_str(&read_text(path)?).with_context(unread)
+    basic_toml::from_str(&read_text(path)?).with_context(|| unread(path))
 }
 
 /// Reads the value at a JSON pointer in a TOML file; `None` if there is no such value.
 ///
 /// A JSON pointer is, for example, `/package/name`.
 pub fn read_toml_at<T: DeserializeOwned>(path: &Path, pointer: &str) -> Result<Option<T>> {
-    let unread = || format!("cannot read {pointer} of {}", path.display());
     let mut all: Value = read_toml(path)?;
-    all.pointer_mut(pointer)
-        .map(Value::take)
-        .map(serde_json::from_value)
-        .transpose()
-        .with_context(unread)
+    let value = all.pointer_mut(pointer).map(Value::take).map(serde_json::from_value);
+    value.transpose().with_context(|| format!("cannot read {pointer} of {}", path.display()))
 }
 
 /// Reads a file's bytes.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
-    fs::read(path).with_context(|| format!("cannot read {}", path.display()))
+    fs::read(path).with_context(|| unread(path))
 }
 
 /// Writes a file completely or not at all. Creates its folder if necessary.
 pub fn write_file(path: &Path, contents: impl AsRef<[u8]>) -> Result<()> {
-    let write = || {
-        if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder)?;
-        }
-        common::write_whole(path, |out| out.write_all(contents.as_ref()))
-    };
-    write().with_context(|| format!("cannot write {}", path.display()))
+    let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
+    let written =
+        folder.and_then(|()| common::write_whole(path, |out| out.write_all(contents.as_ref())));
+    written.with_context(|| format!("cannot write {}", path.display()))
 }
 
 /// Returns the SHA-256 of a file's contents, in hexadecimal digits.
@@ -123,18 +118,18 @@ mod tests {
     #[test]
     fn only_regular_files_are_sources() {
         let folder = tempfile::tempdir().unwrap();
-        let at = |name: &str| folder.path().join(name);
+        let folder = folder.path();
         for name in ["force.rs", "deep/own.rs", ".hidden.rs", "force.rs~", "#force.rs#", "a.rs.swp"]
         {
-            write_file(&at(name), "text").unwrap();
+            write_file(&folder.join(name), "text").unwrap();
         }
-        symlink("somebody@somewhere.4711", at(".#force.rs")).unwrap();
-        symlink("nowhere", at("dangling.rs")).unwrap();
-        symlink(at("deep"), at("around.rs")).unwrap();
-        let mkfifo = Command::new("mkfifo").arg(at("pipe.rs")).status().unwrap();
+        symlink("somebody@somewhere.4711", folder.join(".#force.rs")).unwrap();
+        symlink("nowhere", folder.join("dangling.rs")).unwrap();
+        symlink(folder.join("deep"), folder.join("around.rs")).unwrap();
+        let mkfifo = Command::new("mkfifo").arg(folder.join("pipe.rs")).status().unwrap();
         assert!(mkfifo.success());
-        let found = sources_below(folder.path()).unwrap();
-        assert_eq!(found, ["deep/own.rs", "force.rs"].map(at));
+        let found = sources_below(folder).unwrap();
+        assert_eq!(found, ["deep/own.rs", "force.rs"].map(|name| folder.join(name)));
     }
 
     #[test]

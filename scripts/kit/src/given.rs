@@ -43,9 +43,8 @@ impl Given {
             }
         }
         if given.tasks.is_empty() {
-            let library = |path: &String| !path.starts_with("src/main");
-            given.tasks = given.files.keys().filter(|path| library(path)).cloned().collect();
-            given.files.retain(|path, _| !library(path));
+            let library = given.files.extract_if(.., |path, _| !path.starts_with("src/main"));
+            given.tasks = library.map(|(path, _)| path).collect();
         }
         Ok(given)
     }
@@ -53,9 +52,8 @@ impl Given {
     /// Replaces a student's given files by the kit's. Returns the paths of files whose code the
     /// student had changed.
     pub fn put(&self, files: &mut Sources) -> Vec<String> {
-        let is_new =
-            |path: &&String| !self.files.contains_key(*path) && !self.tasks.contains(*path);
-        let new: BTreeSet<String> = files.keys().filter(is_new).cloned().collect();
+        let mut new: BTreeSet<String> = files.keys().cloned().collect();
+        new.retain(|path| !self.files.contains_key(path) && !self.tasks.contains(path));
         let mut changed = Vec::new();
         for (path, bytes) in &self.files {
             let mut bytes = bytes.clone();
@@ -141,14 +139,13 @@ impl Module {
         let beside = from.parent().unwrap_or(from);
         let is_root = ["lib.rs", "main.rs", "mod.rs"].iter().any(|root| from.ends_with(root));
         let folder = if is_root { beside.to_owned() } else { from.with_extension("") };
-        let files = match &self.path {
-            Some(path) => vec![beside.join(path)],
-            None => vec![
-                folder.join(format!("{}.rs", self.name)),
-                folder.join(&self.name).join("mod.rs"),
-            ],
-        };
-        files.iter().any(|file| new.contains(&plain(file)))
+        if let Some(path) = &self.path {
+            return new.contains(&plain(&beside.join(path)));
+        }
+        let module = folder.join(&self.name);
+        [module.with_extension("rs"), module.join("mod.rs")]
+            .iter()
+            .any(|file| new.contains(&plain(file)))
     }
 }
 

@@ -48,12 +48,13 @@ mod tests {
     use crate::facts::{Facts, TaskFacts};
 
     fn facts(tasks: &[(&str, &[&str])]) -> Facts {
-        let task = |(id, hints): &(&str, &[&str])| {
+        let mut facts = Facts::default();
+        for (id, hints) in tasks {
             let hints = hints.iter().map(ToString::to_string).collect();
-            let facts = TaskFacts { title: format!("task {id}"), hints, ..TaskFacts::default() };
-            ((*id).to_owned(), facts)
-        };
-        Facts { tasks: tasks.iter().map(task).collect(), ..Facts::default() }
+            let task = TaskFacts { title: format!("task {id}"), hints, ..TaskFacts::default() };
+            facts.tasks.insert((*id).into(), task);
+        }
+        facts
     }
 
     #[test]

@@ -156,12 +156,10 @@ impl Kit {
     ///
     /// The folders are relative to the top folder.
     pub fn dependencies(&self, folder: &Path) -> Result<Vec<String>> {
-        let table = |folder: &Path, pointer| -> Result<BTreeMap<String, Value>> {
-            Ok(read_toml_at(&folder.join("Cargo.toml"), pointer)?.unwrap_or_default())
-        };
-        let own = table(&self.root, "/workspace/dependencies")?;
-        let folder_of = |name: &String| Some(own.get(name)?.get("path")?.as_str()?.to_owned());
-        Ok(table(folder, "/dependencies")?.keys().filter_map(folder_of).collect())
+        let named = table(folder, "/dependencies")?;
+        let all = table(&self.root, "/workspace/dependencies")?;
+        let paths = named.keys().filter_map(|name| all.get(name)?.get("path")?.as_str());
+        Ok(paths.map(String::from).collect())
     }
 
     /// Returns an error if a lab has no starter.
@@ -181,6 +179,11 @@ impl Kit {
         command.current_dir(&self.root);
         command
     }
+}
+
+/// Reads a table of the manifest in a folder; empty if there is no such table.
+fn table(folder: &Path, pointer: &str) -> Result<BTreeMap<String, Value>> {
+    Ok(read_toml_at(&folder.join("Cargo.toml"), pointer)?.unwrap_or_default())
 }
 
 fn labs_in(folder: &Path) -> Vec<Lab> {

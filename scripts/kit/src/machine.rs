@@ -38,9 +38,8 @@ pub fn date() -> String {
 pub fn on_all_cores<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let next = Mutex::new(items.iter().enumerate());
     let done = Mutex::new(Vec::with_capacity(items.len()));
-    let take = || next.lock().expect("taking does not panic").next();
     let worker = || {
-        while let Some((index, item)) = take() {
+        while let Some((index, item)) = taken(&next) {
             let result = work(item);
             done.lock().expect("pushing does not panic").push((index, result));
         }
@@ -55,6 +54,11 @@ pub fn on_all_cores<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync
     let mut done = done.into_inner().expect("pushing does not panic");
     done.sort_by_key(|(index, _)| *index);
     done.into_iter().map(|(_, result)| result).collect()
+}
+
+/// Takes the next item. The lock is released before the item is used.
+fn taken<T>(items: &Mutex<impl Iterator<Item = T>>) -> Option<T> {
+    items.lock().expect("taking does not panic").next()
 }
 
 #[cfg(test)]

@@ -77,8 +77,9 @@ pub fn run_with(command: &mut Command, stdin: Stdio, limit: Duration) -> io::Res
     }
     drop(started);
     // A process that left the group may still hold the pipe, so the wait has a limit.
-    let text = |stream: Receiver<String>| stream.recv_timeout(GRACE).unwrap_or_default();
-    Ok(Finished { status: status?, stdout: text(stdout), stderr: text(stderr) })
+    let stdout = stdout.recv_timeout(GRACE).unwrap_or_default();
+    let stderr = stderr.recv_timeout(GRACE).unwrap_or_default();
+    Ok(Finished { status: status?, stdout, stderr })
 }
 
 /// Returns the message of the first panic in a process's stderr.
@@ -158,6 +159,13 @@ mod tests {
         command
     }
 
+    /// Whether a process is running. A process that ended has disappeared, or is a zombie until its
+    /// new parent notices.
+    fn is_alive(process: &str) -> bool {
+        let state = std::fs::read_to_string(format!("/proc/{process}/stat")).unwrap_or_default();
+        !state.is_empty() && !state.contains(") Z ")
+    }
+
     #[test]
     fn output_and_status_come_back() {
         let done =
@@ -178,13 +186,8 @@ mod tests {
         assert!(start.elapsed() < Duration::from_secs(60));
         let child = done.stdout.trim();
         assert!(!child.is_empty());
-        // A process that ended has disappeared, or is a zombie until its new parent notices. The
-        // system may take a moment to end the process.
-        let alive = || {
-            let state = std::fs::read_to_string(format!("/proc/{child}/stat")).unwrap_or_default();
-            !state.is_empty() && !state.contains(") Z ")
-        };
-        while alive() {
+        // The system may take a moment to end the process.
+        while is_alive(child) {
             assert!(start.elapsed() < Duration::from_secs(60), "process {child} is still there");
             std::thread::sleep(Duration::from_millis(5));
         }

@@ -127,12 +127,8 @@ impl FromStr for Program {
     fn from_str(text: &str) -> Result<Self, String> {
         let mut parts = text.split(',');
         let name = parts.next().unwrap_or_default();
-        let (package, variant) = name
-            .split_once(':')
-            .map_or((name, None), |(package, variant)| (package, Some(variant)));
-        let (package, other) = package
-            .split_once('-')
-            .map_or((package, None), |(package, other)| (package, Some(other)));
+        let (package, variant) = divided(name, ':');
+        let (package, other) = divided(package, '-');
         let (solution, lab) = match package.strip_prefix("solution") {
             Some(number) => (true, number.parse()?),
             None => (false, package.parse()?),
@@ -149,16 +145,9 @@ impl FromStr for Program {
             let (name, value) = part
                 .split_once('=')
                 .ok_or_else(|| format!("'{part}' in '{text}' is not NAME=VALUE"))?;
-            let number = |what: &str| -> Result<usize, String> {
-                value
-                    .parse()
-                    .ok()
-                    .filter(|n| *n > 0)
-                    .ok_or(format!("'{value}' is not a number of {what}"))
-            };
             match name {
-                "t" | "threads" => program.threads = Some(number("threads")?),
-                "r" | "ranks" => program.ranks = Some(number("ranks")?),
+                "t" | "threads" => program.threads = Some(count(value, "threads")?),
+                "r" | "ranks" => program.ranks = Some(count(value, "ranks")?),
                 _ => {
                     let value = value.parse().map_err(|_| format!("'{value}' is not a number"))?;
                     program.parameters.push((name.into(), value));
@@ -167,6 +156,17 @@ impl FromStr for Program {
         }
         Ok(program)
     }
+}
+
+/// Divides a text at the first `sign`; the second part is `None` if there is no such sign.
+fn divided(text: &str, sign: char) -> (&str, Option<&str>) {
+    text.split_once(sign).map_or((text, None), |(first, second)| (first, Some(second)))
+}
+
+/// Parses a number of threads or ranks, at least 1.
+fn count(value: &str, what: &str) -> Result<usize, String> {
+    let number = value.parse().ok().filter(|number| *number > 0);
+    number.ok_or_else(|| format!("'{value}' is not a number of {what}"))
 }
 
 impl fmt::Display for Program {

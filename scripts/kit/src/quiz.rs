@@ -16,7 +16,7 @@
 use anyhow::{Context, Result, anyhow, ensure};
 use serde::Deserialize;
 
-use crate::answers::{self, MarkedFile, Part};
+use crate::answers::{self, MarkedFile, Part, indent};
 use crate::files::read_toml;
 use crate::kit::Kit;
 use crate::lab::Lab;
@@ -143,8 +143,9 @@ fn function(files: &[MarkedFile], wrong: &Wrong) -> Option<String> {
     let before: String = parts[..at].iter().map(Part::text).collect();
     let after: String = parts[at + 1..].iter().map(Part::text).collect();
     let before: Vec<&str> = before.lines().collect();
-    let is_head = |line: &&str| line.split_whitespace().take(2).any(|word| word == "fn");
-    let head = &before[before.iter().rposition(is_head)?..];
+    let first =
+        before.iter().rposition(|line| line.split_whitespace().take(2).any(|word| word == "fn"))?;
+    let head = &before[first..];
     let outer = indent(head[0]);
     let end = format!("{:outer$}}}", "");
     let tail = after.lines().position(|line| line == end)?;
@@ -160,10 +161,6 @@ fn function(files: &[MarkedFile], wrong: &Wrong) -> Option<String> {
 
 fn without_indent(line: &str, indent: usize) -> String {
     line.get(indent..).unwrap_or_default().to_owned()
-}
-
-fn indent(line: &str) -> usize {
-    line.len() - line.trim_start().len()
 }
 
 #[cfg(test)]

@@ -35,13 +35,11 @@ impl fmt::Display for Table {
 
 impl Table {
     fn within(&self, f: &mut impl fmt::Write, page: usize) -> fmt::Result {
-        let longest_word = |head: &String| head.split(' ').map(width).max().unwrap_or(0);
-        let widths: Vec<usize> = (0..self.header.len())
-            .map(|at| {
-                let cells = self.rows.iter().filter_map(|row| row.get(at)).map(|cell| width(cell));
-                cells.max().unwrap_or(0).max(longest_word(&self.header[at]))
-            })
-            .collect();
+        let mut widths = Vec::new();
+        for (at, head) in self.header.iter().enumerate() {
+            let cells = self.rows.iter().filter_map(|row| row.get(at)).map(|cell| width(cell));
+            widths.push(cells.chain(head.split(' ').map(width)).max().unwrap_or(0));
+        }
         let mut columns = 1..self.header.len();
         loop {
             let mut room = page.saturating_sub(widths.first().copied().unwrap_or(0));
@@ -62,27 +60,34 @@ impl Table {
     }
 
     fn lines(&self, f: &mut impl fmt::Write, shown: &[usize], widths: &[usize]) -> fmt::Result {
-        let folded = |(head, width): (&String, &usize)| -> Vec<String> {
-            fold("", head, *width).lines().map(String::from).collect()
-        };
-        let heads: Vec<_> = self.header.iter().zip(widths).map(folded).collect();
-        let high = shown.iter().filter_map(|&at| heads.get(at)).map(Vec::len).max().unwrap_or(0);
-        // Short headings are at the bottom, next to the rows.
-        let head =
-            |line: usize, at: usize| heads[at].get((line + heads[at].len()).wrapping_sub(high));
-        let header = (0..high).map(|line| shown.iter().map(|&at| head(line, at)).collect());
-        let rows = self.rows.iter().map(|row| shown.iter().map(|&at| row.get(at)).collect());
-        for line in header.chain(rows) {
-            let line: Vec<Option<&String>> = line;
-            let cells = shown.iter().zip(line).map(|(&at, cell)| {
-                let cell = cell.map_or("", String::as_str);
-                let width = widths[at];
-                if at == 0 { format!("{cell:width$}") } else { format!("  {cell:>width$}") }
-            });
-            writeln!(f, "{}", cells.collect::<String>().trim_end())?;
+        let folded = self.header.iter().zip(widths).map(|(head, width)| fold("", head, *width));
+        let heads: Vec<String> = folded.collect();
+        let high = shown.iter().filter_map(|&at| heads.get(at)).map(|head| head.lines().count());
+        // Short headings are at the bottom, next to the rows. So lines are counted from the bottom.
+        for line in (0..high.max().unwrap_or(0)).rev() {
+            line_of(f, shown, widths, |at| heads[at].lines().rev().nth(line))?;
+        }
+        for row in &self.rows {
+            line_of(f, shown, widths, |at| row.get(at).map(String::as_str))?;
         }
         Ok(())
     }
+}
+
+/// Writes the cells of a line, each by the number of its column.
+fn line_of<'c>(
+    f: &mut impl fmt::Write,
+    shown: &[usize],
+    widths: &[usize],
+    cell: impl Fn(usize) -> Option<&'c str>,
+) -> fmt::Result {
+    let mut line = String::new();
+    for &at in shown {
+        let cell = cell(at).unwrap_or_default();
+        let width = widths[at];
+        line += &if at == 0 { format!("{cell:width$}") } else { format!("  {cell:>width$}") };
+    }
+    writeln!(f, "{}", line.trim_end())
 }
 
 fn width(text: &str) -> usize {

@@ -28,9 +28,9 @@
 
 use std::collections::BTreeSet;
 
-use anyhow::{Context, Result, anyhow, bail, ensure};
+use anyhow::{Context, Error, Result, anyhow, bail, ensure};
 
-use crate::answers::{self, MarkedFile, Part, RegionId, Task};
+use crate::answers::{self, MarkedFile, Part, RegionId, Task, indent};
 use crate::files::read_text;
 use crate::kit::Kit;
 use crate::lab::Lab;
@@ -130,52 +130,65 @@ fn complete(lab: Lab, section: &str, files: &[MarkedFile]) -> Result<Wrong> {
 
 /// Applies the changes of a diff to an answer, after removing the answer's common indentation.
 fn patched(answer: &str, diff: &str) -> Result<String> {
-    let indents = answer.lines().filter(|line| !line.is_empty());
-    let indent = indents.map(|line| line.len() - line.trim_start().len()).min().unwrap_or(0);
+    let filled = answer.lines().filter(|line| !line.is_empty());
+    let outer = filled.map(indent).min().unwrap_or(0);
     let mut lines: Vec<&str> =
-        answer.lines().map(|line| line.get(indent..).unwrap_or_default()).collect();
+        answer.lines().map(|line| line.get(outer..).unwrap_or_default()).collect();
     for change in diff.split("\n\n") {
-        let without = |sign: char| change.lines().filter(move |line| !line.starts_with(sign));
-        let [old, new] =
-            ['+', '-'].map(|sign| without(sign).map(|line| &line[1..]).collect::<Vec<_>>());
-        let is_there = |first: &usize| lines[*first..].starts_with(&old);
-        let places: Vec<usize> = (0..lines.len()).filter(is_there).collect();
+        let old = without(change, '+');
+        let places: Vec<usize> =
+            (0..lines.len()).filter(|&first| lines[first..].starts_with(&old)).collect();
         let &[place] = &places[..] else {
-            bail!(
-                "{} places of the answer have these lines, not one:\n{}",
-                places.len(),
-                old.join("\n")
-            );
+            let lines = old.join("\n");
+            bail!("{} places of the answer have these lines, not one:\n{lines}", places.len());
         };
-        lines.splice(place..place + old.len(), new);
+        lines.splice(place..place + old.len(), without(change, '-'));
     }
     Ok(lines.join("\n") + "\n")
 }
 
+/// Returns the lines of a change that do not begin with `sign`, without their first characters.
+fn without(change: &str, sign: char) -> Vec<&str> {
+    change.lines().filter(|line| !line.starts_with(sign)).map(|line| &line[1..]).collect()
+}
+
 /// Parses a section of the page, from its name to the end of its code.
 fn parse(lab: Lab, section: &str) -> Result<Wrong> {
-    let (name, rest) = section.split_once('\n').context("the last section is empty")?;
+    let (name, text) = section.split_once('\n').context("the last section is empty")?;
     let name = name.trim();
-    let error = |what: String| anyhow!("'{name}': {what}");
-    let (head, code) = rest.split_once("\n```").with_context(|| format!("'{name}': no code"))?;
-    let (_, code) = code.split_once('\n').unwrap_or_default();
-    let (body, _) = code.split_once("\n```").with_context(|| format!("'{name}': no code"))?;
-    let field = |field: &str| head.lines().find_map(|line| line.strip_prefix(field)).map(str::trim);
-    let needed = |name: &str| field(name).ok_or_else(|| error(format!("no line '{name} …'")));
+    parse_named(lab, name, text).map_err(|why| anyhow!("'{name}': {why}"))
+}
 
-    let region: RegionId = needed("- region:")?.parse().map_err(error)?;
-    ensure!(region.task.lab == lab, error(format!("task {region} is not of lab {lab}")));
-    let tests = |tests: &str| tests.split(',').map(|test| test.trim().replace('`', "")).collect();
-    let passes: Vec<String> = field("- passes:").map(tests).unwrap_or_default();
-    let fails = if passes.is_empty() { tests(needed("- fails:")?) } else { Vec::new() };
-    let loses = field("- also loses:").into_iter().flat_map(|tasks| tasks.split(','));
-    let loses = loses.map(|task| task.trim().parse().map_err(error)).collect::<Result<_>>()?;
+/// Parses the text below a section's name.
+fn parse_named(lab: Lab, name: &str, text: &str) -> Result<Wrong> {
+    let (head, code) = text.split_once("\n```").context("no code")?;
+    let (_, code) = code.split_once('\n').unwrap_or_default();
+    let (body, _) = code.split_once("\n```").context("no code")?;
+    let region: RegionId = needed(head, "- region:")?.parse().map_err(Error::msg)?;
+    ensure!(region.task.lab == lab, "task {region} is not of lab {lab}");
+    let passes = field(head, "- passes:").map(tests).unwrap_or_default();
+    let fails = if passes.is_empty() { tests(needed(head, "- fails:")?) } else { Vec::new() };
+    let loses = field(head, "- also loses:").into_iter().flat_map(|tasks| tasks.split(','));
+    let loses = loses.map(|task| task.trim().parse().map_err(Error::msg)).collect::<Result<_>>()?;
     let story = head.split("\n- region:").next().unwrap_or_default();
     let story = story.split_whitespace().collect::<Vec<_>>().join(" ");
-    ensure!(!story.is_empty(), error("its description is missing".into()));
-    ensure!(!body.trim().is_empty(), error("no code".into()));
+    ensure!(!story.is_empty(), "its description is missing");
+    ensure!(!body.trim().is_empty(), "no code");
     let body = format!("{body}\n");
     Ok(Wrong { name: name.into(), region, fails, passes, loses, story, body })
+}
+
+/// Returns the rest of the line that begins with `name`; `None` if there is no such line.
+fn field<'h>(head: &'h str, name: &str) -> Option<&'h str> {
+    head.lines().find_map(|line| line.strip_prefix(name)).map(str::trim)
+}
+
+fn needed<'h>(head: &'h str, name: &str) -> Result<&'h str> {
+    field(head, name).with_context(|| format!("no line '{name} …'"))
+}
+
+fn tests(list: &str) -> Vec<String> {
+    list.split(',').map(|test| test.trim().replace('`', "")).collect()
 }
 
 #[cfg(test)]

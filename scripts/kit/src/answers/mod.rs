@@ -12,6 +12,7 @@
 mod parse;
 mod task;
 
+pub(crate) use parse::indent;
 use parse::wrong_mark;
 pub use parse::{Part, Region, parse};
 pub use task::{RegionId, Task};
@@ -83,17 +84,18 @@ fn check_ids(
     seen: &mut BTreeMap<RegionId, String>,
 ) -> Result<()> {
     for region in file.regions() {
-        let here = format!("{}:{}", shown.display(), region.line);
-        let error = |what: String| wrong_mark(shown, region.line, &what);
-        if region.id.task.lab != lab {
-            return Err(error(format!("task {} is in lab {lab}", region.id)));
-        }
-        if let Some(before) = seen.insert(region.id, here) {
-            return Err(error(format!(
-                "task {} is here a second time, after {before}: give it a letter, such as {}b",
-                region.id, region.id.task
-            )));
-        }
+        let Region { id, line, .. } = region;
+        let fault = if id.task.lab != lab {
+            format!("task {id} is in lab {lab}")
+        } else if let Some(before) = seen.insert(*id, format!("{}:{line}", shown.display())) {
+            format!(
+                "task {id} is here a second time, after {before}: give it a letter, such as {}b",
+                id.task
+            )
+        } else {
+            continue;
+        };
+        return Err(wrong_mark(shown, *line, &fault));
     }
     Ok(())
 }

@@ -111,17 +111,16 @@ fn checked(
     next: Option<(usize, Mark)>,
 ) -> Result<usize, (usize, String)> {
     let name = mark.name();
-    let indent = |index: usize| lines[index].len() - lines[index].trim_start().len();
     match (mark, next) {
         (Mark::End(_), _) => Err((open, format!("'// end {name}' has no opening mark"))),
-        (Mark::Task(..), _) if indent(open) == 0 => {
+        (Mark::Task(..), _) if indent(lines[open]) == 0 => {
             Err((open, "a task's answer is the body of a function: this is outside".into()))
         }
         (_, None) => Err((open, format!("there is no '// end {name}'"))),
         (_, Some((end, Mark::End(other)))) if other != name => {
             Err((end, format!("'// end {other}' where '// end {name}' belongs")))
         }
-        (_, Some((end, Mark::End(_)))) if indent(end) != indent(open) => {
+        (_, Some((end, Mark::End(_)))) if indent(lines[end]) != indent(lines[open]) => {
             Err((end, format!("'// end {name}' is indented unlike its beginning")))
         }
         (_, Some((end, Mark::End(_)))) if !lines[open + 1..end].iter().any(|l| is_code(l)) => {
@@ -144,12 +143,11 @@ fn mark(line: &str) -> Result<Option<Mark>, String> {
     if comment == ANSWER_ONLY {
         return Ok(Some(Mark::AnswerOnly));
     }
-    let digit_first = |rest: &str| rest.trim_start().starts_with(|c: char| c.is_ascii_digit());
-    if let Some(rest) = comment.strip_prefix("task").filter(|rest| digit_first(rest)) {
-        let form = || format!("'// {comment}' is no mark: write '// task 3.2: title'");
-        let (id, title) = rest.split_once(':').ok_or_else(form)?;
-        let id = id.trim().parse().map_err(|_| form())?;
-        let title = title.trim();
+    if let Some(rest) = comment.strip_prefix("task").filter(|rest| is_digit_first(rest)) {
+        let parts = rest.split_once(':').map(|(id, title)| (id.trim().parse(), title.trim()));
+        let Some((Ok(id), title)) = parts else {
+            return Err(format!("'// {comment}' is no mark: write '// task 3.2: title'"));
+        };
         if title.is_empty() || title.contains(['"', '\\', '{', '}']) {
             return Err(format!("the title of task {id} must be plain text"));
         }
@@ -157,12 +155,21 @@ fn mark(line: &str) -> Result<Option<Mark>, String> {
     }
     match comment.strip_prefix("end").map(str::trim) {
         Some(ANSWER_ONLY) => Ok(Some(Mark::End(ANSWER_ONLY.into()))),
-        Some(rest) if digit_first(rest) => match rest.parse::<RegionId>() {
+        Some(rest) if is_digit_first(rest) => match rest.parse::<RegionId>() {
             Ok(id) => Ok(Some(Mark::End(id.to_string()))),
             Err(_) => Err(format!("'// {comment}' is no mark: write '// end 3.2'")),
         },
         _ => Ok(None),
     }
+}
+
+fn is_digit_first(text: &str) -> bool {
+    text.trim_start().starts_with(|c: char| c.is_ascii_digit())
+}
+
+/// Returns the number of spaces before a line's text.
+pub(crate) fn indent(line: &str) -> usize {
+    line.len() - line.trim_start().len()
 }
 
 fn is_code(line: &str) -> bool {

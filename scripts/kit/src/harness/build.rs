@@ -1,6 +1,6 @@
 //! Builds the test program of a lab.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
@@ -32,6 +32,12 @@ pub enum BuildError {
     /// Cargo failed before it compiled anything.
     #[error("{0}")]
     Cargo(String),
+}
+
+impl From<anyhow::Error> for BuildError {
+    fn from(error: anyhow::Error) -> Self {
+        Self::Cargo(format!("{error:#}"))
+    }
 }
 
 /// An error of the compiler.
@@ -69,9 +75,7 @@ const SNAPSHOTS: [(&str, &str); 4] = [
 /// Builds the tests of a package.
 pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
     let Build { mut cargo, package, lab, shown, colour } = build;
-    let trouble = |what: &str| BuildError::Cargo(what.into());
-    let top =
-        cargo.get_current_dir().map(PathBuf::from).ok_or_else(|| trouble("cargo has no folder"))?;
+    let top = cargo.get_current_dir().context("cargo has no folder")?.to_owned();
     let format = if colour { "json-diagnostic-rendered-ansi" } else { "json" };
     let target = format!("lab{lab}");
     cargo.args(["test", "--no-run", "--package", package, "--test", &target]);
@@ -81,32 +85,23 @@ pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
     } else {
         fresh::build(cargo.arg("--quiet"), Command::output)
     };
-    let output = output.map_err(|e| trouble(&format!("cargo did not start: {e}")))?;
+    let output = output.context("cargo did not start")?;
     let mut program = None;
     let mut errors = Vec::new();
     for line in String::from_utf8_lossy(&output.stdout).lines() {
         let Ok(message) = serde_json::from_str::<Value>(line) else { continue };
-        if message["reason"] == "compiler-artifact" && message["target"]["name"] == target {
-            let folder = message["manifest_path"].as_str().map(PathBuf::from);
-            let folder = folder.as_deref().and_then(std::path::Path::parent).map(PathBuf::from);
-            if let (Some(executable), Some(folder)) = (message["executable"].as_str(), folder)
-                && message["target"]["kind"][0] == "test"
-            {
-                program =
-                    Some(TestProgram { program: executable.into(), folder, top: top.clone() });
-            }
+        if message["target"]["name"] == target && message["target"]["kind"][0] == "test" {
+            program = TestProgram::of(&message, &top).or(program);
         }
         errors.extend(compile_error(&message["message"]));
     }
     match program {
         Some(program) if output.status.success() => Ok(program),
         _ if !errors.is_empty() => Err(BuildError::Compile(errors)),
-        _ => {
-            let complaint = String::from_utf8_lossy(&output.stderr).trim().to_owned();
-            let above =
-                complaint.is_empty().then(|| "the reason is in cargo's messages above".into());
-            Err(BuildError::Cargo(above.unwrap_or(complaint)))
-        }
+        _ => Err(BuildError::Cargo(match String::from_utf8_lossy(&output.stderr).trim() {
+            "" => "the reason is in cargo's messages above".into(),
+            complaint => complaint.into(),
+        })),
     }
 }
 
@@ -116,16 +111,27 @@ fn compile_error(message: &Value) -> Option<CompileError> {
     if message["level"] != "error" {
         return None;
     }
-    let location = |span: &Value| {
-        Some((span["file_name"].as_str()?.into(), span["line_start"].as_u64()? as usize))
-    };
-    Some(CompileError {
-        rendered: message["rendered"].as_str().unwrap_or_default().into(),
-        locations: spans.iter().filter_map(location).collect(),
-    })
+    let rendered = message["rendered"].as_str().unwrap_or_default().into();
+    Some(CompileError { rendered, locations: spans.iter().filter_map(location).collect() })
+}
+
+fn location(span: &Value) -> Option<(PathBuf, usize)> {
+    Some((span["file_name"].as_str()?.into(), span["line_start"].as_u64()? as usize))
+}
+
+/// Returns the name of the test in a line of the lab's table of questions.
+fn name(line: &str) -> Option<String> {
+    let mut fields = line.strip_prefix("question|")?.split('|');
+    Some(format!("{}::{}", fields.next()?, fields.next()?))
 }
 
 impl TestProgram {
+    /// Reads Cargo's message about a test program; `None` if no file was made.
+    fn of(message: &Value, top: &Path) -> Option<Self> {
+        let folder = Path::new(message["manifest_path"].as_str()?).parent()?.to_owned();
+        Some(Self { program: message["executable"].as_str()?.into(), folder, top: top.to_owned() })
+    }
+
     fn command(&self) -> Command {
         let mut command = Command::new(&self.program);
         // Variables for the tests of other projects, such as INSTA_FORCE_PASS, must not affect
@@ -157,10 +163,6 @@ impl TestProgram {
         if done.status.is_none_or(|status| !status.success()) {
             bail!("the tests cannot be listed: {}", done.stderr.trim());
         }
-        let name = |line: &str| {
-            let mut fields = line.strip_prefix("question|")?.split('|');
-            Some(format!("{}::{}", fields.next()?, fields.next()?))
-        };
         Ok(done.stdout.lines().filter_map(name).collect())
     }
 

@@ -14,6 +14,9 @@ pub(crate) const PANIC: &str = "a panic in ";
 /// Beginning of the message of a task's `todo!`.
 const TODO: &str = "not yet implemented: task ";
 
+/// Beginnings of the harness's own lines in stderr.
+const HARNESS: [&str; 2] = ["note: run with `RUST_BACKTRACE", "error: test failed"];
+
 /// Beginning of the line with a test's question.
 const ASKS: &str = "asks: ";
 
@@ -46,11 +49,11 @@ fn of_stdout(test: &str, stdout: &str) -> (Vec<String>, Vec<String>) {
     let own = begun.take_while(|line| *line != "failures:" && !line.starts_with("test result: "));
     // The line begins with the name and ends with the verdict. The test's output is between them.
     let name = format!("test {test} ... ");
-    let bare = |line: &str| {
-        let line = line.strip_prefix(&*name).unwrap_or(line);
-        line.strip_suffix("FAILED").or_else(|| line.strip_suffix("ok")).unwrap_or(line).to_owned()
-    };
-    let mut lines: Vec<String> = own.map(bare).collect();
+    let mut lines = Vec::new();
+    for line in own.map(|line| line.strip_prefix(&*name).unwrap_or(line)) {
+        let bare = line.strip_suffix("FAILED").or_else(|| line.strip_suffix("ok"));
+        lines.push(bare.unwrap_or(line).to_owned());
+    }
     let table = lines.iter().position(|line| line.contains(" Snapshot Summary "));
     let table = lines.split_off(table.unwrap_or(lines.len()));
     (lines, table)
@@ -58,10 +61,8 @@ fn of_stdout(test: &str, stdout: &str) -> (Vec<String>, Vec<String>) {
 
 /// Splits stderr into the lines before the first panic, and the panic with the lines after it.
 fn of_stderr(stderr: &str) -> (Vec<String>, Vec<String>) {
-    let is_harness = |line: &&str| {
-        line.starts_with("note: run with `RUST_BACKTRACE") || line.starts_with("error: test failed")
-    };
-    let lines: Vec<&str> = stderr.lines().filter(|line| !is_harness(line)).collect();
+    let mut lines: Vec<&str> = stderr.lines().collect();
+    lines.retain(|line| !HARNESS.iter().any(|begin| line.starts_with(begin)));
     let first = lines.iter().position(|line| panicked_at(line).is_some()).unwrap_or(lines.len());
     let (noted, printed) = lines.split_at(first);
     let mut why = Vec::new();
@@ -147,20 +148,17 @@ mod tests {
 
     #[test]
     fn a_panic_in_a_lab_is_placed_and_no_other() {
-        let at = |location: &str| {
-            let stderr = format!("\nthread 't' (7) panicked at {location}:\nindex out of bounds\n");
-            message_of("", &stderr)
-        };
         let lab = "a panic in labs/lab3/src/rows.rs, line 41:\nindex out of bounds";
-        assert_eq!(at("labs/lab3/src/rows.rs:41:9"), lab);
-        let stderr =
-            "\nthread 't' (7) panicked at labs/lab3/src/rows.rs:41:9:\nindex out of bounds\n";
-        assert_eq!(located_panic(stderr), Some(lab.replace('\n', " ")));
         let library = "a panic in the standard library, in a function that the lab calls:\nindex out of bounds";
-        assert_eq!(at("/rustc/x/library/core/src/num/f64.rs:1:1"), library);
-        for location in ["labs/lab3/tests/../../../tests/lab3.rs:4:5", "labs/common/src/lib.rs:1:1"]
-        {
-            assert_eq!(at(location), "index out of bounds", "{location}");
+        for (location, message) in [
+            ("labs/lab3/src/rows.rs:41:9", lab),
+            ("/rustc/x/library/core/src/num/f64.rs:1:1", library),
+            ("labs/lab3/tests/../../../tests/lab3.rs:4:5", "index out of bounds"),
+            ("labs/common/src/lib.rs:1:1", "index out of bounds"),
+        ] {
+            let stderr = format!("\nthread 't' (7) panicked at {location}:\nindex out of bounds\n");
+            assert_eq!(message_of("", &stderr), message, "{location}");
+            assert_eq!(located_panic(&stderr), Some(message.replace('\n', " ")));
         }
         let todo = "\nthread 't' (7) panicked at labs/lab1/src/x.rs:9:5:\nnot yet implemented: task 1.1: x\n";
         assert_eq!(message_of("", todo), "not yet implemented: task 1.1: x");

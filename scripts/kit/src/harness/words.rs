@@ -33,7 +33,8 @@ pub(crate) fn of_a_failure(message: &str) -> String {
             (_, Some(found), _) if compared => lines.push(format!("     found: {found}")),
             (_, _, Some(expected)) if compared => lines.push(format!("  expected: {expected}")),
             _ if FOR_AUTHORS.iter().any(|begin| line.starts_with(begin)) || is_frame(line) => {}
-            _ if is_gap(line) => lines.push("…".to_owned()),
+            // This line stands for rows of a snapshot's table that are left out.
+            _ if line.starts_with('┈') => lines.push("…".to_owned()),
             _ if difference(line).is_some() => lines.extend(difference(line)),
             ("", ..) if lines.last().is_some_and(String::is_empty) => {}
             _ => lines.push(line.to_owned()),
@@ -44,13 +45,8 @@ pub(crate) fn of_a_failure(message: &str) -> String {
 
 /// Whether a line is a part of the frame around a snapshot's table, or the frame's title.
 fn is_frame(line: &str) -> bool {
-    let rule = |c| matches!(c, '─' | '━' | '┬' | '┴');
-    !line.is_empty() && line.replace(" Snapshot Summary ", "").chars().all(rule)
-}
-
-/// Whether a line stands for rows of a snapshot's table that are left out.
-fn is_gap(line: &str) -> bool {
-    line.starts_with('┈')
+    let rest = line.replace(" Snapshot Summary ", "");
+    !line.is_empty() && rest.chars().all(|c| "─━┬┴".contains(c))
 }
 
 /// Removes the line numbers from a line of a snapshot's table, because with them many tables are

@@ -19,8 +19,11 @@ pub type Files = BTreeMap<PathBuf, Vec<u8>>;
 
 /// Reads the [sources](sources_below) below a folder; empty if there is no such folder.
 pub fn read_below(folder: &Path) -> Result<Files> {
-    let read = |path: PathBuf| Ok((path.strip_prefix(folder)?.to_owned(), read_bytes(&path)?));
-    sources_below(folder)?.into_iter().map(read).collect()
+    let mut files = Files::new();
+    for path in sources_below(folder)? {
+        files.insert(path.strip_prefix(folder)?.to_owned(), read_bytes(&path)?);
+    }
+    Ok(files)
 }
 
 /// Returns the paths of the files in src/ and tests/ of a folder, relative to the folder.
@@ -71,12 +74,12 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     // that file, and an included file cannot have crate documentation.
     let root = PathBuf::from(format!("tests/lab{lab}.rs"));
     for path in kit.test_sources(lab)? {
-        let (path, mut bytes) =
-            (path.strip_prefix(kit.root())?.to_owned(), with_unix_lines(read_bytes(&path)?));
+        let mut bytes = with_unix_lines(read_bytes(&path)?);
+        let path = path.strip_prefix(kit.root())?;
         if path == root {
             bytes.splice(..0, format!("//! Lab {lab}'s graders.\n\n").into_bytes());
         }
-        files.insert(path, bytes);
+        files.insert(path.to_owned(), bytes);
     }
     Ok(files)
 }
@@ -107,10 +110,11 @@ fn starter_text(parts: &[Part], todo: fn(&Region) -> String) -> String {
 
 /// Removes the book's anchors, which mean nothing to a student.
 fn without_anchors(text: &str) -> String {
-    let is_anchor = |line: &str| {
-        line.trim().strip_prefix("//").is_some_and(|comment| comment.trim().starts_with("ANCHOR"))
-    };
     text.split_inclusive('\n').filter(|line| !is_anchor(line)).collect()
+}
+
+fn is_anchor(line: &str) -> bool {
+    line.trim().strip_prefix("//").is_some_and(|comment| comment.trim().starts_with("ANCHOR"))
 }
 
 /// Replaces the crate's documentation by the lab's README.
@@ -123,7 +127,6 @@ fn documented(text: &str) -> String {
 pub(crate) fn rename(text: &str, lab: Lab) -> String {
     let old = format!("solution{lab}");
     let new = format!("lab{lab}");
-    let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let mut renamed = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(at) = rest.find(&old) {
@@ -135,6 +138,10 @@ pub(crate) fn rename(text: &str, lab: Lab) -> String {
         rest = after;
     }
     renamed + rest
+}
+
+fn is_name(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
 }
 
 /// Formats a single file through a pipe. With a path, rustfmt would format its modules too.
