@@ -91,6 +91,14 @@ pub fn write_file(path: &Path, contents: impl AsRef<[u8]>) -> Result<()> {
     written.with_context(|| format!("cannot write {}", path.display()))
 }
 
+/// Writes a file, unless it has these contents already. So an unchanged file keeps its time.
+pub fn write_changed(path: &Path, contents: &[u8]) -> Result<()> {
+    if fs::read(path).is_ok_and(|there| there == contents) {
+        return Ok(());
+    }
+    write_file(path, contents)
+}
+
 /// Returns the SHA-256 of a file's contents, in hexadecimal digits.
 pub fn digest(bytes: &[u8]) -> String {
     Hash::hash(bytes).iter().map(|byte| format!("{byte:02x}")).collect()

@@ -114,6 +114,11 @@ impl Kit {
         self.root.join("target/lab")
     }
 
+    /// Returns the build directory. It may not exist yet.
+    pub fn target(&self) -> PathBuf {
+        self.path(std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
+    }
+
     /// Returns the labs that have a starter, in order.
     pub fn starters(&self) -> Vec<Lab> {
         labs_in(&self.root.join("labs"))

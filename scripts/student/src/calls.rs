@@ -30,17 +30,18 @@ struct Call {
 
 /// Makes the table of the records in `folder`; `None` if the lab's files made no call on any rank.
 pub(crate) fn table(folder: &Path, ranks: usize) -> Option<String> {
-    let text = |rank| fs::read_to_string(folder.join(format!("{rank}.txt"))).unwrap_or_default();
-    let calls: Vec<Vec<Call>> =
-        (0..ranks).map(|rank| text(rank).lines().filter_map(Call::read).collect()).collect();
-    let count: usize = calls.iter().map(Vec::len).sum();
-    if count == 0 {
+    let mut calls: Vec<Vec<Call>> = Vec::new();
+    let mut header = vec![String::new()];
+    for rank in 0..ranks {
+        let text = fs::read_to_string(folder.join(format!("{rank}.txt"))).unwrap_or_default();
+        calls.push(text.lines().filter_map(Call::read).collect());
+        header.push(format!("rank {rank}"));
+    }
+    if calls.iter().all(Vec::is_empty) {
         return None;
     }
     let rows = rows(&calls);
-    let mut table = Table::new(
-        std::iter::once(String::new()).chain((0..ranks).map(|rank| format!("rank {rank}"))),
-    );
+    let mut table = Table::new(header);
     rows.iter().take(ROWS).for_each(|row| table.row(row.clone()));
     let more = rows.len().saturating_sub(ROWS);
     let more = if more > 0 { format!("… and {more} more rows\n") } else { String::new() };
@@ -66,53 +67,54 @@ impl Call {
     fn receives(&self) -> bool {
         ["Recv", "Irecv", "Mprobe"].contains(&&*self.name)
     }
+
+    /// Formats the call with its message's number, after it was repeated so many times.
+    fn cell(&self, message: Option<&usize>, times: usize) -> String {
+        let Self { name, other, location, .. } = self;
+        let whom = match self {
+            call if call.sends() => format!("→{other}"),
+            call if call.receives() && *other >= 0 => format!("←{other}"),
+            _ => String::new(),
+        };
+        let which = message.map_or(String::new(), |number| format!(" #{number}"));
+        let times = if times > 1 { format!(" ×{times}") } else { String::new() };
+        format!("{name}{whom}{which}{times} {location}")
+    }
 }
 
 /// Returns a row for each collective call, and between these rows the calls of single ranks.
 fn rows(calls: &[Vec<Call>]) -> Vec<Vec<String>> {
     let messages = messages(calls);
-    let cell = |rank: usize, at: usize| -> String {
-        let Call { name, other, location, .. } = &calls[rank][at];
-        let which = messages.get(&(rank, at)).map_or(String::new(), |k| format!(" #{k}"));
-        let whom = match &calls[rank][at] {
-            call if call.sends() => format!("→{other}"),
-            call if call.receives() && *other >= 0 => format!("←{other}"),
-            _ => String::new(),
-        };
-        let times = alike(&calls[rank], at);
-        let times = if times > 1 { format!(" ×{times}") } else { String::new() };
-        format!("{name}{whom}{which}{times} {location}")
-    };
     let mut at = vec![0; calls.len()];
     let mut rows = Vec::new();
     loop {
-        let next = |rank: usize, at: &[usize]| calls[rank].get(at[rank]);
-        let all = 0..calls.len();
-        let alone: Vec<bool> =
-            all.clone().map(|rank| next(rank, &at).is_some_and(|call| call.number == 0)).collect();
-        let together = all.clone().filter_map(|rank| next(rank, &at)).map(|call| call.number).min();
-        let Some(together) = together else { return rows };
-        let mut row = vec![if together > 0 { together.to_string() } else { String::new() }];
-        for rank in all {
-            let is_next = next(rank, &at).is_some_and(|call| call.number == together);
-            if is_next || alone[rank] {
-                row.push(cell(rank, at[rank]));
-                at[rank] += alike(&calls[rank], at[rank]);
-            } else {
-                row.push(String::new());
+        let next = calls.iter().zip(&at).filter_map(|(calls, &at)| calls.get(at));
+        // The least number is 0 as long as a rank has a call of its own.
+        let Some(number) = next.map(|call| call.number).min() else { return rows };
+        let mut row = vec![if number > 0 { number.to_string() } else { String::new() }];
+        for (rank, at) in at.iter_mut().enumerate() {
+            let rest = &calls[rank][*at..];
+            match rest.first() {
+                Some(call) if call.number == number => {
+                    let times = alike(call, rest);
+                    row.push(call.cell(messages.get(&(rank, *at)), times));
+                    *at += times;
+                }
+                _ => row.push(String::new()),
             }
         }
         rows.push(row);
     }
 }
 
-/// Counts equal calls in a row, from this call on, if they involve no other rank, such as waiting.
-fn alike(calls: &[Call], at: usize) -> usize {
-    let first = &calls[at];
-    let alone = first.number == 0 && !first.sends() && !first.receives();
-    let same =
-        |call: &&Call| alone && (&call.name, &call.location) == (&first.name, &first.location);
-    calls[at..].iter().take_while(same).count().max(1)
+/// Counts the calls that repeat `first`, with itself, if it involves no other rank, such as
+/// waiting.
+fn alike(first: &Call, calls: &[Call]) -> usize {
+    if first.number > 0 || first.sends() || first.receives() {
+        return 1;
+    }
+    let what = (&first.name, &first.location);
+    calls.iter().take_while(|call| (&call.name, &call.location) == what).count()
 }
 
 /// Returns the message number of each call that sends or receives a message, by rank and call.
@@ -120,23 +122,15 @@ fn alike(calls: &[Call], at: usize) -> usize {
 /// Messages between two ranks arrive in the order of sending. A receiver's tag must equal the
 /// sender's; a negative tag accepts any.
 fn messages(calls: &[Vec<Call>]) -> BTreeMap<(usize, usize), usize> {
-    let all = |is: fn(&Call) -> bool| {
-        let of =
-            |rank: usize| calls[rank].iter().enumerate().map(move |(at, call)| (rank, at, call));
-        let mut all: Vec<_> =
-            (0..calls.len()).flat_map(of).filter(|(_, _, call)| is(call)).collect();
-        all.sort_by_key(|(rank, at, _)| (*at, *rank));
-        all
-    };
-    let mut receives = all(Call::receives);
+    let mut receives = in_order(calls, Call::receives);
     let mut numbers = BTreeMap::new();
     let mut last = 0;
-    for (rank, at, sent) in all(Call::sends) {
-        let belongs = |(to, _, call): &(usize, usize, &Call)| {
+    for (rank, at, sent) in in_order(calls, Call::sends) {
+        let found = receives.iter().position(|(to, _, call)| {
             let tag = call.tag < 0 || call.tag == sent.tag;
             tag && (call.other, sent.other) == (rank as i64, *to as i64)
-        };
-        if let Some(found) = receives.iter().position(belongs) {
+        });
+        if let Some(found) = found {
             let (to, there, _) = receives.remove(found);
             last += 1;
             numbers.extend([((rank, at), last), ((to, there), last)]);
@@ -145,34 +139,36 @@ fn messages(calls: &[Vec<Call>]) -> BTreeMap<(usize, usize), usize> {
     numbers
 }
 
+/// Returns the wanted calls with their rank and their place on it, first calls first.
+fn in_order(calls: &[Vec<Call>], wanted: fn(&Call) -> bool) -> Vec<(usize, usize, &Call)> {
+    let mut found = Vec::new();
+    for (rank, calls) in calls.iter().enumerate() {
+        let places = calls.iter().enumerate().filter(|(_, call)| wanted(call));
+        found.extend(places.map(|(at, call)| (rank, at, call)));
+    }
+    found.sort_by_key(|(rank, at, _)| (*at, *rank));
+    found
+}
+
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::table;
+    use lab_kit::Kit;
 
     #[test]
     fn calls_that_belong_together_stand_in_a_row() {
         let folder = tempfile::tempdir().unwrap();
-        let write = |rank: usize, text: &str| {
-            fs::write(folder.path().join(format!("{rank}.txt")), text).unwrap();
-        };
         assert_eq!(table(folder.path(), 2), None);
-        write(
-            0,
-            "1\tMPI_Gather\t-1\t-1\tlabs/lab5/src/root.rs, line 29\n\
+        let zero = "1\tMPI_Gather\t-1\t-1\tlabs/lab5/src/root.rs, line 29\n\
              0\tMPI_Isend\t1\t7\tlabs/lab6/src/exchange.rs, line 3\n\
              0\tMPI_Isend\t1\t7\tlabs/lab6/src/exchange.rs, line 4\n\
              0\tMPI_Wait\t-1\t-1\tlabs/lab6/src/exchange.rs, line 6\n\
              0\tMPI_Wait\t-1\t-1\tlabs/lab6/src/exchange.rs, line 6\n\
-             2\tMPI_Barrier\t-1\t-1\tlabs/lab6/src/exchange.rs, line 9\n",
-        );
-        write(
-            1,
-            "1\tMPI_Gather\t-1\t-1\tlabs/lab5/src/root.rs, line 31\n\
+             2\tMPI_Barrier\t-1\t-1\tlabs/lab6/src/exchange.rs, line 9\n";
+        let one = "1\tMPI_Gather\t-1\t-1\tlabs/lab5/src/root.rs, line 31\n\
              0\tMPI_Recv\t0\t7\tlabs/lab6/src/exchange.rs, line 5\n\
-             2\tMPI_Barrier\t-1\t-1\tlabs/lab6/src/exchange.rs, line 9\n",
-        );
+             2\tMPI_Barrier\t-1\t-1\tlabs/lab6/src/exchange.rs, line 9\n";
+        Kit::of_files(folder.path(), &[("0.txt", zero), ("1.txt", one)]);
         let shown = table(folder.path(), 2).unwrap();
         let rows: Vec<Vec<&str>> = shown
             .lines()

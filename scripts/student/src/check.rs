@@ -193,22 +193,14 @@ mod tests {
 
     use super::{complete, is_begun, unbroken};
     use crate::results::Run;
-    use crate::tasks::{Progress, State};
+    use crate::tasks::State;
+    use crate::tasks::tests::tasks_in;
     use lab_kit::Kit;
     use lab_kit::harness::{Outcome, Verdict};
     use lab_kit::starter::Record;
 
     fn run(states: &[State]) -> Run {
-        let task = |number: usize| format!("2.{number}").parse().unwrap();
-        let of = |(index, state): (usize, &State)| Progress {
-            task: task(index + 1),
-            title: "bins".into(),
-            optional: false,
-            state: *state,
-            tests: Vec::new(),
-        };
-        let tasks = states.iter().enumerate().map(of).collect();
-        Run { tasks, others: Vec::new(), left_out: 0 }
+        Run { tasks: tasks_in(2, states), ..Run::default() }
     }
 
     #[test]
@@ -217,7 +209,7 @@ mod tests {
         let open = run(&[State::Done, State::Todo]);
         assert_eq!(unbroken(lab, &open).unwrap(), "1 of 2 tasks done");
         let why = complete(lab, &open).unwrap_err();
-        assert_eq!(why, "1 of 2 tasks done, the next is 2.2, bins");
+        assert_eq!(why, "1 of 2 tasks done, the next is 2.2, a task");
         let done = run(&[State::Done, State::Done]);
         assert_eq!(complete(lab, &done).unwrap(), "2 of 2 tasks done");
     }
@@ -228,10 +220,9 @@ mod tests {
         let broken = run(&[State::Failing, State::Done]);
         for judge in [unbroken, complete] {
             let why = judge(lab, &broken).unwrap_err();
-            assert_eq!(why, "task 2.1 fails, bins: 'cargo lab test 2' shows why");
+            assert_eq!(why, "task 2.1 fails, a task: 'cargo lab test 2' shows why");
         }
-        let other =
-            Outcome { test: "the_list".into(), verdict: Verdict::Failed, message: "".into() };
+        let other = Outcome::new("the_list", Verdict::Failed, "");
         let done = Run { others: vec![other], ..run(&[State::Done]) };
         for judge in [unbroken, complete] {
             let why = judge(lab, &done).unwrap_err();

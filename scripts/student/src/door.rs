@@ -37,27 +37,29 @@ pub(crate) fn pass(kit: &Kit, words: &[&str]) -> Result<()> {
 
 /// Finds the other package that has a command; `None` if there is none.
 fn family_of(kit: &Kit, name: &OsStr) -> Result<Option<Family>> {
-    let has = |family: &Family| family.commands.iter().any(|(own, _)| name == own.as_str());
-    Ok(others(families(kit)?).into_iter().find(has))
+    let mut others = others(families(kit)?);
+    others.retain(|family| family.commands.iter().any(|(own, _)| name == own.as_str()));
+    Ok(others.pop())
 }
 
 /// Builds a package, and returns the beginning of a command line that runs it.
 fn built(kit: &Kit, family: &Family) -> Result<Command> {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let package = |verb: &str| {
-        let mut command = Command::new(&cargo);
-        command.arg(verb).arg("--manifest-path").arg(kit.path("Cargo.toml"));
-        command.args(["--package", &family.package]);
-        command.args((!cfg!(debug_assertions)).then_some("--release"));
-        command
-    };
-    let mut build = package("build");
+    let mut build = cargo(kit, family, "build");
     build.arg("--message-format=json-render-diagnostics").current_dir(kit.root());
     let built = fresh::build(&mut build, run_visibly).context("cargo did not start")?;
     ensure!(built.status.success(), "{} does not build, see above", family.package);
-    let mut command = package("run");
+    let mut command = cargo(kit, family, "run");
     command.args(["--quiet", "--"]);
     Ok(command)
+}
+
+/// Returns the beginning of a Cargo command about a package, in the current folder.
+fn cargo(kit: &Kit, family: &Family, verb: &str) -> Command {
+    let mut command = Command::new(kit.cargo().get_program());
+    command.arg(verb).arg("--manifest-path").arg(kit.path("Cargo.toml"));
+    command.args(["--package", &family.package]);
+    command.args((!cfg!(debug_assertions)).then_some("--release"));
+    command
 }
 
 /// Returns the command line of this package, which also contains the names of all other commands.

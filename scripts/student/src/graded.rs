@@ -12,12 +12,12 @@ use std::process::Command;
 
 use anyhow::{Context, Result};
 
-use lab_kit::files::{read_text, write_file};
+use lab_kit::files::{read_text, write_changed};
 use lab_kit::harness::{Build, BuildError, build};
 use lab_kit::sources::{Collected, Sources};
 use lab_kit::{Facts, Given, Kit, Lab};
 
-use crate::test::own_build;
+use crate::test::visible_build;
 
 /// A lab in a workspace for grading.
 pub(crate) struct Graded {
@@ -46,14 +46,12 @@ impl Graded {
         }
         let folder = kit.memory().join(format!("graded/lab{lab}"));
         lay(kit, lab, &files, &folder).context("the lab cannot be laid as it is graded")?;
-        let target = std::env::var_os("CARGO_TARGET_DIR");
-        let target = target.map_or_else(|| kit.path("target"), |target| kit.path(target));
-        Ok(Self { lab, tree: Kit::at(&folder), target, package, changed })
+        Ok(Self { lab, tree: Kit::at(&folder), target: kit.target(), package, changed })
     }
 
     /// Returns the order for building the lab's tests.
-    pub(crate) fn tests(&self) -> Build<'_> {
-        own_build(self.cargo(), self.lab, &self.package)
+    pub(crate) fn tests(&self) -> Build {
+        visible_build(self.cargo(), self.lab, self.package.clone())
     }
 
     /// Builds the lab; returns the message if that fails.
@@ -122,10 +120,7 @@ fn lay(kit: &Kit, lab: Lab, files: &Sources, folder: &Path) -> Result<()> {
 }
 
 fn put(path: &Path, bytes: &[u8]) -> Result<()> {
-    if path.is_symlink() || fs::read(path).is_ok_and(|there| there == bytes) {
-        return Ok(());
-    }
-    write_file(path, bytes)
+    if path.is_symlink() { Ok(()) } else { write_changed(path, bytes) }
 }
 
 /// Makes a link in `to` to everything in `from` whose name is `wanted`.

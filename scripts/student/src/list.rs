@@ -104,16 +104,16 @@ fn current(kit: &Kit) -> Result<Lab> {
     if let Some(lab) = labs.iter().find(|lab| here.starts_with(kit.starter(**lab))) {
         return Ok(*lab);
     }
-    let tested =
-        |lab: &Lab| fs::metadata(results::file(kit, *lab)).and_then(|file| file.modified());
-    let last = labs.iter().filter_map(|lab| Some((tested(lab).ok()?, *lab))).max();
-    last.map(|(_, lab)| lab).or(labs.first().copied()).context("this kit has no labs")
+    let tested = labs.iter().filter_map(|lab| {
+        let results = fs::metadata(results::file(kit, *lab)).ok()?;
+        Some((results.modified().ok()?, *lab))
+    });
+    tested.max().map(|(_, lab)| lab).or(labs.first().copied()).context("this kit has no labs")
 }
 
 fn table(overviews: &[Overview]) -> String {
-    let width = |of: fn(&Overview) -> usize| overviews.iter().map(of).max().unwrap_or(0);
-    let titles = width(|o| o.title.chars().count());
-    let bars = width(|o| o.tasks.len());
+    let titles = overviews.iter().map(|one| one.title.chars().count()).max().unwrap_or(0);
+    let bars = overviews.iter().map(|one| one.tasks.len()).max().unwrap_or(0);
     let mut out = String::new();
     for overview in overviews {
         let Overview { lab, title, tasks, .. } = overview;
@@ -145,32 +145,27 @@ fn mark(state: State) -> char {
 #[cfg(test)]
 mod tests {
     use super::{Overview, table};
-    use crate::tasks::{Progress, State};
+    use crate::tasks::State;
+    use crate::tasks::tests::tasks_in;
 
     fn overview(lab: u8, title: &str, stale: bool, states: &[State]) -> Overview {
-        let of = |(index, state): (usize, &State)| Progress {
-            task: format!("{lab}.{}", index + 1).parse().unwrap(),
-            title: "a task".into(),
-            optional: lab == 2 && index == 3,
-            state: *state,
-            tests: Vec::new(),
-        };
         Overview {
             lab: lab.to_string().parse().unwrap(),
             title: title.into(),
             stale,
-            tasks: states.iter().enumerate().map(of).collect(),
+            tasks: tasks_in(lab, states),
             missing: (lab == 10).then_some("a driver: scripts/setup.sh installs it"),
         }
     }
 
     #[test]
     fn a_line_a_lab_and_a_mark_a_task() {
-        let overviews = [
+        let mut overviews = [
             overview(1, "all pairs", false, &[State::Done, State::Done, State::Done]),
             overview(2, "bins", true, &[State::Done, State::Failing, State::Todo, State::Todo]),
             overview(10, "fast", false, &[State::Untested]),
         ];
+        overviews[1].tasks[3].optional = true;
         assert_eq!(
             table(&overviews),
             "  1  all pairs  ███    3 of  3

@@ -3,7 +3,7 @@
 use anyhow::Result;
 
 use crate::results::Run;
-use crate::tasks::{self, Progress, State, passes, print_tasks};
+use crate::tasks::{self, Progress, State, print_tasks};
 use crate::test::What;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::terminal::folded;
@@ -119,7 +119,7 @@ fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
 /// The clearest failures come first: a sentence about particles, then a panic in the lab's own
 /// code, which may follow from the same mistake, then a crash or an endless run.
 fn explain(progress: &Progress, all: bool) {
-    let failures = progress.tests.iter().filter(|o| !passes(o) && !o.meets_todo_of(progress.task));
+    let failures = progress.tests.iter().filter(|o| !o.passes() && !o.meets_todo_of(progress.task));
     let mut failures: Vec<_> = failures.collect();
     failures.sort_by_key(|outcome| vagueness(outcome));
     let shown = if all { failures.len() } else { 1 };
@@ -189,19 +189,14 @@ mod tests {
 
     #[test]
     fn a_sentence_of_the_problem_comes_first() {
-        let outcome = |test: &str, verdict, message: &str| Outcome {
-            test: test.into(),
-            verdict,
-            message: message.into(),
-        };
         let panic = "a panic in labs/lab3/src/parts.rs, line 7:\nrange end index 17 out of range";
         let mut failures = [
-            outcome("a", Verdict::Failed, "not yet implemented: task 3.9: mail"),
-            outcome("b", Verdict::TimedOut, ""),
-            outcome("c", Verdict::Crashed("it aborted".into()), ""),
-            outcome("d", Verdict::Failed, panic),
-            outcome("e", Verdict::Failed, "nobody begins a part too early"),
-            outcome("f", Verdict::Failed, "particle 3 is lost"),
+            Outcome::new("a", Verdict::Failed, "not yet implemented: task 3.9: mail"),
+            Outcome::new("b", Verdict::TimedOut, ""),
+            Outcome::new("c", Verdict::Crashed("it aborted".into()), ""),
+            Outcome::new("d", Verdict::Failed, panic),
+            Outcome::new("e", Verdict::Failed, "nobody begins a part too early"),
+            Outcome::new("f", Verdict::Failed, "particle 3 is lost"),
         ];
         failures.sort_by_key(vagueness);
         assert_eq!(failures.map(|outcome| outcome.test).concat(), "efdcba");

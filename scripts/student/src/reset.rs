@@ -47,36 +47,42 @@ fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
     if there == given {
         return Ok(None);
     }
-    let kept = keep(kit, lab, &there)?;
-    let partly = || format!("lab {lab} is reset in part; your work is kept in {}", kept.display());
+    let kept = keep(kit, lab, &there)
+        .with_context(|| format!("your work cannot be kept in {KEPT}/, so nothing was changed"))?;
+    put_back(&folder, &there, &given).with_context(|| {
+        format!("lab {lab} is reset in part; your work is kept in {}", kept.display())
+    })?;
+    Ok(Some(kept))
+}
+
+/// Replaces the files that are `there` by the given files.
+fn put_back(folder: &Path, there: &Files, given: &Files) -> Result<()> {
     for (path, bytes) in given.iter().filter(|(path, bytes)| there.get(*path) != Some(bytes)) {
-        write_file(&folder.join(path), bytes).with_context(partly)?;
+        write_file(&folder.join(path), bytes)?;
     }
     for path in there.keys().filter(|path| !given.contains_key(*path)) {
-        fs::remove_file(folder.join(path)).with_context(partly)?;
+        fs::remove_file(folder.join(path))?;
     }
-    Record::of(&given).write(&folder).with_context(partly)?;
-    Ok(Some(kept))
+    Record::of(given).write(folder)
 }
 
 /// Reads the files that a student may have changed or added, by their path in the lab's folder.
 fn work(folder: &Path) -> Result<Files> {
-    let paths = own_paths(folder)?.into_iter().chain(["Cargo.toml".into()]);
-    let read = |path: PathBuf| {
+    let mut files = Files::new();
+    for path in own_paths(folder)?.into_iter().chain(["Cargo.toml".into()]) {
         let bytes = read_bytes(&folder.join(&path))?;
-        Ok((path, with_unix_lines(bytes)))
-    };
-    paths.map(read).collect()
+        files.insert(path, with_unix_lines(bytes));
+    }
+    Ok(files)
 }
 
 /// Writes the files, all or none, to a new folder.
 fn keep(kit: &Kit, lab: Lab, files: &Files) -> Result<PathBuf> {
     let all_kept = kit.path(KEPT);
-    let failed = || format!("your work cannot be kept in {KEPT}/, so nothing was changed");
-    fs::create_dir_all(&all_kept).with_context(failed)?;
-    let copy = tempfile::tempdir_in(&all_kept).with_context(failed)?;
+    fs::create_dir_all(&all_kept)?;
+    let copy = tempfile::tempdir_in(&all_kept)?;
     for (path, bytes) in files {
-        write_file(&copy.path().join(path), bytes).with_context(failed)?;
+        write_file(&copy.path().join(path), bytes)?;
     }
     let name = format!("lab{lab}-{}", date());
     let names = (1..).map(|time| match time {
@@ -84,8 +90,8 @@ fn keep(kit: &Kit, lab: Lab, files: &Files) -> Result<PathBuf> {
         time => format!("{name}-{time}"),
     });
     let free = names.map(|name| Path::new(KEPT).join(name)).find(|path| !kit.path(path).exists());
-    let free = free.with_context(failed)?;
-    fs::rename(copy.path(), kit.path(&free)).with_context(failed)?;
+    let free = free.context("no name is free")?;
+    fs::rename(copy.path(), kit.path(&free))?;
     Ok(free)
 }
 

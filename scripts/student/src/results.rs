@@ -9,7 +9,7 @@ use anyhow::Result;
 use serde::{Deserialize, Serialize};
 
 use crate::memory::{recall, remember};
-use crate::tasks::{self, Progress, passes};
+use crate::tasks::{self, Progress};
 use lab_kit::answers::Task;
 use lab_kit::files::digest;
 use lab_kit::harness::{Build, BuildError, Outcome, build};
@@ -27,14 +27,13 @@ const LONG_LIMIT: Duration = Duration::from_secs(180);
 /// Last result of every test of a lab.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Results {
-    /// Tests with their outcomes.
     pub(crate) outcomes: Vec<Outcome>,
     /// Hash of the lab's source when each test ran, by the test's name.
     sources: BTreeMap<String, String>,
 }
 
 /// Results of a single run of tests.
-#[derive(Debug)]
+#[derive(Debug, Default, Serialize)]
 pub(crate) struct Run {
     /// The lab's tasks, or the chosen one, with the outcomes of their tests.
     pub(crate) tasks: Vec<Progress>,
@@ -52,12 +51,12 @@ impl Run {
 
     /// Returns the failures of tests that belong to no task.
     pub(crate) fn other_failures(&self) -> Vec<&Outcome> {
-        self.others.iter().filter(|outcome| !passes(outcome)).collect()
+        self.others.iter().filter(|outcome| !outcome.passes()).collect()
     }
 
     /// Whether every test has run and passes.
     pub(crate) fn passes(&self) -> bool {
-        self.left_out == 0 && self.outcomes().all(passes)
+        self.left_out == 0 && self.outcomes().all(Outcome::passes)
     }
 }
 
@@ -68,20 +67,19 @@ pub(crate) fn run(
     kit: &Kit,
     lab: Lab,
     only: Option<Task>,
-    tests: Build<'_>,
+    tests: Build,
     advance: impl Fn(Step<'_>) + Sync,
 ) -> Result<Run, BuildError> {
-    let trouble = |e: anyhow::Error| BuildError::Cargo(format!("{e:#}"));
-    let source = source(kit, lab).map_err(trouble)?;
-    let threads = kit.facts(lab).map_err(trouble)?.workers == Workers::Threads;
+    let source = source(kit, lab)?;
+    let threads = kit.facts(lab)?.workers == Workers::Threads;
     let limit = if threads { LIMIT } else { LONG_LIMIT };
     let program = build(tests)?;
-    let mut tests = program.tests().map_err(trouble)?;
+    let mut tests = program.tests()?;
     tests.retain(|test| only.is_none() || Task::of_test(test) == only);
     advance(Step::Tests(tests.len()));
     // After an endless loop, most other tests would exceed their time limits too.
     let timed_out = AtomicBool::new(false);
-    let run = |test: &String| {
+    let outcomes = on_all_cores(&tests, |test| {
         if timed_out.load(Ordering::Relaxed) {
             return Ok(None);
         }
@@ -90,20 +88,21 @@ pub(crate) fn run(
         timed_out.fetch_or(outcome.hung(), Ordering::Relaxed);
         advance(Step::Ended(test));
         Ok(Some(outcome))
-    };
-    let outcomes: Result<Vec<_>> = on_all_cores(&tests, run).into_iter().collect();
-    let outcomes: Vec<_> = outcomes.map_err(trouble)?.into_iter().flatten().collect();
+    });
+    let outcomes: Result<Vec<_>> = outcomes.into_iter().collect();
+    let outcomes: Vec<Outcome> = outcomes?.into_iter().flatten().collect();
     let left_out = tests.len() - outcomes.len();
     let mut results = match Results::read(kit, lab) {
         Some(results) if only.is_some() || left_out > 0 => results,
         _ => Results::default(),
     };
     results.add(&outcomes, &source);
-    results.write(kit, lab).map_err(trouble)?;
-    let mut tasks = tasks::progress(kit, lab, &outcomes).map_err(trouble)?;
+    results.write(kit, lab)?;
+    let mut tasks = tasks::progress(kit, lab, &outcomes)?;
     tasks.retain(|progress| only.is_none_or(|task| progress.task == task));
-    let is_other = |outcome: &Outcome| Task::of_test(&outcome.test).is_none();
-    Ok(Run { tasks, others: outcomes.into_iter().filter(is_other).collect(), left_out })
+    let mut others = outcomes;
+    others.retain(|outcome| Task::of_test(&outcome.test).is_none());
+    Ok(Run { tasks, others, left_out })
 }
 
 /// Progress of a run of tests.
@@ -160,9 +159,10 @@ pub(crate) fn source(kit: &Kit, lab: Lab) -> Result<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Results, source};
+    use super::Results;
     use crate::list::Overview;
     use lab_kit::Kit;
+    use lab_kit::files::write_file;
     use lab_kit::harness::{Outcome, Verdict};
 
     #[test]
@@ -170,22 +170,20 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let kit = Kit::at(folder.path());
         let lab = "1".parse().unwrap();
-        let write = |text| Kit::of_files(folder.path(), &[("labs/lab1/src/lib.rs", text)]);
-        let ran = |results: &mut Results, test: &str, verdict| {
-            let outcome = Outcome { test: test.into(), verdict, message: String::new() };
-            results.add(&[outcome], &source(&kit, lab).unwrap());
-            results.write(&kit, lab).unwrap();
-        };
-        write("1.1 is done");
         let mut results = Results::default();
-        ran(&mut results, "task_1_1::a", Verdict::Passed);
-        ran(&mut results, "task_1_2::a", Verdict::Failed);
-        assert!(!Overview::of(&kit, lab).unwrap().stale);
-        write("1.1 and 1.2 are done");
-        ran(&mut results, "task_1_2::a", Verdict::Passed);
-        let overview = Overview::of(&kit, lab).unwrap();
-        assert_eq!((overview.done(), overview.stale), (2, true), "1.1 saw another source");
-        ran(&mut results, "task_1_1::a", Verdict::Passed);
-        assert!(!Overview::of(&kit, lab).unwrap().stale);
+        for (source, test, verdict, done, stale) in [
+            ("1.1", "task_1_1::a", Verdict::Passed, 1, false),
+            ("1.1", "task_1_2::a", Verdict::Failed, 1, false),
+            // Task 1.1 was tested with a different source.
+            ("1.1, 1.2", "task_1_2::a", Verdict::Passed, 2, true),
+            ("1.1, 1.2", "task_1_1::a", Verdict::Passed, 2, false),
+        ] {
+            write_file(&kit.path("labs/lab1/src/lib.rs"), source).unwrap();
+            let outcome = Outcome::new(test, verdict, "");
+            results.add(&[outcome], &super::source(&kit, lab).unwrap());
+            results.write(&kit, lab).unwrap();
+            let overview = Overview::of(&kit, lab).unwrap();
+            assert_eq!((overview.done(), overview.stale), (done, stale), "{source}, {test}");
+        }
     }
 }

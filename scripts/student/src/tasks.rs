@@ -43,21 +43,13 @@ impl State {
 /// A task with the outcomes of its tests.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Progress {
-    /// The task.
     pub(crate) task: Task,
-    /// Title of the task.
     pub(crate) title: String,
     /// Whether the task is not one of the core tasks.
     pub(crate) optional: bool,
-    /// State of the task.
     pub(crate) state: State,
     /// Outcomes of the task's tests, as far as they have run.
     pub(crate) tests: Vec<Outcome>,
-}
-
-/// Whether an outcome is not a failure.
-pub(crate) fn passes(outcome: &Outcome) -> bool {
-    matches!(outcome.verdict, Verdict::Passed | Verdict::Ignored | Verdict::Skipped)
 }
 
 /// Returns the tasks of a lab in order, with the outcomes that belong to each.
@@ -68,13 +60,14 @@ pub(crate) fn progress(kit: &Kit, lab: Lab, outcomes: &[Outcome]) -> Result<Vec<
         titles.entry(task).or_insert_with(|| "(no title)".into());
     }
     let facts = kit.facts(lab).unwrap_or_default().tasks;
-    let of = |(task, title): (Task, String)| {
+    let mut all = Vec::new();
+    for (task, title) in titles {
         let own = outcomes.iter().filter(|outcome| Task::of_test(&outcome.test) == Some(task));
         let tests: Vec<Outcome> = own.cloned().collect();
         let optional = facts.get(&task.to_string()).is_some_and(|task| task.optional);
-        Progress { task, title, optional, state: state(&tests), tests }
-    };
-    Ok(titles.into_iter().map(of).collect())
+        all.push(Progress { task, title, optional, state: state(&tests), tests });
+    }
+    Ok(all)
 }
 
 /// Returns the number of tasks that are done.
@@ -83,7 +76,7 @@ pub(crate) fn done(tasks: &[Progress]) -> usize {
 }
 
 fn state(tests: &[Outcome]) -> State {
-    match tests.iter().find(|outcome| !passes(outcome)) {
+    match tests.iter().find(|outcome| !outcome.passes()) {
         _ if tests.is_empty() => State::Untested,
         None if tests.iter().any(|outcome| outcome.verdict == Verdict::Skipped) => State::Untested,
         None => State::Done,
@@ -149,13 +142,28 @@ pub(crate) fn print_tasks(tasks: &[Progress]) {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::{State, line_of_todo, state};
+pub(crate) mod tests {
+    use super::{Progress, State, line_of_todo, state};
     use lab_kit::Kit;
     use lab_kit::harness::{Outcome, Verdict};
 
+    /// Makes the tasks of a lab, without tests, in these states.
+    pub(crate) fn tasks_in(lab: u8, states: &[State]) -> Vec<Progress> {
+        let mut tasks = Vec::new();
+        for (state, number) in states.iter().zip(1..) {
+            tasks.push(Progress {
+                task: format!("{lab}.{number}").parse().unwrap(),
+                title: "a task".into(),
+                optional: false,
+                state: *state,
+                tests: Vec::new(),
+            });
+        }
+        tasks
+    }
+
     fn outcome(verdict: Verdict, message: &str) -> Outcome {
-        Outcome { test: "task_1_1_x".into(), verdict, message: message.into() }
+        Outcome::new("task_1_1_x", verdict, message)
     }
 
     #[test]
@@ -174,15 +182,14 @@ mod tests {
     #[test]
     fn the_first_todo_that_is_left_is_named() {
         let folder = tempfile::tempdir().unwrap();
-        let line = |of_a: &str| {
-            let files =
-                [("labs/lab1/src/a.rs", "\ntodo!(\"task 1.1b: b\")"), ("labs/lab1/src/b.rs", of_a)];
-            let kit = Kit::of_files(folder.path(), &files);
-            line_of_todo(&kit, "1.1".parse().unwrap()).unwrap().map(|(_, line)| line)
-        };
-        let first = line("todo!(\"task 1.1: a\")");
-        assert_eq!(first.unwrap(), "labs/lab1/src/b.rs, line 1: 1.1, a");
-        let second = line("panic!(\"task 1.1: said by what is given\")");
-        assert_eq!(second.unwrap(), "labs/lab1/src/a.rs, line 2: 1.1b, b");
+        let a = ("labs/lab1/src/a.rs", "\ntodo!(\"task 1.1b: b\")");
+        for (b, line) in [
+            ("todo!(\"task 1.1: a\")", "labs/lab1/src/b.rs, line 1: 1.1, a"),
+            ("panic!(\"task 1.1: given\")", "labs/lab1/src/a.rs, line 2: 1.1b, b"),
+        ] {
+            let kit = Kit::of_files(folder.path(), &[a, ("labs/lab1/src/b.rs", b)]);
+            let found = line_of_todo(&kit, "1.1".parse().unwrap()).unwrap();
+            assert_eq!(found.unwrap().1, line);
+        }
     }
 }

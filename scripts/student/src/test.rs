@@ -84,8 +84,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 pub(crate) fn expect_task(kit: &Kit, task: Task) -> Result<()> {
     let all = tasks::progress(kit, task.lab, &[])?;
     let known = all.iter().any(|progress| progress.task == task);
-    let names = || all.iter().map(|p| p.task.to_string()).collect::<Vec<_>>().join(", ");
-    ensure!(known, "lab {} has no task {task}; it has {}", task.lab, names());
+    let names: Vec<String> = all.iter().map(|progress| progress.task.to_string()).collect();
+    ensure!(known, "lab {} has no task {task}; it has {}", task.lab, names.join(", "));
     Ok(())
 }
 
@@ -101,12 +101,19 @@ pub(crate) fn expect_lab(kit: &Kit, lab: Lab) -> Result<()> {
 /// Builds and runs the tests of a lab, or of one task. `None` if the lab does not compile; the
 /// error is printed.
 pub(crate) fn run_tests(kit: &Kit, lab: Lab, only: Option<Task>) -> Result<Option<Run>> {
-    let package = format!("lab{lab}");
-    run_build(kit, lab, only, own_build(kit.cargo(), lab, &package))
+    run_build(kit, lab, only, own_build(kit, lab)?)
+}
+
+/// Returns the order for building the tests in a lab's folder with visible output.
+pub(crate) fn own_build(kit: &Kit, lab: Lab) -> Result<Build> {
+    kit.expect_starter(lab)?;
+    let tests = format!("labs/lab{lab}/tests/lab{lab}.rs");
+    ensure!(kit.path(&tests).is_file(), "{tests} is missing: copy it from the kit that you got");
+    Ok(visible_build(kit.cargo(), lab, format!("lab{lab}")))
 }
 
 /// Returns the order for building the tests of a package with visible output.
-pub(crate) fn own_build(cargo: Command, lab: Lab, package: &str) -> Build<'_> {
+pub(crate) fn visible_build(cargo: Command, lab: Lab, package: String) -> Build {
     let colour = can_draw(&std::io::stdout()) && std::env::var_os("NO_COLOR").is_none();
     Build { cargo, package, lab, shown: true, colour }
 }
@@ -116,7 +123,7 @@ pub(crate) fn run_build(
     kit: &Kit,
     lab: Lab,
     only: Option<Task>,
-    build: Build<'_>,
+    build: Build,
 ) -> Result<Option<Run>> {
     expect_lab(kit, lab)?;
     name_unread(kit, lab)?;
@@ -147,9 +154,7 @@ pub(crate) fn run_build(
             print_compile_errors(lab, &errors);
             Ok(None)
         }
-        Err(BuildError::Cargo(trouble)) => {
-            bail!("the tests of lab {lab} cannot be built: {trouble}")
-        }
+        Err(error) => bail!("the tests of lab {lab} cannot be built: {error}"),
     }
 }
 
@@ -188,15 +193,15 @@ mod tests {
 
     #[test]
     fn a_lab_or_a_task_is_meant() {
-        let what = |text: &str| {
-            let What { lab, task } = text.parse().ok()?;
-            Some((lab.to_string(), task.map(|task| task.to_string())))
-        };
-        assert_eq!(what("10"), Some(("10".into(), None)));
-        assert_eq!(what("lab3"), Some(("3".into(), None)));
-        assert_eq!(what("10.6"), Some(("10".into(), Some("10.6".into()))));
+        for (text, lab, task) in
+            [("10", "10", None), ("lab3", "3", None), ("10.6", "10", Some("10.6"))]
+        {
+            let what: What = text.parse().unwrap();
+            assert_eq!(what.lab, lab.parse().unwrap());
+            assert_eq!(what.task, task.map(|task| task.parse().unwrap()));
+        }
         for text in ["", "x", "10.", ".6", "10.6b", "0.1"] {
-            assert_eq!(what(text), None, "{text}");
+            assert!(text.parse::<What>().is_err(), "{text}");
         }
     }
 

@@ -57,18 +57,20 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 ///
 /// All tests run, because the change may have broken any task. `None` if the lab does not compile.
 fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Option<Run>> {
-    let run = |task| -> Result<Option<Run>> {
-        let run = run_tests(kit, lab, task)?;
-        if let Some(run) = &run {
-            clear();
-            report(kit, What { lab, task }, run, false)?;
-        }
-        Ok(run)
-    };
-    if open.is_some() && run(open)?.is_none() {
+    if open.is_some() && tested(kit, What { lab, task: open })?.is_none() {
         return Ok(None);
     }
-    run(None)
+    tested(kit, What { lab, task: None })
+}
+
+/// Runs the tests of a lab or a task, and prints its state on an empty screen.
+fn tested(kit: &Kit, what: What) -> Result<Option<Run>> {
+    let run = run_tests(kit, what.lab, what.task)?;
+    if let Some(run) = &run {
+        clear();
+        report(kit, what, run, false)?;
+    }
+    Ok(run)
 }
 
 /// Waits until the source has changed and then stayed the same for a moment.

@@ -5,7 +5,6 @@
 //! right is not written again, so that Cargo compiles only the changes.
 
 use std::collections::BTreeMap;
-use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -13,7 +12,7 @@ use std::process::Command;
 use anyhow::{Context, Result};
 
 use crate::handout::fit;
-use lab_kit::files::{read_bytes, read_text, write_file};
+use lab_kit::files::{read_bytes, read_text, write_changed};
 use lab_kit::{Kit, Lab, files_below, sources_below};
 
 /// A copy of the kit.
@@ -32,8 +31,7 @@ impl Copy {
         let copy = Self {
             kit: Kit::at(&kit.path("target/prove/kit")),
             programs: kit.path("target/prove/build"),
-            shared: env::var_os("CARGO_TARGET_DIR")
-                .map_or_else(|| kit.path("target"), |folder| kit.path(folder)),
+            shared: kit.target(),
         };
         let mut files = BTreeMap::new();
         let mutated = format!("solutions/lab{lab}/src");
@@ -72,11 +70,7 @@ impl Copy {
 
     /// Writes a file, unless it has these contents already.
     pub(crate) fn put(&self, relative: &Path, bytes: &[u8]) -> Result<()> {
-        let target = self.kit.path(relative);
-        if fs::read(&target).is_ok_and(|there| there == bytes) {
-            return Ok(());
-        }
-        write_file(&target, bytes)
+        write_changed(&self.kit.path(relative), bytes)
     }
 
     /// Returns a Cargo command in the copy.

@@ -9,7 +9,7 @@ mod proofs;
 mod starter_faults;
 mod wrongs;
 
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 use std::time::Duration;
 
 use anyhow::Result;
@@ -109,29 +109,28 @@ impl Bench<'_> {
         Row { lab: self.lab, what: what.into(), tests, result, faults }
     }
 
-    fn build(
-        &self,
-        cargo: std::process::Command,
-        package: &str,
-    ) -> Result<TestProgram, BuildError> {
-        harness::build(Build { cargo, package, lab: self.lab, shown: false, colour: false })
+    /// Builds the tests of the lab's `solution` or `lab`.
+    fn build(&self, cargo: Command, package: &str) -> Result<TestProgram, BuildError> {
+        let lab = self.lab;
+        let package = format!("{package}{lab}");
+        harness::build(Build { cargo, package, lab, shown: false, colour: false })
     }
 
     /// Runs all tests of a program.
     fn outcomes(&self, program: &TestProgram) -> Result<Vec<Outcome>> {
         let tests = program.tests()?;
         self.bar.set_length(tests.len() as u64);
-        let run = |test: &String| {
+        let outcomes = on_all_cores(&tests, |test| {
             let outcome = program.run(test, &[], self.limit);
             self.bar.inc(1);
             outcome
-        };
-        on_all_cores(&tests, run).into_iter().collect()
+        });
+        outcomes.into_iter().collect()
     }
 
     /// Builds a package of the kit and runs its tests. The inner error is a failed build.
     fn tested(&self, package: &str) -> Result<Result<Vec<Outcome>, String>> {
-        match self.build(self.kit.cargo(), &format!("{package}{}", self.lab)) {
+        match self.build(self.kit.cargo(), package) {
             Ok(program) => self.outcomes(&program).map(Ok),
             Err(error) => Ok(Err(error.to_string())),
         }
@@ -145,10 +144,7 @@ impl Bench<'_> {
             Err(why) => return Ok(row(0, vec![why])),
         };
         let skipped: Vec<_> = outcomes.iter().filter_map(Outcome::skipped).collect();
-        let bad = |o: &&Outcome| {
-            !matches!(o.verdict, Verdict::Passed | Verdict::Ignored | Verdict::Skipped)
-        };
-        let failed: Vec<_> = outcomes.iter().filter(bad).collect();
+        let failed: Vec<_> = outcomes.iter().filter(|outcome| !outcome.passes()).collect();
         if let (Some(why), true) = (skipped.first(), failed.is_empty()) {
             let fault = format!("{} tests did not run: {why}", skipped.len());
             return Ok(Row { result: Proof::Skipped, ..row(outcomes.len(), vec![fault]) });

@@ -57,27 +57,26 @@ mod tests {
     use super::faults;
     use lab_kit::harness::{Outcome, Verdict};
 
-    fn outcome(test: &str, verdict: Verdict, message: &str) -> Outcome {
-        Outcome { test: test.into(), verdict, message: message.into() }
+    fn todo(id: &str) -> String {
+        format!("thread said\nnot yet implemented: task {id}: x")
     }
 
     #[test]
     fn a_starter_fails_at_its_own_todos_only() {
-        let todo = |id: &str| format!("thread said\nnot yet implemented: task {id}: x");
         let outcomes = [
-            outcome("task_1_1::a", Verdict::Failed, &todo("1.1")),
-            outcome("task_1_1::b", Verdict::Failed, &todo("1.1b")),
-            outcome("names", Verdict::Passed, ""),
+            Outcome::new("task_1_1::a", Verdict::Failed, todo("1.1")),
+            Outcome::new("task_1_1::b", Verdict::Failed, todo("1.1b")),
+            Outcome::new("names", Verdict::Passed, ""),
         ];
         let tasks = ["1.1".parse().unwrap()].into();
         assert_eq!(faults(&outcomes, &tasks), [""; 0]);
 
         let outcomes = [
-            outcome("task_1_1::a", Verdict::Passed, ""),
-            outcome("task_1_1::b", Verdict::Failed, &todo("1.2")),
-            outcome("task_1_1::c", Verdict::Failed, "other"),
-            outcome("task_1_1::d", Verdict::Crashed("it aborted".into()), &todo("1.1")),
-            outcome("names", Verdict::Failed, "why"),
+            Outcome::new("task_1_1::a", Verdict::Passed, ""),
+            Outcome::new("task_1_1::b", Verdict::Failed, todo("1.2")),
+            Outcome::new("task_1_1::c", Verdict::Failed, "other"),
+            Outcome::new("task_1_1::d", Verdict::Crashed("it aborted".into()), todo("1.1")),
+            Outcome::new("names", Verdict::Failed, "why"),
         ];
         let tasks = ["1.1".parse().unwrap(), "1.2".parse().unwrap()].into();
         let expected = [
@@ -93,8 +92,8 @@ mod tests {
 
     #[test]
     fn a_starter_without_todos_passes() {
-        let passed = outcome("task_14_1::a", Verdict::Passed, "");
-        let failed = outcome("task_14_1::b", Verdict::Failed, "why");
+        let passed = Outcome::new("task_14_1::a", Verdict::Passed, "");
+        let failed = Outcome::new("task_14_1::b", Verdict::Failed, "why");
         let expected = ["task_14_1::b meets no todo, and fails: why"];
         assert_eq!(faults(&[passed, failed], &[].into()), expected);
     }

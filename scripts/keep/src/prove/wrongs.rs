@@ -25,7 +25,7 @@ impl Bench<'_> {
         for (path, text) in mutate(self.lab, &files, &wrongs)? {
             copy.put(&folder.join(path), text.as_bytes())?;
         }
-        let program = match self.build(copy.cargo(), &format!("solution{}", self.lab)) {
+        let program = match self.build(copy.cargo(), "solution") {
             Ok(program) => program,
             Err(why) => {
                 return Ok(vec![self.row("wrong: all", "caught", 0, vec![why.to_string()])]);
@@ -35,12 +35,12 @@ impl Bench<'_> {
         let mut runs = Vec::new();
         let mut faults = vec![Vec::new(); wrongs.len()];
         for (index, wrong) in wrongs.iter().enumerate() {
-            let named = || wrong.fails.iter().chain(&wrong.passes);
-            let unknown = named().filter(|test| !tests.contains(test));
-            let unknown: Vec<_> = unknown.map(|test| format!("there is no test {test}")).collect();
-            faults[index].extend(unknown);
-            if faults[index].is_empty() {
-                runs.extend(named().map(|test| (index, test)));
+            for test in wrong.fails.iter().chain(&wrong.passes) {
+                if tests.contains(test) {
+                    runs.push((index, test));
+                } else {
+                    faults[index].push(format!("there is no test {test}"));
+                }
             }
         }
         self.bar.set_length(runs.len() as u64);

@@ -50,11 +50,11 @@ pub struct CompileError {
 }
 
 /// Settings for building a lab's tests.
-pub struct Build<'a> {
+pub struct Build {
     /// Cargo command in the workspace's top folder, without arguments.
     pub cargo: Command,
     /// Package that the tests belong to.
-    pub package: &'a str,
+    pub package: String,
     /// Lab that the tests belong to.
     pub lab: Lab,
     /// Whether Cargo's progress bar and error messages are shown.
@@ -73,12 +73,12 @@ const SNAPSHOTS: [(&str, &str); 4] = [
 ];
 
 /// Builds the tests of a package.
-pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
+pub fn build(build: Build) -> Result<TestProgram, BuildError> {
     let Build { mut cargo, package, lab, shown, colour } = build;
     let top = cargo.get_current_dir().context("cargo has no folder")?.to_owned();
     let format = if colour { "json-diagnostic-rendered-ansi" } else { "json" };
     let target = format!("lab{lab}");
-    cargo.args(["test", "--no-run", "--package", package, "--test", &target]);
+    cargo.args(["test", "--no-run", "--package", &package, "--test", &target]);
     cargo.arg(format!("--message-format={format}"));
     let output = if shown {
         fresh::build(&mut cargo, run_visibly)

@@ -41,14 +41,23 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Makes an outcome with these parts.
+    pub fn new(test: &str, verdict: Verdict, message: impl Into<String>) -> Self {
+        Self { test: test.into(), verdict, message: message.into() }
+    }
+
     /// Reads the outcome of a process that ran only this test, with its output uncaptured.
     pub fn read(test: &str, done: &Finished) -> Self {
-        let outcome =
-            Self { test: test.into(), verdict: verdict(done), message: message(test, done) };
+        let outcome = Self::new(test, verdict(done), message(test, done));
         if outcome.verdict == Verdict::Passed && outcome.skipped().is_some() {
             return Self { verdict: Verdict::Skipped, ..outcome };
         }
         outcome
+    }
+
+    /// Whether the outcome is not a failure.
+    pub fn passes(&self) -> bool {
+        matches!(self.verdict, Verdict::Passed | Verdict::Ignored | Verdict::Skipped)
     }
 
     /// Returns the reason why the test did not run; `None` if it ran.
@@ -138,17 +147,12 @@ mod tests {
     }
 
     #[test]
-    fn a_pass_is_a_pass() {
+    fn a_test_passes_unless_it_has_no_device() {
         let stdout = "\nrunning 1 test\ntest task_1_1::a ... ok\n\ntest result: ok. 1 passed; 0 failed; 0 ignored;\n";
-        let outcome = outcome(0, stdout, "");
-        assert_eq!((outcome.verdict, &*outcome.message), (Verdict::Passed, ""));
-    }
-
-    #[test]
-    fn a_test_without_a_device_has_not_passed() {
-        let stdout = "\nrunning 1 test\ntest task_1_1::a ... ok\n\ntest result: ok. 1 passed; 0 failed; 0 ignored;\n";
-        let outcome = outcome(0, stdout, "skipped: no adapter: none is here\n");
-        assert_eq!(outcome.verdict, Verdict::Skipped);
-        assert_eq!(outcome.skipped(), Some("no adapter: none is here"));
+        let passed = outcome(0, stdout, "");
+        assert_eq!((passed.verdict, &*passed.message), (Verdict::Passed, ""));
+        let skipped = outcome(0, stdout, "skipped: no adapter: none is here\n");
+        assert_eq!(skipped.verdict, Verdict::Skipped);
+        assert_eq!(skipped.skipped(), Some("no adapter: none is here"));
     }
 }

@@ -95,16 +95,17 @@ impl Movie {
         let last = frames.last().context("the lab wrote no frame")?;
         let speeds = frames.iter().flatten().flat_map(|p| [p.vx.abs(), p.vy.abs()]);
         let fastest = speeds.fold(f64::MIN_POSITIVE, f64::max);
-        let words = |p: &Particle| {
-            let velocity = |v: f64| (v / fastest + 1.0) / 2.0;
-            [p.x / size, p.y / size, velocity(p.vx), velocity(p.vy)]
-                .map(|share| (share * WHOLE).round() as u16)
-        };
+        let mut numbers = Vec::new();
+        for p in frames.iter().flatten() {
+            let [vx, vy] = [p.vx, p.vy].map(|v| (v / fastest + 1.0) / 2.0);
+            let shares = [p.x / size, p.y / size, vx, vy];
+            numbers.extend(shares.map(|share| (share * WHOLE).round() as u16));
+        }
         Ok(Self {
             n: last.len(),
             size,
             fastest,
-            numbers: frames.iter().flatten().flat_map(words).collect(),
+            numbers,
             energy: Vec::new(),
             touching: Vec::new(),
             still: last.iter().map(|disc| (*disc, false)).collect(),
@@ -118,8 +119,9 @@ impl Movie {
         let bytes: Vec<u8> = self.numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
         let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
         for three in bytes.chunks(3) {
-            let at = |k: usize| u32::from(three.get(k).copied().unwrap_or(0));
-            let word = at(0) << 16 | at(1) << 8 | at(2);
+            let mut word = [0; 4];
+            word[1..=three.len()].copy_from_slice(three);
+            let word = u32::from_be_bytes(word);
             for k in 0..4 {
                 let letter = char::from(LETTERS[(word >> (18 - 6 * k)) as usize & 63]);
                 text.push(if k > three.len() { '=' } else { letter });
