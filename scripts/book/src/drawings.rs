@@ -61,8 +61,8 @@ fn legible(svg: &str) -> Option<f64> {
 /// Returns the numbers that follow a name in attributes and style sheets.
 fn numbers(svg: &str, name: &'static str) -> impl Iterator<Item = f64> {
     let values = svg.split(name).skip(1).map(|rest| rest.trim_start_matches(['=', ':', '"', ' ']));
-    let digits = |value: &str| value.find(|c: char| c != '.' && !c.is_ascii_digit());
-    values.filter_map(move |value| value[..digits(value)?].parse().ok())
+    let numbers = values.map(|value| value.split(|c: char| c != '.' && !c.is_ascii_digit()).next());
+    numbers.filter_map(|number| number?.parse().ok())
 }
 
 /// Returns the end of a tag: a `>` that is not in an attribute.

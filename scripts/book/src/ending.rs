@@ -28,14 +28,16 @@ const BOXES: [&str; 13] = [
 pub(crate) fn scripts(page: String, depth: usize) -> String {
     let root = "../".repeat(depth);
     let wanted = FIGURES.iter().filter(|(figure, _)| page.contains(figure));
-    let mut names: Vec<&str> = wanted.flat_map(|(_, scripts)| *scripts).copied().collect();
+    let names: Vec<&str> = wanted.flat_map(|(_, scripts)| *scripts).copied().collect();
     if names.is_empty() {
         return page;
     }
-    // This script comes last, because it reads the figures that the other scripts have made.
-    names.push("address");
-    let tag = |name| format!("<script src=\"{root}live/{name}.js\"></script>\n");
-    format!("{page}\n\n{}", names.into_iter().map(tag).collect::<String>())
+    let mut out = page + "\n\n";
+    // The last script reads the figures that the other scripts have made.
+    for name in names.iter().chain(&["address"]) {
+        out += &format!("<script src=\"{root}live/{name}.js\"></script>\n");
+    }
+    out
 }
 
 const LICENCE: &str = "Code, text and figures of this book are licensed under \
@@ -52,13 +54,13 @@ pub(crate) struct Page {
 pub(crate) fn neighbours(pages: &[Page], file: &Path) -> String {
     let Some(at) = pages.iter().position(|page| page.file == file) else { return String::new() };
     let root = "../".repeat(file.components().count().saturating_sub(1));
-    let link = |page: &Page, way: &str| {
+    let before = at.checked_sub(1).map(|at| ("before", &pages[at]));
+    let after = pages.get(at + 1).map(|page| ("after", page));
+    let mut links = String::new();
+    for (way, page) in before.into_iter().chain(after) {
         let to = page.file.with_extension("html");
-        format!("<a class=\"{way}\" href=\"{root}{}\">{}</a>", to.display(), page.name)
-    };
-    let before = at.checked_sub(1).map(|at| link(&pages[at], "before"));
-    let after = pages.get(at + 1).map(|page| link(page, "after"));
-    let links: String = before.into_iter().chain(after).collect();
+        links += &format!("<a class=\"{way}\" href=\"{root}{}\">{}</a>", to.display(), page.name);
+    }
     format!("\n\n<nav class=\"turn\" aria-label=\"Pages before and after\">{links}</nav>\n")
 }
 
@@ -92,9 +94,8 @@ mod tests {
 
     #[test]
     fn pages_before_and_after_have_names() {
-        let files = ["one.md", "exam/two.md", "three.md"];
-        let page = |file: &str| Page { name: format!("Page {file}"), file: file.into() };
-        let pages = files.map(page);
+        let pages = ["one.md", "exam/two.md", "three.md"]
+            .map(|file| Page { name: format!("Page {file}"), file: file.into() });
         let links = neighbours(&pages, Path::new("exam/two.md"));
         assert!(links.contains("class=\"before\" href=\"../one.html\">Page one.md</a>"), "{links}");
         assert!(

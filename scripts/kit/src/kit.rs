@@ -172,7 +172,7 @@ impl Kit {
         ensure!(
             self.starter(lab).join("Cargo.toml").is_file(),
             "there is no lab {lab} here: labs/lab{lab} is missing (there are: {})",
-            self.starters().iter().map(Lab::to_string).collect::<Vec<_>>().join(", ")
+            listed(&self.starters())
         );
         Ok(())
     }
@@ -189,6 +189,11 @@ impl Kit {
 /// Reads a table of the manifest in a folder; empty if there is no such table.
 fn table(folder: &Path, pointer: &str) -> Result<BTreeMap<String, Value>> {
     Ok(read_toml_at(&folder.join("Cargo.toml"), pointer)?.unwrap_or_default())
+}
+
+/// Lists labs as `1, 2, 5`.
+pub fn listed(labs: &[Lab]) -> String {
+    labs.iter().map(Lab::to_string).collect::<Vec<_>>().join(", ")
 }
 
 fn labs_in(folder: &Path) -> Vec<Lab> {

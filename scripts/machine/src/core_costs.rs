@@ -61,20 +61,22 @@ pub fn instruction() -> f64 {
 /// A branch on a random bit is mispredicted every second time. It is compared with the same branch
 /// on a bit that is always 0.
 pub fn misprediction() -> f64 {
-    let take = |mask: u64| {
-        let mut random = 1;
-        let mut taken = 0u64;
-        nanoseconds_each(ROUNDS, || {
-            for _ in 0..ROUNDS {
-                scramble::<13, 7, 17>(&mut random);
-                if random & mask != 0 {
-                    // Because of this call, no compiler computes the count without a branch.
-                    black_box(&mut taken);
-                }
+    2.0 * (branch_on(black_box(1 << 40)) - branch_on(black_box(0)))
+}
+
+/// Measures the nanoseconds of a branch on the bits of a random number under a mask.
+fn branch_on(mask: u64) -> f64 {
+    let mut random = 1;
+    let mut taken = 0u64;
+    nanoseconds_each(ROUNDS, || {
+        for _ in 0..ROUNDS {
+            scramble::<13, 7, 17>(&mut random);
+            if random & mask != 0 {
+                // Because of this call, no compiler computes the count without a branch.
+                black_box(&mut taken);
             }
-        })
-    };
-    2.0 * (take(black_box(1 << 40)) - take(black_box(0)))
+        }
+    })
 }
 
 /// Measures the nanoseconds of a load from a random place in `bytes` bytes. Each load waits for the

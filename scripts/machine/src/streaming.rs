@@ -76,15 +76,16 @@ pub fn nanoseconds(n: usize, threads: usize) -> f64 {
 /// ready.
 fn together(shares: &mut [Share], count: u32) -> Duration {
     let ready = Barrier::new(shares.len());
-    let timed = |share: &mut Share| {
-        ready.wait();
-        let start = Instant::now();
-        share.sweeps(count);
-        (start, Instant::now())
-    };
     let times: Vec<_> = thread::scope(|scope| {
-        let handles: Vec<_> =
-            shares.iter_mut().map(|share| scope.spawn(move || timed(share))).collect();
+        let mut handles = Vec::new();
+        for share in shares {
+            handles.push(scope.spawn(|| {
+                ready.wait();
+                let start = Instant::now();
+                share.sweeps(count);
+                (start, Instant::now())
+            }));
+        }
         handles.into_iter().map(|h| h.join().expect("a sweep does not panic")).collect()
     });
     let first = times.iter().map(|take| take.0).min();

@@ -129,8 +129,8 @@ fn given_folders(kit: &Kit, labs: &[Lab], earlier: Earlier) -> Result<BTreeSet<P
 
 /// Returns the README for students.
 fn readme(kit: &Kit, labs: &[Lab]) -> String {
-    let row = |lab: &Lab| format!("| {lab} | {} |\n", kit.title(*lab));
     let last = labs.last().map_or_else(String::new, Lab::to_string);
-    let rows: String = labs.iter().map(row).collect();
+    let rows: String =
+        labs.iter().map(|lab| format!("| {lab} | {} |\n", kit.title(*lab))).collect();
     include_str!("readme.md").replace("LABS\n", &rows).replace("LAB", &last)
 }

@@ -12,21 +12,23 @@ use toml_edit::{Array, DocumentMut, InlineTable, Item, Value, value};
 pub(crate) fn fit<'p>(text: &str, paths: impl Iterator<Item = &'p Path>) -> Result<String> {
     let manifests = paths.filter(|path| path.ends_with("Cargo.toml"));
     let folders: Vec<&str> = manifests.filter_map(|path| path.parent()?.to_str()).collect();
-    let there = |folder: &str| folders.contains(&folder);
     let mut manifest: DocumentMut = text.parse().context("Cargo.toml")?;
     let dev = manifest.get_mut("profile").and_then(|profiles| profiles.get_mut("dev"));
     if let Some(packages) =
         dev.and_then(|dev| dev.get_mut("package")).and_then(Item::as_table_like_mut)
     {
-        let folder = |name: &str| name.strip_prefix("lab-").map(|name| format!("scripts/{name}"));
-        let gone = |name: &&str| folder(name).is_some_and(|folder| !there(&folder));
-        let names: Vec<String> =
-            packages.iter().map(|(name, _)| name).filter(gone).map(String::from).collect();
-        names.iter().for_each(|name| drop(packages.remove(name)));
+        let names: Vec<String> = packages.iter().map(|(name, _)| name.to_owned()).collect();
+        for name in &names {
+            let folder = name.strip_prefix("lab-").map(|name| format!("scripts/{name}"));
+            if folder.is_some_and(|folder| !folders.contains(&&*folder)) {
+                packages.remove(name);
+            }
+        }
     }
     let workspace = manifest["workspace"].as_table_mut().context("Cargo.toml has no workspace")?;
     if let Some(members) = workspace.get("default-members").and_then(Item::as_array) {
-        let kept = members.iter().filter_map(Value::as_str).filter(|member| there(member));
+        let kept =
+            members.iter().filter_map(Value::as_str).filter(|member| folders.contains(member));
         workspace["default-members"] = value(Array::from_iter(kept.map(String::from)));
     }
     // Cargo reports an error for a pattern without a match.
@@ -34,13 +36,13 @@ pub(crate) fn fit<'p>(text: &str, paths: impl Iterator<Item = &'p Path>) -> Resu
         let kept = members.iter().filter_map(Value::as_str);
         let kept = kept.filter(|member| match member.strip_suffix('*') {
             Some(prefix) => folders.iter().any(|folder| folder.starts_with(prefix)),
-            None => there(member),
+            None => folders.contains(member),
         });
         workspace["members"] = value(Array::from_iter(kept.map(String::from)));
     }
-    without_lost_paths(workspace.get_mut("dependencies"), there);
+    without_lost_paths(workspace.get_mut("dependencies"), &folders);
     let patches = manifest.get_mut("patch").and_then(|patches| patches.get_mut("crates-io"));
-    if without_lost_paths(patches, there) {
+    if without_lost_paths(patches, &folders) {
         manifest.remove("patch");
     }
     Ok(manifest.to_string())
@@ -60,16 +62,17 @@ pub(super) fn with_own_labs(text: &str, labs: &[Lab]) -> Result<String> {
     Ok(manifest.to_string())
 }
 
-/// Removes from a table the packages whose folders do not exist. Returns whether the table is empty
-/// then.
-fn without_lost_paths(table: Option<&mut Item>, there: impl Fn(&str) -> bool) -> bool {
+/// Removes from a table the packages whose paths are not among `folders`. Returns whether the table
+/// is empty then.
+fn without_lost_paths(table: Option<&mut Item>, folders: &[&str]) -> bool {
     let Some(table) = table.and_then(Item::as_table_like_mut) else { return false };
-    let path = |item: &Item| Some(item.as_table_like()?.get("path")?.as_str()?.to_owned());
-    let gone: Vec<String> = table
-        .iter()
-        .filter(|(_, item)| path(item).is_some_and(|path| !there(&path)))
-        .map(|(name, _)| name.to_owned())
-        .collect();
+    let mut gone = Vec::new();
+    for (name, item) in table.iter() {
+        let path = item.get("path").and_then(Item::as_str);
+        if path.is_some_and(|path| !folders.contains(&path)) {
+            gone.push(name.to_owned());
+        }
+    }
     gone.iter().for_each(|name| drop(table.remove(name)));
     table.is_empty()
 }

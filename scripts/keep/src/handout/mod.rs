@@ -20,6 +20,7 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 
 use lab_kit::files::{read_bytes, write_file};
+use lab_kit::kit::listed;
 use lab_kit::starter::Record;
 use lab_kit::{Kit, Lab};
 pub(crate) use manifest::fit;
@@ -59,12 +60,11 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let title = format!("Lab {lab}: {}", kit.title(lab));
     let committed = repository::commit(&into, &title, &laid.changed)?;
     let tree = Kit::at(&into);
-    let list = |labs: Vec<Lab>| labs.iter().map(Lab::to_string).collect::<Vec<_>>().join(", ");
     println!("{} is a class's kit{}:", into.display(), if committed { "" } else { ", as before" });
-    println!("  labs         {}", list(tree.starters()));
+    println!("  labs         {}", listed(&tree.starters()));
     let solutions = tree.solutions();
     if !solutions.is_empty() {
-        println!("  given code   the solutions of {}", list(solutions));
+        println!("  given code   the solutions of {}", listed(&solutions));
     }
     for path in laid.edited {
         println!("  left alone   {}, which somebody has edited", path.display());

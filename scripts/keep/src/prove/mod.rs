@@ -138,30 +138,29 @@ impl Bench<'_> {
 
     fn solution(&self) -> Result<Row> {
         self.begin("the solution must pass");
-        let row = |tests, faults| self.row("solution", "passes", tests, faults);
         let outcomes = match self.tested("solution")? {
             Ok(outcomes) => outcomes,
-            Err(why) => return Ok(row(0, vec![why])),
+            Err(why) => return Ok(self.row("solution", "passes", 0, vec![why])),
         };
         let skipped: Vec<_> = outcomes.iter().filter_map(Outcome::skipped).collect();
         let failed: Vec<_> = outcomes.iter().filter(|outcome| !outcome.passes()).collect();
-        if let (Some(why), true) = (skipped.first(), failed.is_empty()) {
-            let fault = format!("{} tests did not run: {why}", skipped.len());
-            return Ok(Row { result: Proof::Skipped, ..row(outcomes.len(), vec![fault]) });
-        }
         let faults = failed.iter().map(|o| format!("{}: {}", o.test, first_lines(o))).collect();
-        Ok(row(outcomes.len(), faults))
+        let row = self.row("solution", "passes", outcomes.len(), faults);
+        if let (Some(why), true) = (skipped.first(), failed.is_empty()) {
+            let faults = vec![format!("{} tests did not run: {why}", skipped.len())];
+            return Ok(Row { result: Proof::Skipped, faults, ..row });
+        }
+        Ok(row)
     }
 
     fn starter(&self) -> Result<Row> {
         self.begin("the starter must fail at its todos");
-        let row = |tests, faults| self.row("starter", "fails at its todos", tests, faults);
-        let outcomes = match self.tested("lab")? {
-            Ok(outcomes) => outcomes,
-            Err(why) => return Ok(row(0, vec![why])),
-        };
         let tasks = answers::tasks(self.kit, self.lab)?;
-        Ok(row(outcomes.len(), starter_faults::faults(&outcomes, &tasks)))
+        let (count, faults) = match self.tested("lab")? {
+            Ok(outcomes) => (outcomes.len(), starter_faults::faults(&outcomes, &tasks)),
+            Err(why) => (0, vec![why]),
+        };
+        Ok(self.row("starter", "fails at its todos", count, faults))
     }
 }
 

@@ -29,20 +29,23 @@ pub(crate) fn mutate(
             );
         }
     }
-    let mutants = files.iter().map(|file| {
-        let part = |part: &Part| match part {
-            Part::Given(text) | Part::AnswerOnly(text) if file.is_shader() => text.clone(),
-            Part::Given(text) | Part::AnswerOnly(text) => choosing_sources(text),
-            Part::Answer(region) if file.is_shader() => alternatives(region, wrongs),
-            Part::Answer(region) => chain(region, wrongs),
-        };
-        let mut text: String = file.parts.iter().map(part).collect();
+    let mut mutants = Vec::new();
+    for file in files {
+        let mut text = String::new();
+        for part in &file.parts {
+            text += &match part {
+                Part::Answer(region) if file.is_shader() => alternatives(region, wrongs),
+                Part::Answer(region) => chain(region, wrongs),
+                given if file.is_shader() => given.text().to_owned(),
+                given => choosing_sources(given.text()),
+            };
+        }
         if file.path == Path::new("src/lib.rs") {
             text += &chooser(lab);
         }
-        (file.path.clone(), text)
-    });
-    Ok(mutants.collect())
+        mutants.push((file.path.clone(), text));
+    }
+    Ok(mutants)
 }
 
 /// Returns the wrong answers to a region, with their numbers.
@@ -53,9 +56,10 @@ fn numbered<'w>(region: &Region, wrongs: &'w [Wrong]) -> impl Iterator<Item = (u
 }
 
 fn chain(region: &Region, wrongs: &[Wrong]) -> String {
-    let link =
-        |(number, body)| format!("if crate::chosen_wrong::number() == {number} {{\n{body}}} else ");
-    let chain: String = numbered(region, wrongs).map(link).collect();
+    let mut chain = String::new();
+    for (number, body) in numbered(region, wrongs) {
+        chain += &format!("if crate::chosen_wrong::number() == {number} {{\n{body}}} else ");
+    }
     let answer = &region.body;
     if chain.is_empty() { answer.clone() } else { format!("{chain}{{\n{answer}}}\n") }
 }
@@ -102,6 +106,7 @@ fn chooser(lab: Lab) -> String {
     format!(
         "
 mod chosen_wrong {{
+    use std::collections::BTreeMap;
     use std::sync::atomic::{{AtomicU32, Ordering::Relaxed}};
 
     const UNREAD: u32 = u32::MAX;
@@ -119,14 +124,12 @@ mod chosen_wrong {{
     #[allow(dead_code)]
     pub(crate) fn source(all: &'static str) -> &'static str {{
         let number = number().to_string();
-        let mut regions = all.split_inclusive(\"//= end\\n\");
         let mut chosen = String::new();
-        for region in &mut regions {{
+        for region in all.split_inclusive(\"//= end\\n\") {{
             let mut answers = region.split(\"//= \");
             chosen += answers.next().unwrap_or_default();
-            let answers: Vec<_> = answers.filter_map(|answer| answer.split_once('\\n')).collect();
-            let of = |wanted: &str| answers.iter().find(|(n, _)| *n == wanted);
-            chosen += of(&number).or(of(\"0\")).map_or(\"\", |(_, body)| *body);
+            let answers: BTreeMap<_, _> = answers.filter_map(|one| one.split_once('\\n')).collect();
+            chosen += answers.get(&*number).or(answers.get(\"0\")).copied().unwrap_or_default();
         }}
         chosen.leak()
     }}

@@ -5,7 +5,6 @@ use lab_kit::Lab;
 /// Result of one proof.
 #[derive(Debug)]
 pub(crate) struct Row {
-    /// Number of the lab.
     pub(crate) lab: Lab,
     /// Subject of the proof, such as `solution`.
     pub(crate) what: String,
@@ -51,11 +50,8 @@ pub(crate) fn print(rows: &[Row]) {
             println!("  {}", fault.trim_end().replace('\n', "\n  "));
         }
     }
-    let count = |is: fn(Proof) -> bool| rows.iter().filter(|row| is(row.result)).count();
-    println!(
-        "\n{} proven, {} faulty, {} skipped",
-        count(|result| matches!(result, Proof::Proven(_))),
-        count(|result| result == Proof::Faulty),
-        count(|result| result == Proof::Skipped)
-    );
+    let faulty = rows.iter().filter(|row| row.result == Proof::Faulty).count();
+    let skipped = rows.iter().filter(|row| row.result == Proof::Skipped).count();
+    let proven = rows.len() - faulty - skipped;
+    println!("\n{proven} proven, {faulty} faulty, {skipped} skipped");
 }
