@@ -44,9 +44,6 @@ impl<'k> Data<'k> {
     /// Returns the entries in a file of book/data, or in `published.toml`.
     ///
     /// A name such as `compare-*.json` gives the entries in all files that match.
-    ///
-    /// # Errors
-    /// A file cannot be read.
     pub(crate) fn entries(&mut self, file: &str) -> Result<&[Rc<Entry>]> {
         if !self.files.contains_key(file) {
             let mut entries = Vec::new();

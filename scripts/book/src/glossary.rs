@@ -15,9 +15,6 @@ use crate::pages::{Table, pages, section, tables};
 const GLOSSARY: &str = "book/src/glossary.md";
 
 /// Checks every row of the glossary. Returns the faults, one per line.
-///
-/// # Errors
-/// A page cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let pages = pages(kit)?;
     let Some(glossary) = pages.get(GLOSSARY) else { return Ok(Vec::new()) };

@@ -14,9 +14,6 @@ use crate::pages::{Table, pages, tables};
 const TITLE: &str = "where in the kit";
 
 /// Checks every table that has a column with this title. Returns the faults, one per line.
-///
-/// # Errors
-/// A page cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     for (page, text) in pages(kit)? {

@@ -82,9 +82,6 @@ fn answered(data: &mut Data, query: &Query, cell: &str) -> Result<String> {
 
 /// Finds tables of measurements with typed numbers. A comment `<!-- no data: why -->` above a table
 /// allows them.
-///
-/// # Errors
-/// A page cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     for (page, text) in pages(kit)? {

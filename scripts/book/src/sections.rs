@@ -13,9 +13,6 @@ use lab_kit::files::{read_text, sources_below};
 const BOOK: &str = "Book: ";
 
 /// Checks every source of every starter. Returns the sections that no chapter has, one per line.
-///
-/// # Errors
-/// A source cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     for lab in kit.starters() {

@@ -8,9 +8,6 @@ use lab_kit::excerpt::excerpt;
 use crate::pages::pages;
 
 /// Checks every include of every chapter. Returns the faults, one per line.
-///
-/// # Errors
-/// A chapter cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     for (page, text) in pages(kit)? {

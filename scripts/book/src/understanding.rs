@@ -33,14 +33,17 @@ pub(crate) fn folded(file: &Path, text: &str, with_answers: bool) -> Result<Stri
     let end = text[begin..].find("\n## ").map_or(text.len(), |at| begin + at + 1);
     let page = file.file_stem().unwrap_or_default().to_string_lossy();
     let mut out = text[..begin].to_owned();
-    for block in blocks(&text[begin..end]) {
-        let lines = match block {
-            Block::Question(lines) => lines,
-            Block::Line(line) => {
-                out += line;
-                continue;
-            }
-        };
+    let mut rest = text[begin..end].split_inclusive('\n').peekable();
+    while let Some(line) = rest.next() {
+        if !is_numbered(line) {
+            out += line;
+            continue;
+        }
+        // The indented lines below a line with a number belong to the same question.
+        let mut lines = vec![line];
+        while let Some(line) = rest.next_if(|line| line.starts_with("   ") || *line == "\n") {
+            lines.push(line);
+        }
         let question = Question::of(&lines);
         if !with_answers {
             out += &question.says;
@@ -54,35 +57,11 @@ pub(crate) fn folded(file: &Path, text: &str, with_answers: bool) -> Result<Stri
     Ok(out + &text[end..])
 }
 
-/// A part of the section.
-enum Block<'a> {
-    /// Lines of a question: the line with its number, and the indented lines below it.
-    Question(Vec<&'a str>),
-    /// A line of other text.
-    Line(&'a str),
-}
-
-/// Returns the section in parts.
-fn blocks(section: &str) -> Vec<Block<'_>> {
-    let mut blocks = Vec::new();
-    for line in section.split_inclusive('\n') {
-        let is_numbered = line.split_once(". ").is_some_and(|(number, _)| is_number(number));
-        if is_numbered {
-            blocks.push(Block::Question(vec![line]));
-            continue;
-        }
-        match blocks.last_mut() {
-            Some(Block::Question(lines)) if line.starts_with("   ") || line == "\n" => {
-                lines.push(line);
-            }
-            _ => blocks.push(Block::Line(line)),
-        }
-    }
-    blocks
-}
-
-fn is_number(text: &str) -> bool {
-    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
+/// Whether a line is the first line of a question, such as `2. Why?`.
+fn is_numbered(line: &str) -> bool {
+    line.split_once(". ").is_some_and(|(number, _)| {
+        !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())
+    })
 }
 
 /// A question with possible answers.

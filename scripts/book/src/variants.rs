@@ -34,9 +34,6 @@ fn words(kit: &Kit) -> Result<Vec<(Lab, VariantFacts)>> {
 
 /// Returns a plot and two tables of the variants of `soft` or `hard` discs, lab by lab: times and
 /// texts.
-///
-/// # Errors
-/// The facts or a race cannot be read.
 pub(crate) fn table(data: &mut Data, discs: &str) -> Result<String> {
     let sizes = SIZES.iter().find(|(name, _)| *name == discs).context("discs are soft or hard")?.1;
     let [small, middle, large] = sizes;

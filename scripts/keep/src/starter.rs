@@ -7,14 +7,12 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::process::ExitCode;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use clap::Args;
 
-use lab_kit::answers;
-use lab_kit::files::{with_unix_lines, write_file};
-use lab_kit::hints;
+use lab_kit::files::with_unix_lines;
 use lab_kit::starter::{Record, generate, own_paths};
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, answers, hints};
 
 /// Write the labs' starters from their solutions (for those who maintain the kit)
 ///
@@ -65,24 +63,16 @@ fn write(kit: &Kit, lab: Lab) -> Result<()> {
             edited.display()
         );
     }
-    for path in &plan.write {
-        write_file(&folder.join(path), &files[path])?;
-    }
-    for path in &plan.remove {
-        fs::remove_file(folder.join(path))
-            .with_context(|| format!("cannot remove {}", path.display()))?;
-    }
+    plan.carry_out(&folder, &files)?;
     let new = Record::of(&files);
     if new != record {
         new.write(&folder)?;
     }
-    for path in
-        record.paths().filter(|path| !files.contains_key(*path) && folder.join(path).exists())
-    {
-        println!(
-            "lab {lab}: {} is no longer part of the starter, but edited: it stays",
-            path.display()
-        );
+    for path in record.paths().filter(|path| !files.contains_key(*path)) {
+        if folder.join(path).exists() {
+            let path = path.display();
+            println!("lab {lab}: {path} is no longer part of the starter, but edited: it stays");
+        }
     }
     println!("lab {lab}: {} files written, {} removed", plan.write.len(), plan.remove.len());
     Ok(())

@@ -93,22 +93,18 @@ pub fn end_in_one_line() {
     let usual = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
         let message = panic.payload_as_str().unwrap_or_default();
-        let unprinted = message.strip_prefix("failed printing to stdout: ");
-        if unprinted.is_some_and(|why| why.contains("Broken pipe")) {
-            std::process::exit(0);
-        }
-        let refused = message.strip_prefix("failed to spawn thread: ");
-        let lines = [
-            unprinted.map(|why| format!("cannot write to standard output: {why}")),
-            refused.map(|_| {
-                "no thread could be started: raise the limit of this machine (ulimit -u)".into()
-            }),
-        ];
-        if let Some(line) = lines.into_iter().flatten().next() {
-            eprint!("{}", folded("error: ", &line));
-            std::process::exit(2);
-        }
-        usual(panic);
+        let line = if let Some(why) = message.strip_prefix("failed printing to stdout: ") {
+            if why.contains("Broken pipe") {
+                std::process::exit(0);
+            }
+            format!("cannot write to standard output: {why}")
+        } else if message.starts_with("failed to spawn thread: ") {
+            "no thread could be started: raise the limit of this machine (ulimit -u)".into()
+        } else {
+            return usual(panic);
+        };
+        eprint!("{}", folded("error: ", &line));
+        std::process::exit(2);
     }));
 }
 

@@ -1,4 +1,4 @@
-//! Finds, reads, writes and compares files. Every error names the file.
+//! Finds, reads, writes, removes and compares files. Every error names the file.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -97,6 +97,11 @@ pub fn write_changed(path: &Path, contents: &[u8]) -> Result<()> {
         return Ok(());
     }
     write_file(path, contents)
+}
+
+/// Removes a file.
+pub fn remove_file(path: &Path) -> Result<()> {
+    fs::remove_file(path).with_context(|| format!("cannot remove {}", path.display()))
 }
 
 /// Returns the SHA-256 of a file's contents, in hexadecimal digits.

@@ -3,6 +3,7 @@
 use std::fs;
 use std::process::Command;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 /// Returns the number of threads that this machine runs at once.
@@ -26,20 +27,19 @@ pub fn machine() -> String {
 
 /// Returns today's date in UTC, as 2026-11-21; empty if the system does not report it.
 pub fn date() -> String {
-    let result = Command::new("date").args(["-u", "+%F"]).output();
-    result.map_or_else(
-        |_| String::new(),
-        |output| String::from_utf8_lossy(&output.stdout).trim().into(),
-    )
+    let printed = Command::new("date").args(["-u", "+%F"]).output().map(|output| output.stdout);
+    String::from_utf8_lossy(&printed.unwrap_or_default()).trim().into()
 }
 
 /// Applies `work` to every item, on as many threads as there are cores. Results are in the order of
 /// the items.
 pub fn on_all_cores<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
-    let next = Mutex::new(items.iter().enumerate());
+    let next = AtomicUsize::new(0);
     let done = Mutex::new(Vec::with_capacity(items.len()));
     let worker = || {
-        while let Some((index, item)) = taken(&next) {
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(item) = items.get(index) else { return };
             let result = work(item);
             done.lock().expect("pushing does not panic").push((index, result));
         }
@@ -54,11 +54,6 @@ pub fn on_all_cores<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync
     let mut done = done.into_inner().expect("pushing does not panic");
     done.sort_by_key(|(index, _)| *index);
     done.into_iter().map(|(_, result)| result).collect()
-}
-
-/// Takes the next item. The lock is released before the item is used.
-fn taken<T>(items: &Mutex<impl Iterator<Item = T>>) -> Option<T> {
-    items.lock().expect("taking does not panic").next()
 }
 
 #[cfg(test)]

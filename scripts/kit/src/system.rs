@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use lab_machine::Mpiexec;
 
 use crate::facts::Workers;
@@ -22,6 +22,13 @@ pub fn missing(kit: &Kit, lab: Lab) -> Result<Option<&'static str>> {
         ),
         _ => None,
     })
+}
+
+/// Returns an error if software must be installed before the lab can run.
+pub fn expect(kit: &Kit, lab: Lab) -> Result<()> {
+    let missing = missing(kit, lab)?;
+    ensure!(missing.is_none(), "lab {lab} needs {}", missing.unwrap_or_default());
+    Ok(())
 }
 
 /// Whether the build and the tests find an MPI compiler and a launcher.

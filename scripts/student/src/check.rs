@@ -13,13 +13,9 @@ use crate::results::{self, Run};
 use crate::tasks::{self, State};
 use crate::test::{run_build, run_tests};
 use lab_kit::cargo::run_visibly;
-use lab_kit::fresh;
-use lab_kit::process;
-use lab_kit::sources;
 use lab_kit::starter::Record;
-use lab_kit::system;
 use lab_kit::terminal::folded;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, fresh, process, sources, system};
 
 /// Check a lab before you hand it in: format, lints, tests, and the labs before it
 ///

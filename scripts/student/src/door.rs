@@ -6,10 +6,9 @@ use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, ensure};
 use clap::Subcommand;
-use lab_kit::Kit;
 use lab_kit::cargo::run_visibly;
 use lab_kit::command::{Family, command_line, families};
-use lab_kit::fresh;
+use lab_kit::{Kit, fresh};
 
 /// Runs a command of a different package in place of this process, if the command line names one.
 pub(crate) fn elsewhere(kit: &Kit) -> Result<Option<ExitCode>> {

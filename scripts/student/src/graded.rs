@@ -141,6 +141,7 @@ fn link(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> io::Result<()>
 #[cfg(test)]
 mod tests {
     use super::Graded;
+    use lab_kit::files::write_file;
     use lab_kit::sources::collect;
     use lab_kit::{Kit, files_below};
 
@@ -157,21 +158,16 @@ mod tests {
             ("src/task.rs", "pub fn f() -> u8 {\n    todo!(\"task 1.1: a number\")\n}\n"),
             ("tests/lab1.rs", TESTS),
         ];
-        let kit = Kit::of_files(
-            &root,
-            &[
-                ("Cargo.toml", "[workspace]\nmembers = [\"labs/lab*\"]\nresolver = \"3\"\n"),
-                ("Cargo.lock", "version = 4\n"),
-            ],
-        );
-        for (path, text) in given {
-            let paths = ["", ".given/"].map(|folder| format!("labs/lab1/{folder}{path}"));
-            Kit::of_files(&root, &paths.each_ref().map(|path| (path.as_str(), text)));
-        }
-        for (path, text) in own {
-            Kit::of_files(&root, &[(&format!("labs/lab1/{path}"), text)]);
-        }
+        let workspace = "[workspace]\nmembers = [\"labs/lab*\"]\nresolver = \"3\"\n";
+        let files = [("Cargo.toml", workspace), ("Cargo.lock", "version = 4\n")];
+        let kit = Kit::of_files(&root, &files);
         let lab = "1".parse().unwrap();
+        for (path, text) in given {
+            write_file(&kit.starter(lab).join(".given").join(path), text).unwrap();
+        }
+        for (path, text) in given.iter().chain(own) {
+            write_file(&kit.starter(lab).join(path), text).unwrap();
+        }
         let before = files_below(&kit.starter(lab)).unwrap();
         let graded = Graded::lay(&kit, lab, &collect(&kit.starter(lab)).unwrap()).unwrap();
         let trouble = graded.trouble();

@@ -9,8 +9,7 @@ use clap::Args;
 
 use crate::results::{self, Results};
 use crate::tasks::{self, Progress, State, print_tasks};
-use lab_kit::system;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, system};
 
 /// Show how far you have come: a mark for each task of a lab, or of all labs
 ///

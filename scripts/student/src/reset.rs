@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::Args;
 
-use lab_kit::files::{read_bytes, with_unix_lines, write_file};
+use lab_kit::files::{read_bytes, remove_file, with_unix_lines, write_file};
 use lab_kit::machine::date;
 use lab_kit::starter::{Files, Record, given, own_paths};
 use lab_kit::{Kit, Lab};
@@ -61,7 +61,7 @@ fn put_back(folder: &Path, there: &Files, given: &Files) -> Result<()> {
         write_file(&folder.join(path), bytes)?;
     }
     for path in there.keys().filter(|path| !given.contains_key(*path)) {
-        fs::remove_file(folder.join(path))?;
+        remove_file(&folder.join(path))?;
     }
     Record::of(given).write(folder)
 }

@@ -3,13 +3,12 @@
 use std::process::{Command, ExitCode, Stdio};
 
 use crate::calls;
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use clap::Args;
 use lab_kit::binaries::Binaries;
 use lab_kit::program::Program;
-use lab_kit::system;
 use lab_kit::terminal::folded;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, system};
 
 /// Run a lab's program, built for speed
 ///
@@ -47,9 +46,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     } else {
         kit.expect_starter(lab)?;
     }
-    if let Some(what) = system::missing(kit, lab)? {
-        bail!("lab {lab} needs {what}");
-    }
+    system::expect(kit, lab)?;
     let program = Program::new(lab, options.solution)?;
     let binaries = Binaries::build(kit, std::slice::from_ref(&program))?;
     let mut command = match options.ranks {

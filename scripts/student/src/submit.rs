@@ -12,9 +12,8 @@ use crate::tasks;
 use lab_kit::files::write_file;
 use lab_kit::sources::{self, Collected};
 use lab_kit::starter::Record;
-use lab_kit::system;
 use lab_kit::terminal::folded;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, system};
 
 /// Pack a lab for handing in
 ///
@@ -108,9 +107,8 @@ fn account(
 #[cfg(test)]
 mod tests {
     use super::account;
-    use lab_kit::Kit;
-    use lab_kit::sources;
     use lab_kit::starter::Record;
+    use lab_kit::{Kit, sources};
 
     #[test]
     fn it_says_what_goes_and_what_stays() {

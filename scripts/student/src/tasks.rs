@@ -8,10 +8,9 @@ use serde::Serialize;
 use lab_kit::answers::{RegionId, Task};
 use lab_kit::files::read_bytes;
 use lab_kit::harness::{Outcome, Verdict};
-use lab_kit::hints;
 use lab_kit::starter::todo;
 use lab_kit::terminal::folded;
-use lab_kit::{Kit, Lab, sources_below};
+use lab_kit::{Kit, Lab, hints, sources_below};
 
 /// State of a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -15,12 +15,9 @@ use crate::results::{self, Run, Step};
 use crate::tasks;
 use lab_kit::answers::Task;
 use lab_kit::harness::{Build, BuildError, CompileError, Outcome};
-use lab_kit::process;
 use lab_kit::progress::can_draw;
-use lab_kit::sources;
-use lab_kit::system;
 use lab_kit::terminal::folded;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, process, sources, system};
 
 /// Test your work on a lab, and show what to do next
 ///
@@ -92,10 +89,7 @@ pub(crate) fn expect_task(kit: &Kit, task: Task) -> Result<()> {
 /// Returns an error if the kit lacks this lab, or if this machine lacks what its tests need.
 pub(crate) fn expect_lab(kit: &Kit, lab: Lab) -> Result<()> {
     kit.expect_starter(lab)?;
-    if let Some(what) = system::missing(kit, lab)? {
-        bail!("lab {lab} needs {what}");
-    }
-    Ok(())
+    system::expect(kit, lab)
 }
 
 /// Builds and runs the tests of a lab, or of one task. `None` if the lab does not compile; the

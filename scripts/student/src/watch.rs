@@ -13,9 +13,8 @@ use crate::results::{self, Run};
 use crate::tasks::State;
 use crate::test::{What, run_tests};
 use lab_kit::answers::Task;
-use lab_kit::process;
 use lab_kit::progress::can_draw;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, process};
 
 /// Interval between two checks of the source. If an editor writes a file in several steps within
 /// this time, they count as one change.

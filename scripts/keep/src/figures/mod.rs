@@ -26,9 +26,6 @@ pub struct Options {
 }
 
 /// Draws all charts, or compares them with their files.
-///
-/// # Errors
-/// A chart cannot be drawn or written.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut drifted = false;
     for (path, svg) in all(kit)? {

@@ -13,13 +13,14 @@ mod manifest;
 mod repository;
 
 use std::fs;
+use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 
-use lab_kit::files::{read_bytes, write_file};
+use lab_kit::files::read_bytes;
 use lab_kit::kit::listed;
 use lab_kit::starter::Record;
 use lab_kit::{Kit, Lab};
@@ -104,12 +105,10 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path, earlier: Earlier) -> Result<Laid> {
 
     let mut files = contents::gather(kit, &labs, earlier)?;
     let plan = before.plan(into, &files);
-    for path in &plan.write {
-        write(&into.join(path), &files[path])?;
-    }
-    for path in &plan.remove {
-        let target = into.join(path);
-        fs::remove_file(&target).with_context(|| format!("cannot remove {}", target.display()))?;
+    plan.carry_out(into, &files)?;
+    for script in plan.write.iter().filter(|path| path.extension().is_some_and(|e| e == "sh")) {
+        fs::set_permissions(into.join(script), fs::Permissions::from_mode(0o755))
+            .with_context(|| format!("cannot make {} executable", script.display()))?;
     }
     // Cargo removes from the lock file the packages that only the kit needs, and leaves the other
     // packages at their versions. If that fails here, Cargo removes them at the first build.
@@ -127,18 +126,6 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path, earlier: Earlier) -> Result<Laid> {
 }
 
 const LOCK: &str = "Cargo.lock";
-
-/// Writes a file, and makes a script executable.
-fn write(target: &Path, bytes: &[u8]) -> Result<()> {
-    write_file(target, bytes)?;
-    #[cfg(unix)]
-    if target.extension().is_some_and(|extension| extension == "sh") {
-        use std::os::unix::fs::PermissionsExt;
-        fs::set_permissions(target, fs::Permissions::from_mode(0o755))
-            .with_context(|| format!("cannot write {}", target.display()))?;
-    }
-    Ok(())
-}
 
 #[cfg(test)]
 mod class_kits;

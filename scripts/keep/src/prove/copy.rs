@@ -5,14 +5,13 @@
 //! right is not written again, so that Cargo compiles only the changes.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
 use crate::handout::fit;
-use lab_kit::files::{read_bytes, read_text, write_changed};
+use lab_kit::files::{read_bytes, read_text, remove_file, write_changed};
 use lab_kit::{Kit, Lab, files_below, sources_below};
 
 /// A copy of the kit.
@@ -45,8 +44,7 @@ impl Copy {
             for path in files_below(&copy.kit.path(folder))? {
                 let relative = path.strip_prefix(copy.kit.root())?;
                 if !files.contains_key(relative) {
-                    fs::remove_file(&path)
-                        .with_context(|| format!("cannot remove {}", path.display()))?;
+                    remove_file(&path)?;
                 }
             }
         }

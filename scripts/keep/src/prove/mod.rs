@@ -18,13 +18,10 @@ use indicatif::ProgressBar;
 
 use self::copy::Copy;
 use self::proofs::{Proof, Row};
-use lab_kit::answers;
 use lab_kit::harness::{self, Build, BuildError, Outcome, TestProgram, Verdict};
 use lab_kit::machine::on_all_cores;
-use lab_kit::process;
 use lab_kit::progress::progress;
-use lab_kit::system;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, answers, process, system};
 
 /// Prove that the graders grade (for those who maintain the kit)
 ///

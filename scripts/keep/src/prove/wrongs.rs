@@ -54,16 +54,14 @@ impl Bench<'_> {
             let is_right = wrongs[*index].fails.is_empty();
             faults[*index].extend(if is_right { rejected(&outcome) } else { uncaught(&outcome) });
         }
-        let rows = wrongs.iter().zip(faults);
-        Ok(rows.map(|(wrong, faults)| self.row_of(wrong, faults)).collect())
-    }
-
-    fn row_of(&self, wrong: &Wrong, faults: Vec<String>) -> Row {
-        let name = &wrong.name;
-        match wrong.passes.len() {
-            0 => self.row(&format!("wrong: {name}"), "caught", wrong.fails.len(), faults),
-            tests => self.row(&format!("right: {name}"), "passes", tests, faults),
+        let mut rows = Vec::new();
+        for (Wrong { name, fails, passes, .. }, faults) in wrongs.iter().zip(faults) {
+            rows.push(match passes.len() {
+                0 => self.row(&format!("wrong: {name}"), "caught", fails.len(), faults),
+                tests => self.row(&format!("right: {name}"), "passes", tests, faults),
+            });
         }
+        Ok(rows)
     }
 }
 

@@ -84,9 +84,8 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Part>> {
     let mut begin = 0;
     let mut marks = marks.into_iter();
     while let Some((open, mark)) = marks.next() {
-        let end = marks.next();
-        let end = checked(&lines, (open, &mark), end);
-        let end = end.map_err(|(index, what)| wrong_mark(file, index + 1, &what))?;
+        let end = closing(&lines, (open, &mark), marks.next())
+            .map_err(|(index, what)| wrong_mark(file, index + 1, &what))?;
         parts.push(Part::Given(lines[begin..open].concat()));
         let body = lines[open + 1..end].concat();
         begin = end + 1;
@@ -105,7 +104,7 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Part>> {
 /// Finds the line, from 0, of the mark that closes the mark in line `open`.
 ///
 /// The error is the faulty line and its fault.
-fn checked(
+fn closing(
     lines: &[&str],
     (open, mark): (usize, &Mark),
     next: Option<(usize, Mark)>,
@@ -188,10 +187,6 @@ mod tests {
 
     use super::{Part, parse};
 
-    fn error_of(text: &str) -> String {
-        parse(Path::new("src/x.rs"), text).expect_err(text).to_string()
-    }
-
     #[test]
     fn a_file_comes_apart_at_its_marks() {
         let text = "\
@@ -235,37 +230,29 @@ fn g() {
     #[test]
     fn malformed_marks_are_found_at_their_line() {
         for (text, message) in [
-            ("\n    // task 1.2: a\n    x\n", "src/x.rs:2: there is no '// end 1.2'"),
+            ("|  // task 1.2: a|  x|", "2: there is no '// end 1.2'"),
+            ("  // task 1.2 a|", "1: '// task 1.2 a' is no mark: write '// task 3.2: title'"),
+            ("  // task 1.2:|", "1: the title of task 1.2 must be plain text"),
+            ("  // task 1.2: a|  x|  // end 1.3|", "3: '// end 1.3' where '// end 1.2' belongs"),
             (
-                "    // task 1.2 a\n",
-                "src/x.rs:1: '// task 1.2 a' is no mark: write '// task 3.2: title'",
-            ),
-            ("    // task 1.2:\n", "src/x.rs:1: the title of task 1.2 must be plain text"),
-            (
-                "    // task 1.2: a\n    x\n    // end 1.3\n",
-                "src/x.rs:3: '// end 1.3' where '// end 1.2' belongs",
+                "  // task 1.2: a|  x| // end 1.2|",
+                "3: '// end 1.2' is indented unlike its beginning",
             ),
             (
-                "    // task 1.2: a\n    x\n  // end 1.2\n",
-                "src/x.rs:3: '// end 1.2' is indented unlike its beginning",
+                "  // task 1.2: a|  // x|  // end 1.2|",
+                "3: there is nothing between the marks of 1.2",
             ),
             (
-                "    // task 1.2: a\n    // x\n    // end 1.2\n",
-                "src/x.rs:3: there is nothing between the marks of 1.2",
+                "  // task 1.2: a|  x|  // task 1.3: b|",
+                "3: a mark inside 1.2, which began on line 1",
             ),
-            (
-                "    // task 1.2: a\n    x\n    // task 1.3: b\n",
-                "src/x.rs:3: a mark inside 1.2, which began on line 1",
-            ),
-            ("    // end 1.2\n", "src/x.rs:1: '// end 1.2' has no opening mark"),
-            ("    // end 1.2.3\n", "src/x.rs:1: '// end 1.2.3' is no mark: write '// end 3.2'"),
-            ("// end answer only\n", "src/x.rs:1: '// end answer only' has no opening mark"),
-            (
-                "// task 1.2: a\n",
-                "src/x.rs:1: a task's answer is the body of a function: this is outside",
-            ),
+            ("  // end 1.2|", "1: '// end 1.2' has no opening mark"),
+            ("  // end 1.2.3|", "1: '// end 1.2.3' is no mark: write '// end 3.2'"),
+            ("// end answer only|", "1: '// end answer only' has no opening mark"),
+            ("// task 1.2: a|", "1: a task's answer is the body of a function: this is outside"),
         ] {
-            assert_eq!(error_of(text), message);
+            let error = parse(Path::new("src/x.rs"), &text.replace('|', "\n")).unwrap_err();
+            assert_eq!(error.to_string(), format!("src/x.rs:{message}"));
         }
     }
 

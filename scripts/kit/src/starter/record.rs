@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 
 use super::generate::Files;
-use crate::files::{digest, with_unix_lines, write_file};
+use crate::files::{digest, remove_file, with_unix_lines, write_file};
 
 /// Hash of each file, by its path in the starter's folder.
 #[derive(Debug, Default, PartialEq)]
@@ -27,6 +27,16 @@ pub struct Plan {
     pub remove: Vec<PathBuf>,
     /// Conflicting files that a person wrote or edited.
     pub edited: Vec<PathBuf>,
+}
+
+impl Plan {
+    /// Writes and removes the files. Conflicting files stay.
+    pub fn carry_out(&self, folder: &Path, files: &Files) -> Result<()> {
+        for path in &self.write {
+            write_file(&folder.join(path), &files[path])?;
+        }
+        self.remove.iter().try_for_each(|path| remove_file(&folder.join(path)))
+    }
 }
 
 impl Record {

@@ -14,8 +14,7 @@ use common::soft::{CUTOFF, DT};
 use lab_kit::binaries::{Binaries, Known};
 use lab_kit::files::write_file;
 use lab_kit::program::Program;
-use lab_kit::system;
-use lab_kit::{Discs, Kit, Lab};
+use lab_kit::{Discs, Kit, Lab, system};
 
 /// Steps between frames of soft discs, if the page has space for them; for hard discs it is one.
 const EVERY: u32 = 2;
@@ -70,9 +69,7 @@ pub(crate) struct Options {
 /// Runs the variant and writes the page.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let lab = options.lab;
-    if let Some(what) = system::missing(kit, lab)? {
-        bail!("lab {lab} needs {what}");
-    }
+    system::expect(kit, lab)?;
     let program = Program::new(lab, options.solution)?;
     let has_ranks = program.has_ranks();
     ensure!(has_ranks || options.ranks.is_none(), "lab {lab} has no ranks: leave --ranks out");

@@ -7,9 +7,8 @@ use std::fmt::Write;
 
 use anyhow::{Result, ensure};
 use lab_kit::escape::html;
-use lab_kit::facts;
 use lab_kit::files::read_text;
-use lab_kit::{Discs, Kit};
+use lab_kit::{Discs, Kit, facts};
 use serde_json::json;
 
 use super::frames::Movie;
@@ -27,18 +26,8 @@ const LETTERS_PER_FRAME: usize = 40;
 
 /// The book's scripts, in the order of their dependencies.
 const SCRIPTS: [&str; 12] = [
-    "random.js",
-    "soft.js",
-    "searches.js",
-    "hard.js",
-    "player.js",
-    "panel.js",
-    "layers.js",
-    "recorded.js",
-    "owners.js",
-    "kinds.js",
-    "movie.js",
-    "boxes.js",
+    "random", "soft", "searches", "hard", "player", "panel", "layers", "recorded", "owners",
+    "kinds", "movie", "boxes",
 ];
 
 /// Data of a page about its run.
@@ -76,7 +65,7 @@ pub(super) fn write(kit: &Kit, run: &Run, movie: &Movie) -> Result<String> {
     });
     let mut scripts = String::new();
     for name in SCRIPTS {
-        scripts += &read_text(&kit.path("book/src/live").join(name))?;
+        scripts += &read_text(&kit.path(format!("book/src/live/{name}.js")))?;
     }
     let says = says(run, movie);
     let page = include_str!("page.html")
