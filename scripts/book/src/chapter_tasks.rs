@@ -4,9 +4,9 @@ use std::path::Path;
 
 use anyhow::{Result, ensure};
 
+use lab_kit::answers::Task;
 use lab_kit::facts::TaskFacts;
-use lab_kit::hints::{self, Hints};
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, hints};
 
 /// The names of the three hints of a task.
 const TIERS: [&str; hints::TIERS] = ["a nudge", "the idea", "nearly the answer"];
@@ -25,15 +25,11 @@ pub(crate) fn placed(kit: &Kit, file: &Path, text: &str, with_hints: bool) -> Re
     let Some(lab) = number.and_then(|number| number.parse::<Lab>().ok()) else {
         return Ok(text.to_owned());
     };
-    let hints = hints::read(kit, lab)?;
-    if hints.is_empty() {
+    let tasks = hints::read(kit, lab)?;
+    if tasks.is_empty() {
         return Ok(text.to_owned());
     }
-    let facts = kit.facts(lab)?;
-    let mut open = Vec::new();
-    for hints in &hints {
-        open.push(Task { facts: &facts.tasks[&hints.task.to_string()], hints });
-    }
+    let mut open: Vec<_> = tasks.iter().collect();
     let mut out = String::new();
     // The hints of the tasks that belong to this section.
     let mut folds = String::new();
@@ -41,45 +37,35 @@ pub(crate) fn placed(kit: &Kit, file: &Path, text: &str, with_hints: bool) -> Re
     for line in text.split_inclusive('\n') {
         in_code ^= line.starts_with("```");
         if !line.starts_with('#') || in_code {
-            out += &linked(line, &hints);
+            out += &linked(line, &tasks);
             continue;
         }
         out += &folds;
         out.push_str(line);
         let heading = line.trim_start_matches('#').trim();
         folds.clear();
-        for task in open.extract_if(.., |task| task.facts.section == heading) {
-            out += &task.place();
+        for (task, facts) in open.extract_if(.., |(_, facts)| facts.section == heading) {
+            out += &place(*task, facts);
             if with_hints {
-                folds += &folded(task.hints);
+                folds += &folded(*task, facts);
             }
         }
     }
     out += &folds;
-    let lost = open.first().map(|task| &*task.facts.section);
+    let lost = open.first().map(|(_, facts)| &*facts.section);
     ensure!(lost.is_none(), "no section '{}'", lost.unwrap_or_default());
     Ok(out)
 }
 
-/// The facts and the hints of a task.
-struct Task<'a> {
-    facts: &'a TaskFacts,
-    hints: &'a Hints,
-}
-
-impl Task<'_> {
-    /// Returns a line with the task's number, title, hours and difficulty, and the anchor
-    /// `task-N-M`.
-    fn place(&self) -> String {
-        let Hints { task, title, .. } = self.hints;
-        let anchor = task.anchor();
-        format!(
-            "\n<p class=\"task\" id=\"{anchor}\"><a href=\"#{anchor}\">Task {task}</a> {title} \
-             <span>{} h, {}</span></p>\n",
-            self.facts.hours,
-            difficulty(self.facts) + optional(self.facts)
-        )
-    }
+/// Returns a line with the task's number, title, hours and difficulty, and the anchor `task-N-M`.
+fn place(task: Task, facts: &TaskFacts) -> String {
+    let anchor = task.anchor();
+    let TaskFacts { title, hours, .. } = facts;
+    let difficulty = difficulty(facts) + optional(facts);
+    format!(
+        "\n<p class=\"task\" id=\"{anchor}\"><a href=\"#{anchor}\">Task {task}</a> {title} \
+         <span>{hours} h, {difficulty}</span></p>\n"
+    )
 }
 
 /// Returns the difficulty of a task as one to three filled circles.
@@ -93,8 +79,8 @@ pub(crate) fn optional(task: &TaskFacts) -> &'static str {
 }
 
 /// Returns the line. If it is the row of a task in a table, the task's number becomes a link.
-fn linked(line: &str, hints: &[Hints]) -> String {
-    for Hints { task, .. } in hints {
+fn linked(line: &str, tasks: &[(Task, TaskFacts)]) -> String {
+    for (task, _) in tasks {
         if let Some(rest) = line.strip_prefix(&format!("| {task} |")) {
             return format!("| [{task}](#{}) |{rest}", task.anchor());
         }
@@ -102,14 +88,14 @@ fn linked(line: &str, hints: &[Hints]) -> String {
     line.to_owned()
 }
 
-fn folded(hints: &Hints) -> String {
+fn folded(task: Task, facts: &TaskFacts) -> String {
     let mut tiers = String::new();
-    for (tier, hint) in TIERS.iter().zip(&hints.tiers) {
+    for (tier, hint) in TIERS.iter().zip(&facts.hints) {
         tiers += &format!("<details><summary>{tier}</summary>\n\n{hint}\n\n</details>\n\n");
     }
     format!(
-        "<details class=\"hint\"><summary>Hints for task {}: {}</summary>\n\n{tiers}</details>\n\n",
-        hints.task, hints.title
+        "<details class=\"hint\"><summary>Hints for task {task}: {}</summary>\n\n{tiers}</details>\n\n",
+        facts.title
     )
 }
 

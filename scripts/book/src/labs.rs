@@ -30,10 +30,9 @@ pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
     }
     out += "\n<details><summary>Hours and difficulty, task by task</summary>\n\n\
             | task | | hours | difficulty |\n|---|---|---:|---|\n";
-    for hint in hints::read(kit, lab)? {
-        let Some(task) = facts.tasks.get(&hint.task.to_string()) else { continue };
-        let mark = difficulty(task) + optional(task);
-        out += &format!("| {} | {} | {} | {mark} |\n", hint.task, hint.title, task.hours);
+    for (id, task) in hints::read(kit, lab)? {
+        let mark = difficulty(&task) + optional(&task);
+        out += &format!("| {id} | {} | {} | {mark} |\n", task.title, task.hours);
     }
     out += &format!("| | to read, predict, measure and explain | {} | |\n", facts.reading);
     Ok(out + "\n</details>\n")
@@ -73,9 +72,8 @@ pub(crate) fn rubric(kit: &Kit) -> Result<String> {
     for (lab, rubric) in rubric::all(kit)? {
         out +=
             &format!("\n## Lab {lab}: {}\n\n| task | | points |\n|---|---|---|\n", kit.title(lab));
-        for hints::Hints { task, title, .. } in hints::read(kit, lab)? {
-            let Some(facts) = rubric.tasks.get(&task.to_string()) else { continue };
-            out += &format!("| {task} | {title}{} | {} |\n", optional(facts), facts.points);
+        for (id, task) in hints::read(kit, lab)? {
+            out += &format!("| {id} | {}{} | {} |\n", task.title, optional(&task), task.points);
         }
         let timed: [(&str, &Option<Timed>, &str); 3] = [
             ("complexity", &rubric.complexity, "up to"),

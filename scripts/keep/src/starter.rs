@@ -110,7 +110,7 @@ fn task_drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     if asked.is_empty() {
         return Ok(Vec::new());
     }
-    let hinted: BTreeSet<_> = hints::read(kit, lab)?.into_iter().map(|hints| hints.task).collect();
+    let hinted: BTreeSet<_> = hints::read(kit, lab)?.into_iter().map(|(task, _)| task).collect();
     let without = asked.difference(&hinted).map(|task| format!("lab.toml has no task {task}"));
     let unasked = hinted
         .difference(&asked)

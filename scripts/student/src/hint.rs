@@ -10,7 +10,8 @@ use crate::memory::{recall, remember};
 use crate::test::expect_task;
 use lab_kit::Kit;
 use lab_kit::answers::Task;
-use lab_kit::hints::{self, Hints, TIERS};
+use lab_kit::facts::TaskFacts;
+use lab_kit::hints::{self, TIERS};
 use lab_kit::terminal::folded;
 
 /// Get a hint for a task: first a nudge, then the idea, then nearly the answer
@@ -31,17 +32,17 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     kit.expect_starter(task.lab)?;
     expect_task(kit, task)?;
     let mut all = hints::read(kit, task.lab)?.into_iter();
-    let hints = all.find(|hints| hints.task == task);
-    let hints = hints.with_context(|| format!("task {task} has no hints yet"))?;
+    let facts = all.find(|(own, _)| *own == task).map(|(_, facts)| facts);
+    let facts = facts.with_context(|| format!("task {task} has no hints yet"))?;
     let shown = options.tier.map_or_else(|| next(kit, task), |tier| Ok(usize::from(tier)))?;
-    print(&hints, shown);
+    print(task, &facts, shown);
     Ok(ExitCode::SUCCESS)
 }
 
-fn print(hints: &Hints, tier: usize) {
-    print!("{}", folded(&format!("Task {}: ", hints.task), &hints.title));
+fn print(task: Task, facts: &TaskFacts, tier: usize) {
+    print!("{}", folded(&format!("Task {task}: "), &facts.title));
     println!("Hint {tier} of {TIERS}\n");
-    hints.tiers[tier - 1].lines().for_each(|line| print!("{}", folded("", line)));
+    facts.hints[tier - 1].lines().for_each(|line| print!("{}", folded("", line)));
     println!();
     let next = match tier {
         TIERS => {

@@ -87,7 +87,7 @@ fn state(tests: &[Outcome]) -> State {
 /// Returns the titles of a lab's tasks, from its hints and from the remaining `todo!`s.
 fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
     let mut titles: BTreeMap<_, _> =
-        hints::read(kit, lab)?.into_iter().map(|hints| (hints.task, hints.title)).collect();
+        hints::read(kit, lab)?.into_iter().map(|(task, facts)| (task, facts.title)).collect();
     for Todo { id, title, .. } in todos(kit, lab)? {
         titles.entry(id.task).or_insert(title);
     }

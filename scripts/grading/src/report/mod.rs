@@ -96,7 +96,7 @@ fn shown(records: &[Record]) -> Vec<Record> {
 impl Words {
     fn of(kit: &Kit, lab: Lab) -> Result<Self> {
         let titles = hints::read(kit, lab)?;
-        let titles = titles.into_iter().map(|hints| (hints.task.to_string(), hints.title));
+        let titles = titles.into_iter().map(|(task, facts)| (task.to_string(), facts.title));
         Ok(Self {
             lab: format!("Lab {lab}: {}", kit.title(lab)),
             full: 0.0,

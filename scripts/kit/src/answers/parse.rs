@@ -110,26 +110,26 @@ fn closing(
     next: Option<(usize, Mark)>,
 ) -> Result<usize, (usize, String)> {
     let name = mark.name();
-    match (mark, next) {
-        (Mark::End(_), _) => Err((open, format!("'// end {name}' has no opening mark"))),
-        (Mark::Task(..), _) if indent(lines[open]) == 0 => {
-            Err((open, "a task's answer is the body of a function: this is outside".into()))
-        }
-        (_, None) => Err((open, format!("there is no '// end {name}'"))),
-        (_, Some((end, Mark::End(other)))) if other != name => {
-            Err((end, format!("'// end {other}' where '// end {name}' belongs")))
-        }
-        (_, Some((end, Mark::End(_)))) if indent(lines[end]) != indent(lines[open]) => {
-            Err((end, format!("'// end {name}' is indented unlike its beginning")))
-        }
-        (_, Some((end, Mark::End(_)))) if !lines[open + 1..end].iter().any(|l| is_code(l)) => {
-            Err((end, format!("there is nothing between the marks of {name}")))
-        }
-        (_, Some((end, Mark::End(_)))) => Ok(end),
-        (_, Some((inside, _))) => {
-            Err((inside, format!("a mark inside {name}, which began on line {}", open + 1)))
-        }
+    if matches!(mark, Mark::End(_)) {
+        return Err((open, format!("'// end {name}' has no opening mark")));
     }
+    if matches!(mark, Mark::Task(..)) && indent(lines[open]) == 0 {
+        return Err((open, "a task's answer is the body of a function: this is outside".into()));
+    }
+    let Some((at, next)) = next else { return Err((open, format!("there is no '// end {name}'"))) };
+    let Mark::End(end) = next else {
+        return Err((at, format!("a mark inside {name}, which began on line {}", open + 1)));
+    };
+    if end != name {
+        return Err((at, format!("'// end {end}' where '// end {name}' belongs")));
+    }
+    if indent(lines[at]) != indent(lines[open]) {
+        return Err((at, format!("'// end {name}' is indented unlike its beginning")));
+    }
+    if !lines[open + 1..at].iter().any(|line| is_code(line)) {
+        return Err((at, format!("there is nothing between the marks of {name}")));
+    }
+    Ok(at)
 }
 
 /// Parses the mark in a line; `None` if the line is not a mark.
