@@ -10,7 +10,7 @@ use anyhow::{Result, ensure};
 use clap::Args;
 use serde_json::{Value, json};
 
-use lab_kit::{Facts, Kit, Lab, rubric};
+use lab_kit::{Kit, Lab, hints, rubric};
 
 /// Print the tests of a lab for Classroom 50 (for instructors)
 ///
@@ -35,21 +35,20 @@ const TASK: u64 = 300;
 /// # Errors
 /// There is no such lab, or the points of a task are not an integer.
 pub fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
-    let tests = tests(options.lab, &rubric::read(kit, options.lab)?)?;
-    println!("{}", serde_json::to_string_pretty(&tests)?);
+    println!("{}", serde_json::to_string_pretty(&tests(kit, options.lab)?)?);
     Ok(ExitCode::SUCCESS)
 }
 
 /// Returns the tests of a lab: first the set-up, which is worth no points, then the tasks.
-fn tests(lab: Lab, facts: &Facts) -> Result<Vec<Value>> {
-    let workers = serde_json::to_value(facts.workers)?;
+fn tests(kit: &Kit, lab: Lab) -> Result<Vec<Value>> {
+    let workers = serde_json::to_value(rubric::read(kit, lab)?.workers)?;
     let workers = workers.as_str().unwrap_or_default();
     let build = format!("cargo test --locked --no-run --package lab{lab} --test lab{lab}");
     let mut tests = vec![json!({
         "name": "setup", "type": "run", "timeout": BUILD, "points": 0,
         "run": format!("scripts/setup.sh --for {workers} && {build}"),
     })];
-    for (id, task) in &facts.tasks {
+    for (id, task) in hints::read(kit, lab)? {
         let points = task.points;
         ensure!(
             points.fract() == 0.0,
@@ -60,14 +59,7 @@ fn tests(lab: Lab, facts: &Facts) -> Result<Vec<Value>> {
             "points": points as u64, "run": format!("cargo lab test {id}"),
         }));
     }
-    // The facts are sorted as texts, with 3.10 before 3.2.
-    tests[1..].sort_by_key(|test| number(&test["run"]));
     Ok(tests)
-}
-
-/// Returns the number of the task in a test's command: 10 for `cargo lab test 3.10`.
-fn number(command: &Value) -> Option<u32> {
-    command.as_str()?.rsplit_once('.')?.1.parse().ok()
 }
 
 #[cfg(test)]
@@ -86,17 +78,15 @@ mod tests {
         let kit = Kit::find().unwrap();
         for lab in kit.solutions() {
             let facts = rubric::read(&kit, lab).unwrap();
-            let tests = tests(lab, &facts).unwrap();
+            let tests = tests(&kit, lab).unwrap();
             let names: BTreeSet<&str> =
                 tests.iter().map(|test| test["name"].as_str().unwrap()).collect();
             assert_eq!(names.len(), tests.len(), "names are unique");
             assert!(tests.len() <= 100 && tests[0]["name"] == "setup" && tests[0]["points"] == 0);
             assert!(names.iter().all(|name| name.len() <= 100 && !name.contains(char::is_control)));
             for test in &tests {
-                assert!(
-                    test.as_object().unwrap().keys().all(|key| KEYS.contains(&&**key)),
-                    "{test}"
-                );
+                let mut keys = test.as_object().unwrap().keys();
+                assert!(keys.all(|key| KEYS.contains(&&**key)), "{test}");
                 assert!(test["type"] == "run" && !test["run"].as_str().unwrap().is_empty());
                 assert!((1..=600).contains(&test["timeout"].as_u64().unwrap()), "{test}");
             }
@@ -109,14 +99,12 @@ mod tests {
     #[test]
     fn tasks_come_in_their_order_after_the_set_up() {
         let kit = Kit::find().unwrap();
-        let lab = "5".parse().unwrap();
-        let tests = tests(lab, &rubric::read(&kit, lab).unwrap()).unwrap();
+        let of_ranks = tests(&kit, "5".parse().unwrap()).unwrap();
         let set_up = "scripts/setup.sh --for ranks && cargo test --locked --no-run --package lab5 --test lab5";
-        assert_eq!(tests[0]["run"], set_up);
-        assert_eq!(tests[1]["run"], "cargo lab test 5.1");
-        assert!(tests[1]["name"].as_str().unwrap().starts_with("Task 5.1: "));
-        let lab = "3".parse().unwrap();
-        let last = super::tests(lab, &rubric::read(&kit, lab).unwrap()).unwrap().pop().unwrap();
+        assert_eq!(of_ranks[0]["run"], set_up);
+        assert_eq!(of_ranks[1]["run"], "cargo lab test 5.1");
+        assert!(of_ranks[1]["name"].as_str().unwrap().starts_with("Task 5.1: "));
+        let last = tests(&kit, "3".parse().unwrap()).unwrap().pop().unwrap();
         assert_eq!(last["run"], "cargo lab test 3.12");
     }
 }

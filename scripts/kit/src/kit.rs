@@ -87,12 +87,8 @@ impl Kit {
         Ok(facts)
     }
 
-    /// Whether a lab has facts.
-    pub fn has_facts(&self, lab: Lab) -> bool {
-        self.facts_file(lab).is_some()
-    }
-
-    fn facts_file(&self, lab: Lab) -> Option<PathBuf> {
+    /// Returns the file of a lab's facts; `None` if it has no facts.
+    pub(crate) fn facts_file(&self, lab: Lab) -> Option<PathBuf> {
         let files = [self.solution(lab), self.starter(lab)].map(|folder| folder.join(Facts::FILE));
         files.into_iter().find(|file| file.is_file())
     }

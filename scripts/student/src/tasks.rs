@@ -6,6 +6,7 @@ use anyhow::Result;
 use serde::Serialize;
 
 use lab_kit::answers::{RegionId, Task};
+use lab_kit::facts::TaskFacts;
 use lab_kit::files::read_bytes;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::starter::todo;
@@ -53,17 +54,21 @@ pub(crate) struct Progress {
 
 /// Returns the tasks of a lab in order, with the outcomes that belong to each.
 pub(crate) fn progress(kit: &Kit, lab: Lab, outcomes: &[Outcome]) -> Result<Vec<Progress>> {
-    let mut titles = titles(kit, lab)?;
-    // A task may have no hints.
-    for task in outcomes.iter().filter_map(|outcome| Task::of_test(&outcome.test)) {
-        titles.entry(task).or_insert_with(|| "(no title)".into());
+    let mut tasks = BTreeMap::new();
+    for (task, TaskFacts { title, optional, .. }) in hints::read(kit, lab)? {
+        tasks.insert(task, (title, optional));
     }
-    let facts = kit.facts(lab).unwrap_or_default().tasks;
+    // A lab may have no facts.
+    for Todo { id, title, .. } in todos(kit, lab)? {
+        tasks.entry(id.task).or_insert((title, false));
+    }
+    for task in outcomes.iter().filter_map(|outcome| Task::of_test(&outcome.test)) {
+        tasks.entry(task).or_insert(("(no title)".into(), false));
+    }
     let mut all = Vec::new();
-    for (task, title) in titles {
+    for (task, (title, optional)) in tasks {
         let own = outcomes.iter().filter(|outcome| Task::of_test(&outcome.test) == Some(task));
         let tests: Vec<Outcome> = own.cloned().collect();
-        let optional = facts.get(&task.to_string()).is_some_and(|task| task.optional);
         all.push(Progress { task, title, optional, state: state(&tests), tests });
     }
     Ok(all)
@@ -82,16 +87,6 @@ fn state(tests: &[Outcome]) -> State {
         Some(_) if tests.iter().any(|outcome| outcome.todo().is_some()) => State::Todo,
         Some(_) => State::Failing,
     }
-}
-
-/// Returns the titles of a lab's tasks, from its hints and from the remaining `todo!`s.
-fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
-    let mut titles: BTreeMap<_, _> =
-        hints::read(kit, lab)?.into_iter().map(|(task, facts)| (task, facts.title)).collect();
-    for Todo { id, title, .. } in todos(kit, lab)? {
-        titles.entry(id.task).or_insert(title);
-    }
-    Ok(titles)
 }
 
 /// Returns a task's first remaining `todo!`, with its location and title; 2.1 precedes 2.1b.

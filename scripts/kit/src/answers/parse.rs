@@ -230,24 +230,15 @@ fn g() {
     #[test]
     fn malformed_marks_are_found_at_their_line() {
         for (text, message) in [
-            ("|  // task 1.2: a|  x|", "2: there is no '// end 1.2'"),
-            ("  // task 1.2 a|", "1: '// task 1.2 a' is no mark: write '// task 3.2: title'"),
-            ("  // task 1.2:|", "1: the title of task 1.2 must be plain text"),
-            ("  // task 1.2: a|  x|  // end 1.3|", "3: '// end 1.3' where '// end 1.2' belongs"),
-            (
-                "  // task 1.2: a|  x| // end 1.2|",
-                "3: '// end 1.2' is indented unlike its beginning",
-            ),
-            (
-                "  // task 1.2: a|  // x|  // end 1.2|",
-                "3: there is nothing between the marks of 1.2",
-            ),
-            (
-                "  // task 1.2: a|  x|  // task 1.3: b|",
-                "3: a mark inside 1.2, which began on line 1",
-            ),
-            ("  // end 1.2|", "1: '// end 1.2' has no opening mark"),
-            ("  // end 1.2.3|", "1: '// end 1.2.3' is no mark: write '// end 3.2'"),
+            ("| // task 1.2: a| x|", "2: there is no '// end 1.2'"),
+            (" // task 1.2 a|", "1: '// task 1.2 a' is no mark: write '// task 3.2: title'"),
+            (" // task 1.2:|", "1: the title of task 1.2 must be plain text"),
+            (" // task 1.2: a| x| // end 1.3|", "3: '// end 1.3' where '// end 1.2' belongs"),
+            (" // task 1.2: a| x|// end 1.2|", "3: '// end 1.2' is indented unlike its beginning"),
+            (" // task 1.2: a| // x| // end 1.2|", "3: there is nothing between the marks of 1.2"),
+            (" // task 1.2: a| x| // task 1.3: b|", "3: a mark inside 1.2, which began on line 1"),
+            (" // end 1.2|", "1: '// end 1.2' has no opening mark"),
+            (" // end 1.2.3|", "1: '// end 1.2.3' is no mark: write '// end 3.2'"),
             ("// end answer only|", "1: '// end answer only' has no opening mark"),
             ("// task 1.2: a|", "1: a task's answer is the body of a function: this is outside"),
         ] {

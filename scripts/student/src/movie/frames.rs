@@ -53,9 +53,8 @@ pub(super) fn soft(text: &str) -> Result<Movie> {
             pairs.iter().flat_map(|(ids, _)| ids).for_each(|id| movie.still[*id as usize].1 = true);
         }
         movie.touching.push(pairs.len());
-        movie
-            .energy
-            .push(kinetic(frame, MASS) + pairs.iter().map(|(_, energy)| energy).sum::<f64>());
+        let potential: f64 = pairs.iter().map(|(_, energy)| energy).sum();
+        movie.energy.push(kinetic(frame, MASS) + potential);
     }
     Ok(movie)
 }
@@ -184,10 +183,7 @@ mod tests {
         let movie = soft("3 0.5\n0.105 0.1 0 0\n0.4 0.4 0 0\n0.1 0.1 0 0\n\n").unwrap();
         assert_eq!(movie.touching, [1]);
         assert!((movie.energy[0] - (1.0 - 2.0_f64.ln())).abs() < 1e-12, "{:?}", movie.energy);
-        assert_eq!(
-            movie.still.iter().map(|(_, touches)| *touches).collect::<Vec<_>>(),
-            [true, false, true]
-        );
+        assert!(movie.still.iter().map(|(_, touches)| *touches).eq([true, false, true]));
     }
 
     #[test]

@@ -5,7 +5,7 @@ mod page;
 
 use std::fs;
 use std::path::PathBuf;
-use std::process::{Command, ExitCode, Stdio};
+use std::process::{ExitCode, Stdio};
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
@@ -99,7 +99,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         command.args(["-n", &n.to_string(), "--steps", &steps.to_string()]);
     }
     command.args(["--variant", &variant]).arg("-o").arg(&file);
-    options.tell(&mut command);
+    command.args(options.param.iter().flat_map(|param| ["--param", param]));
+    command.args(options.threads.iter().flat_map(|threads| ["-t".into(), threads.to_string()]));
     let status = command.stdin(Stdio::null()).stdout(Stdio::null()).status();
     if !status.context("the lab did not start")?.success() {
         return Ok(ExitCode::FAILURE);
@@ -129,12 +130,6 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 }
 
 impl Options {
-    /// Adds the options that are meant for the program to its command.
-    fn tell(&self, command: &mut Command) {
-        command.args(self.param.iter().flat_map(|param| ["--param", param]));
-        command.args(self.threads.iter().flat_map(|threads| ["-t".into(), threads.to_string()]));
-    }
-
     /// Returns the title of the page: lab, variant, ranks, and `the solution` if it is shown.
     fn title(&self, kit: &Kit, variant: &str, ranks: Option<u16>) -> String {
         let lab = self.lab;
