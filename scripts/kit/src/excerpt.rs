@@ -44,7 +44,7 @@ pub fn excerpt(file: &Path, part: &str) -> Result<String> {
     Ok(kept.flat_map(|line| [line, "\n"]).collect())
 }
 
-/// Finds the line of an anchor's mark, from 1; `key` tells its beginning from its end.
+/// Finds the line, from 1, of an anchor's beginning (`ANCHOR:`) or end (`ANCHOR_END:`).
 fn find(lines: &[&str], key: &str, anchor: &str) -> Option<usize> {
     let at = lines.iter().position(|line| {
         line.split_once(key).is_some_and(|(before, after)| {

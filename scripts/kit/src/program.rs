@@ -7,7 +7,7 @@ use anyhow::Result;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::facts::{Discs, Work, Workers};
+use crate::facts::{Discs, Facts, Work, Workers};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -17,7 +17,7 @@ use crate::lab::Lab;
 /// Examples are `lab3`, `lab3:fork-join` and `solution3:fork-join,t=2,padding=1`. A lab may have
 /// additional programs, which its facts name: `lab9-hard:basic-f32`. The facts are read from the
 /// kit around the current folder.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program {
     /// Number of the lab.
     pub lab: Lab,
@@ -47,18 +47,8 @@ impl Program {
     /// # Errors
     /// If the current folder is not in a kit with this lab.
     pub fn new(lab: Lab, solution: bool) -> Result<Self> {
-        let facts = Kit::find()?.facts(lab)?;
-        Ok(Self {
-            lab,
-            solution,
-            other: None,
-            discs: facts.discs,
-            workers: facts.workers,
-            variant: None,
-            threads: None,
-            ranks: None,
-            parameters: Vec::new(),
-        })
+        let Facts { discs, workers, .. } = Kit::find()?.facts(lab)?;
+        Ok(Self { lab, solution, discs, workers, ..Self::default() })
     }
 
     /// Returns the solutions that simulate these discs with these workers, in order.

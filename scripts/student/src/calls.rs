@@ -68,7 +68,7 @@ impl Call {
         ["Recv", "Irecv", "Mprobe"].contains(&&*self.name)
     }
 
-    /// Formats the call with its message's number, after it was repeated so many times.
+    /// Formats the call for the table, with the number of its message and of its repetitions.
     fn cell(&self, message: Option<&usize>, times: usize) -> String {
         let Self { name, other, location, .. } = self;
         let whom = match self {
@@ -89,7 +89,7 @@ fn rows(calls: &[Vec<Call>]) -> Vec<Vec<String>> {
     let mut rows = Vec::new();
     loop {
         let next = calls.iter().zip(&at).filter_map(|(calls, &at)| calls.get(at));
-        // The least number is 0 as long as a rank has a call of its own.
+        // Calls of single ranks have the number 0, so they precede the next collective call.
         let Some(number) = next.map(|call| call.number).min() else { return rows };
         let mut row = vec![if number > 0 { number.to_string() } else { String::new() }];
         for (rank, at) in at.iter_mut().enumerate() {
@@ -139,7 +139,7 @@ fn messages(calls: &[Vec<Call>]) -> BTreeMap<(usize, usize), usize> {
     numbers
 }
 
-/// Returns the wanted calls with their rank and their place on it, first calls first.
+/// Returns the wanted calls with their rank and their place in its record, sorted by place.
 fn in_order(calls: &[Vec<Call>], wanted: fn(&Call) -> bool) -> Vec<(usize, usize, &Call)> {
     let mut found = Vec::new();
     for (rank, calls) in calls.iter().enumerate() {

@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use clap::Args;
 
 use crate::memory::{recall, remember};
-use crate::test::expect_task;
+use crate::tasks::expect_task;
 use lab_kit::Kit;
 use lab_kit::answers::Task;
 use lab_kit::facts::TaskFacts;

@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use serde::Serialize;
 
 use crate::results::{self, Run};
-use crate::test::{What, expect_lab, own_build};
+use crate::tasks::What;
 use lab_kit::harness::{Build, BuildError};
 use lab_kit::{Kit, Lab};
 
@@ -25,10 +25,9 @@ struct Report {
 /// Runs the tests and prints their outcomes as JSON, and nothing else, to standard output.
 ///
 /// # Errors
-/// If this machine lacks what the tests need, if Cargo cannot build the tests, or if a test cannot be started.
-pub(crate) fn run(kit: &Kit, What { lab, task }: What) -> Result<ExitCode> {
-    expect_lab(kit, lab)?;
-    let build = Build { shown: false, ..own_build(kit, lab)? };
+/// If Cargo cannot build the tests, or if a test cannot be started.
+pub(crate) fn run(kit: &Kit, What { lab, task }: What, build: Build) -> Result<ExitCode> {
+    let build = Build { shown: false, ..build };
     let report = match results::run(kit, lab, task, build, |_| {}) {
         Ok(run) => Report { lab, passes: run.passes(), compile_errors: Vec::new(), run },
         Err(BuildError::Compile(errors)) => {

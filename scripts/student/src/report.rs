@@ -3,8 +3,7 @@
 use anyhow::Result;
 
 use crate::results::Run;
-use crate::tasks::{self, Progress, State, print_tasks};
-use crate::test::What;
+use crate::tasks::{self, Progress, State, What, print_tasks};
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::terminal::folded;
 use lab_kit::{Kit, Lab};

@@ -1,8 +1,9 @@
 //! Tasks of a lab, and the state of each.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::str::FromStr;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use serde::Serialize;
 
 use lab_kit::answers::{RegionId, Task};
@@ -12,6 +13,24 @@ use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::starter::todo;
 use lab_kit::terminal::folded;
 use lab_kit::{Kit, Lab, hints, sources_below};
+
+/// A whole lab, or one task of it.
+#[derive(Clone, Copy)]
+pub(crate) struct What {
+    pub(crate) lab: Lab,
+    pub(crate) task: Option<Task>,
+}
+
+impl FromStr for What {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text.contains('.') {
+            return text.parse().map(|task: Task| Self { lab: task.lab, task: Some(task) });
+        }
+        text.parse().map(|lab| Self { lab, task: None })
+    }
+}
 
 /// State of a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -72,6 +91,15 @@ pub(crate) fn progress(kit: &Kit, lab: Lab, outcomes: &[Outcome]) -> Result<Vec<
         all.push(Progress { task, title, optional, state: state(&tests), tests });
     }
     Ok(all)
+}
+
+/// Returns an error if a lab does not have this task.
+pub(crate) fn expect_task(kit: &Kit, task: Task) -> Result<()> {
+    let all = progress(kit, task.lab, &[])?;
+    let known = all.iter().any(|progress| progress.task == task);
+    let names: Vec<String> = all.iter().map(|progress| progress.task.to_string()).collect();
+    ensure!(known, "lab {} has no task {task}; it has {}", task.lab, names.join(", "));
+    Ok(())
 }
 
 /// Returns the number of tasks that are done.
@@ -137,7 +165,7 @@ pub(crate) fn print_tasks(tasks: &[Progress]) {
 
 #[cfg(test)]
 pub(crate) mod tests {
-    use super::{Progress, State, line_of_todo, state};
+    use super::{Progress, State, What, expect_task, line_of_todo, state};
     use lab_kit::Kit;
     use lab_kit::harness::{Outcome, Verdict};
 
@@ -185,5 +213,27 @@ pub(crate) mod tests {
             let found = line_of_todo(&kit, "1.1".parse().unwrap()).unwrap();
             assert_eq!(found.unwrap().1, line);
         }
+    }
+
+    #[test]
+    fn a_lab_or_a_task_is_meant() {
+        for (text, lab, task) in
+            [("10", "10", None), ("lab3", "3", None), ("10.6", "10", Some("10.6"))]
+        {
+            let what: What = text.parse().unwrap();
+            assert_eq!(what.lab, lab.parse().unwrap());
+            assert_eq!(what.task, task.map(|task| task.parse().unwrap()));
+        }
+        for text in ["", "x", "10.", ".6", "10.6b", "0.1"] {
+            assert!(text.parse::<What>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_task_that_is_not_there_is_named_beside_those_that_are() {
+        let kit = Kit::find().unwrap();
+        assert!(expect_task(&kit, "1.5".parse().unwrap()).is_ok());
+        let error = expect_task(&kit, "1.6".parse().unwrap()).unwrap_err().to_string();
+        assert_eq!(error, "lab 1 has no task 1.6; it has 1.1, 1.2, 1.3, 1.4, 1.5");
     }
 }

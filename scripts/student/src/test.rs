@@ -1,7 +1,6 @@
 //! `cargo lab test`: shows the state of a lab.
 
 use std::process::{Command, ExitCode};
-use std::str::FromStr;
 use std::sync::Mutex;
 
 use anyhow::{Result, bail, ensure};
@@ -12,7 +11,7 @@ use crate::json;
 use crate::memory::{recall, remember};
 use crate::report::report;
 use crate::results::{self, Run, Step};
-use crate::tasks;
+use crate::tasks::{What, expect_task};
 use lab_kit::answers::Task;
 use lab_kit::harness::{Build, BuildError, CompileError, Outcome};
 use lab_kit::progress::can_draw;
@@ -36,24 +35,6 @@ pub(crate) struct Options {
     json: bool,
 }
 
-/// A whole lab, or one task of it.
-#[derive(Clone, Copy)]
-pub(crate) struct What {
-    pub(crate) lab: Lab,
-    pub(crate) task: Option<Task>,
-}
-
-impl FromStr for What {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        if text.contains('.') {
-            return text.parse().map(|task: Task| Self { lab: task.lab, task: Some(task) });
-        }
-        text.parse().map(|lab| Self { lab, task: None })
-    }
-}
-
 /// Runs the tests and prints the state of the lab or the task.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     process::kill_all_on_interrupt();
@@ -63,7 +44,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         expect_task(kit, task)?;
     }
     if options.json {
-        return json::run(kit, options.what);
+        expect_lab(kit, lab)?;
+        return json::run(kit, options.what, own_build(kit, lab)?);
     }
     let Some(run) = run_tests(kit, lab, task)? else { return Ok(ExitCode::FAILURE) };
     report(kit, options.what, &run, options.all)?;
@@ -77,17 +59,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(if run.passes() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// Returns an error if a lab does not have this task.
-pub(crate) fn expect_task(kit: &Kit, task: Task) -> Result<()> {
-    let all = tasks::progress(kit, task.lab, &[])?;
-    let known = all.iter().any(|progress| progress.task == task);
-    let names: Vec<String> = all.iter().map(|progress| progress.task.to_string()).collect();
-    ensure!(known, "lab {} has no task {task}; it has {}", task.lab, names.join(", "));
-    Ok(())
-}
-
 /// Returns an error if the kit lacks this lab, or if this machine lacks what its tests need.
-pub(crate) fn expect_lab(kit: &Kit, lab: Lab) -> Result<()> {
+fn expect_lab(kit: &Kit, lab: Lab) -> Result<()> {
     kit.expect_starter(lab)?;
     system::expect(kit, lab)
 }
@@ -99,8 +72,7 @@ pub(crate) fn run_tests(kit: &Kit, lab: Lab, only: Option<Task>) -> Result<Optio
 }
 
 /// Returns the order for building the tests in a lab's folder with visible output.
-pub(crate) fn own_build(kit: &Kit, lab: Lab) -> Result<Build> {
-    kit.expect_starter(lab)?;
+fn own_build(kit: &Kit, lab: Lab) -> Result<Build> {
     let tests = format!("labs/lab{lab}/tests/lab{lab}.rs");
     ensure!(kit.path(&tests).is_file(), "{tests} is missing: copy it from the kit that you got");
     Ok(visible_build(kit.cargo(), lab, format!("lab{lab}")))
@@ -178,32 +150,4 @@ fn print_compile_errors(lab: Lab, errors: &[CompileError]) {
     };
     println!("Lab {lab} does not compile yet{}{count}.\n", location.unwrap_or_default());
     println!("{}", first.rendered.trim_end());
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{What, expect_task};
-    use lab_kit::Kit;
-
-    #[test]
-    fn a_lab_or_a_task_is_meant() {
-        for (text, lab, task) in
-            [("10", "10", None), ("lab3", "3", None), ("10.6", "10", Some("10.6"))]
-        {
-            let what: What = text.parse().unwrap();
-            assert_eq!(what.lab, lab.parse().unwrap());
-            assert_eq!(what.task, task.map(|task| task.parse().unwrap()));
-        }
-        for text in ["", "x", "10.", ".6", "10.6b", "0.1"] {
-            assert!(text.parse::<What>().is_err(), "{text}");
-        }
-    }
-
-    #[test]
-    fn a_task_that_is_not_there_is_named_beside_those_that_are() {
-        let kit = Kit::find().unwrap();
-        assert!(expect_task(&kit, "1.5".parse().unwrap()).is_ok());
-        let error = expect_task(&kit, "1.6".parse().unwrap()).unwrap_err().to_string();
-        assert_eq!(error, "lab 1 has no task 1.6; it has 1.1, 1.2, 1.3, 1.4, 1.5");
-    }
 }

@@ -10,8 +10,8 @@ use clap::Args;
 
 use crate::report::report;
 use crate::results::{self, Run};
-use crate::tasks::State;
-use crate::test::{What, run_tests};
+use crate::tasks::{State, What};
+use crate::test::run_tests;
 use lab_kit::answers::Task;
 use lab_kit::progress::can_draw;
 use lab_kit::{Kit, Lab, process};
