@@ -135,10 +135,8 @@ mod tests {
         let order = order.map(|part| text.find(part));
         assert!(order.is_sorted() && order[0].is_some(), "{text}");
         assert_eq!(text.matches("<details").count(), 8);
-        assert!(
-            text.contains(">Task 1.2</a> the move <span>0.5 h, ●●●, optional</span></p>\n"),
-            "{text}"
-        );
+        let task = ">Task 1.2</a> the move <span>0.5 h, ●●●, optional</span></p>\n";
+        assert!(text.contains(task), "{text}");
         assert!(text.contains("| [1.2](#task-1-2) | `f` |\n| 9.9 | x |\n"), "{text}");
 
         let text = filled("lab1.md", PAGE, false).unwrap();

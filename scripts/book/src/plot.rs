@@ -64,11 +64,8 @@ pub(crate) fn plot(rows: &[Row]) -> String {
     }
     out += "</div>\n<figcaption>Nanoseconds per particle and step on one worker (1k is 1,000). ";
     for (time, radius) in rows[0].times.iter().zip(RADII) {
-        out += &format!(
-            "<svg class=\"plot-key\">{}</svg> n&nbsp;=&nbsp;{} ",
-            dot(50.0, radius),
-            time.n
-        );
+        let dot = dot(50.0, radius);
+        out += &format!("<svg class=\"plot-key\">{dot}</svg> n&nbsp;=&nbsp;{} ", time.n);
     }
     out + "Point at a row for its numbers. The number before a name is the lab.</figcaption>\n</figure>\n"
 }
@@ -76,13 +73,11 @@ pub(crate) fn plot(rows: &[Row]) -> String {
 /// Returns a check box for each kind of workers, if there are several kinds.
 fn filter(rows: &[&Row]) -> String {
     let kinds = WORKERS.iter().filter(|kind| rows.iter().any(|row| row.workers == kind.0));
-    let boxes: Vec<String> = kinds
-        .map(|(_, class, name)| {
-            format!(
-                "<label><input type=\"checkbox\" class=\"only-{class}\" checked> {name}</label>"
-            )
-        })
-        .collect();
+    let mut boxes = Vec::new();
+    for (_, class, name) in kinds {
+        let input = format!("<input type=\"checkbox\" class=\"only-{class}\" checked>");
+        boxes.push(format!("<label>{input} {name}</label>"));
+    }
     if boxes.len() < 2 {
         return String::new();
     }

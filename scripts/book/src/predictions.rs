@@ -23,12 +23,8 @@ pub(crate) fn unfolded(text: &str) -> Result<String> {
     let fold = section.find("<details>").context("the predictions have no fold")?;
     let answers = items(&section[fold..]);
     let end = section.find("</details>").context("the fold of the predictions has no end")?;
-    ensure!(
-        questions.len() == answers.len(),
-        "{} predictions have {} answers",
-        questions.len(),
-        answers.len()
-    );
+    let [asked, answered] = [&questions, &answers].map(Vec::len);
+    ensure!(asked == answered, "{asked} predictions have {answered} answers");
     let mut out = text[..begin + ANSWERS.len()].to_owned() + &section[..fold];
     for (number, (question, answer)) in (1..).zip(questions.iter().zip(answers)) {
         out += &format!(

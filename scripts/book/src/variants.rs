@@ -171,10 +171,8 @@ mod tests {
     fn words_and_times_meet_in_one_row() {
         with("sorted", |kit| {
             let table = table(&mut Data::new(kit), "soft").unwrap();
-            assert!(
-                table.contains("| `sorted` | [2](lab2.md) | – | – | 29.0 | 1.45 |\n"),
-                "{table}"
-            );
+            let times = "| `sorted` | [2](lab2.md) | – | – | 29.0 | 1.45 |\n";
+            assert!(table.contains(times), "{table}");
             assert!(table.contains("| `sorted` | none | no | n | now |\n"), "{table}");
             assert_eq!(check(&mut Data::new(kit), kit.root()).unwrap(), [""; 0]);
         });

@@ -50,10 +50,8 @@ fn tests(kit: &Kit, lab: Lab) -> Result<Vec<Value>> {
     })];
     for (id, task) in hints::read(kit, lab)? {
         let points = task.points;
-        ensure!(
-            points.fract() == 0.0,
-            "task {id} has {points} points; Classroom 50 takes whole numbers"
-        );
+        let is_whole = points.fract() == 0.0;
+        ensure!(is_whole, "task {id} has {points} points; Classroom 50 takes whole numbers");
         tests.push(json!({
             "name": format!("Task {id}: {}", task.title), "type": "run", "timeout": TASK,
             "points": points as u64, "run": format!("cargo lab test {id}"),

@@ -57,13 +57,11 @@ impl Binaries {
         for program in programs {
             let folder =
                 if program.solution { kit.solution(program.lab) } else { kit.starter(program.lab) };
-            ensure!(
-                folder.join("Cargo.toml").is_file(),
-                "there is no {} in this kit: {} is missing",
-                program.package(),
-                folder.strip_prefix(kit.root()).unwrap_or(&folder).display()
-            );
-            packages.push(program.package());
+            let package = program.package();
+            let shown = folder.strip_prefix(kit.root()).unwrap_or(&folder).display();
+            let is_here = folder.join("Cargo.toml").is_file();
+            ensure!(is_here, "there is no {package} in this kit: {shown} is missing");
+            packages.push(package);
         }
         packages.sort();
         packages.dedup();

@@ -17,7 +17,7 @@ use anyhow::{Context, Result, anyhow, ensure};
 use serde::Deserialize;
 
 use crate::answers::{self, MarkedFile, Part, indent};
-use crate::files::read_toml;
+use crate::files::read_toml_at;
 use crate::kit::Kit;
 use crate::lab::Lab;
 use crate::wrong::{self, Wrong};
@@ -79,15 +79,11 @@ pub fn markdown(kit: &Kit, lab: Lab, program: &str) -> Result<Option<String>> {
 
 /// Reads the quizzes of a lab; empty if the lab has none.
 fn read(kit: &Kit, lab: Lab) -> Result<Vec<Quiz>> {
-    #[derive(Deserialize)]
-    struct File {
-        quiz: Vec<Quiz>,
-    }
     let path = kit.path(format!("tests/wrong/lab{lab}.toml"));
     if !path.is_file() {
         return Ok(Vec::new());
     }
-    Ok(read_toml::<File>(&path)?.quiz)
+    read_toml_at(&path, "/quiz")?.with_context(|| format!("{} has no quiz", path.display()))
 }
 
 /// Checks that a quiz has four answers, one of them right, and that each answer blames one line.

@@ -159,14 +159,12 @@ mod tests {
         assert_eq!(collected.files.keys().collect::<Vec<_>>(), ["src/lib.rs"]);
         let left_out = collected.left_out.iter();
         let left_out: Vec<_> = left_out.map(|(path, why)| (path.to_str().unwrap(), *why)).collect();
-        assert_eq!(
-            left_out,
-            [
-                ("src/.secret", "hidden, or an editor's copy"),
-                ("src/big.rs", "more than 1 MiB"),
-                ("src/lib.rs~", "hidden, or an editor's copy"),
-                ("src/link.rs", "no plain file"),
-            ]
-        );
+        let expected = [
+            ("src/.secret", "hidden, or an editor's copy"),
+            ("src/big.rs", "more than 1 MiB"),
+            ("src/lib.rs~", "hidden, or an editor's copy"),
+            ("src/link.rs", "no plain file"),
+        ];
+        assert_eq!(left_out, expected);
     }
 }

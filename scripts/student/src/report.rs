@@ -99,14 +99,12 @@ fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
         print!("{}", folded("  where        ", &line));
     }
     if kit.chapter(task.lab).is_some() {
-        let facts = kit.facts(task.lab)?;
+        let lab = task.lab;
+        let facts = kit.facts(lab)?;
         let section = facts.tasks.get(&task.to_string()).map(|task| format!(", {}", task.section));
         let section = section.unwrap_or_default();
-        let address = format!("lab{}.html#{}", task.lab, task.anchor());
-        let place = format!(
-            "chapter {}{section}: 'cargo lab book --serve', then localhost:3000/{address}",
-            task.lab
-        );
+        let address = format!("localhost:3000/lab{lab}.html#{}", task.anchor());
+        let place = format!("chapter {lab}{section}: 'cargo lab book --serve', then {address}");
         print!("{}", folded("  in the book  ", &place));
     }
     println!("  stuck?       cargo lab hint {task}");

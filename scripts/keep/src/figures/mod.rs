@@ -32,10 +32,8 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         let path = kit.path(path);
         if options.check {
             if std::fs::read_to_string(&path).ok().as_deref() != Some(&svg) {
-                println!(
-                    "{} differs from the figure that `cargo lab figures` draws",
-                    path.display()
-                );
+                let path = path.display();
+                println!("{path} differs from the figure that `cargo lab figures` draws");
                 drifted = true;
             }
             continue;

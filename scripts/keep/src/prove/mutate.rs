@@ -6,7 +6,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, bail};
+use anyhow::{Result, ensure};
 
 use lab_kit::Lab;
 use lab_kit::answers::{MarkedFile, Part, Region};
@@ -19,15 +19,9 @@ pub(crate) fn mutate(
     files: &[MarkedFile],
     wrongs: &[Wrong],
 ) -> Result<Vec<(PathBuf, String)>> {
-    for wrong in wrongs {
-        let mut regions = files.iter().flat_map(|file| file.regions());
-        if !regions.any(|region| region.id == wrong.region) {
-            bail!(
-                "tests/wrong/lab{lab}/{}.rs: lab {lab} has no region {}",
-                wrong.name,
-                wrong.region
-            );
-        }
+    for Wrong { name, region, .. } in wrongs {
+        let is_known = files.iter().flat_map(MarkedFile::regions).any(|known| known.id == *region);
+        ensure!(is_known, "tests/wrong/lab{lab}/{name}.rs: lab {lab} has no region {region}");
     }
     let mut mutants = Vec::new();
     for file in files {

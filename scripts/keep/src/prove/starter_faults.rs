@@ -39,16 +39,12 @@ pub(crate) fn faults(outcomes: &[Outcome], tasks: &BTreeSet<Task>) -> Vec<String
     }
     let tested: BTreeSet<_> =
         outcomes.iter().filter_map(|outcome| Task::of_test(&outcome.test)).collect();
-    faults.extend(
-        tasks
-            .difference(&tested)
-            .map(|task| format!("the starter has no test of task {task} (is it up to date?)")),
-    );
-    faults.extend(
-        tested
-            .difference(tasks)
-            .map(|task| format!("there are tests of task {task}, which has no region")),
-    );
+    for task in tasks.difference(&tested) {
+        faults.push(format!("the starter has no test of task {task} (is it up to date?)"));
+    }
+    for task in tested.difference(tasks) {
+        faults.push(format!("there are tests of task {task}, which has no region"));
+    }
     faults
 }
 

@@ -164,11 +164,8 @@ fn choose(
         }
     }
     let wanted = variant.unwrap_or_default();
-    bail!(
-        "there is no variant '{wanted}' in {}; there are: {}",
-        program.package(),
-        names.join(", ")
-    )
+    let package = program.package();
+    bail!("there is no variant '{wanted}' in {package}; there are: {}", names.join(", "))
 }
 
 #[cfg(test)]
