@@ -4,14 +4,12 @@
 //! determines which files may be overwritten.
 
 use std::collections::BTreeSet;
-use std::fs;
 use std::process::ExitCode;
 
 use anyhow::{Result, bail};
 use clap::Args;
 
-use lab_kit::files::with_unix_lines;
-use lab_kit::starter::{Record, generate, own_paths};
+use lab_kit::starter::{Record, generate, own_files};
 use lab_kit::{Kit, Lab, answers, hints};
 
 /// Write the labs' starters from their solutions (for those who maintain the kit)
@@ -82,16 +80,13 @@ fn write(kit: &Kit, lab: Lab) -> Result<()> {
 fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     let folder = kit.starter(lab);
     let files = generate(kit, lab)?;
+    let there = own_files(&folder)?;
     let mut drift = Vec::new();
-    for (path, bytes) in &files {
-        if fs::read(folder.join(path)).ok().map(with_unix_lines).as_ref() != Some(bytes) {
-            drift.push(format!("{} differs from the result of its solution", path.display()));
-        }
+    for (path, _) in files.iter().filter(|(path, bytes)| there.get(*path) != Some(bytes)) {
+        drift.push(format!("{} differs from the result of its solution", path.display()));
     }
-    for path in own_paths(&folder)? {
-        if !files.contains_key(&path) {
-            drift.push(format!("{} has nothing to do with the solution", path.display()));
-        }
+    for path in there.keys().filter(|path| !files.contains_key(*path)) {
+        drift.push(format!("{} has nothing to do with the solution", path.display()));
     }
     if drift.is_empty() && Record::read(&folder)? != Record::of(&files) {
         drift.push(".starter is out of date".into());

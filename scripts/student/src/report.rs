@@ -29,11 +29,9 @@ fn report_lab(kit: &Kit, lab: Lab, run: &Run, all: bool) -> Result<()> {
     let next = progress.iter().find(|p| matches!(p.state, State::Todo | State::Failing));
     let unrun = progress.iter().any(|p| p.state == State::Untested);
     let rest = match next {
-        Some(next) if done == 0 && next.state == State::Todo => {
-            format!(", start with task {}: {}.", next.task, next.title)
-        }
         Some(next) if next.state == State::Todo => {
-            format!(", go on with task {}: {}.", next.task, next.title)
+            let begin = if done == 0 { "start" } else { "go on" };
+            format!(", {begin} with task {}: {}.", next.task, next.title)
         }
         Some(next) => format!(", task {} fails: {}.", next.task, next.title),
         None if others.is_empty() => ".".into(),

@@ -7,9 +7,9 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::Args;
 
-use lab_kit::files::{read_bytes, remove_file, with_unix_lines, write_file};
+use lab_kit::files::{remove_file, write_file};
 use lab_kit::machine::date;
-use lab_kit::starter::{Files, Record, given, own_paths};
+use lab_kit::starter::{Files, Record, given, own_files};
 use lab_kit::{Kit, Lab};
 
 /// Folder for kept work. It is not under `target/`, because `cargo clean` empties that.
@@ -43,7 +43,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
     let folder = kit.starter(lab);
     let given = given(kit, lab)?;
-    let there = work(&folder)?;
+    let there = own_files(&folder)?;
     if there == given {
         return Ok(None);
     }
@@ -64,16 +64,6 @@ fn put_back(folder: &Path, there: &Files, given: &Files) -> Result<()> {
         remove_file(&folder.join(path))?;
     }
     Record::of(given).write(folder)
-}
-
-/// Reads the files that a student may have changed or added, by their path in the lab's folder.
-fn work(folder: &Path) -> Result<Files> {
-    let mut files = Files::new();
-    for path in own_paths(folder)?.into_iter().chain(["Cargo.toml".into()]) {
-        let bytes = read_bytes(&folder.join(&path))?;
-        files.insert(path, with_unix_lines(bytes));
-    }
-    Ok(files)
 }
 
 /// Writes the files, all or none, to a new folder.

@@ -142,7 +142,7 @@ fn name_unread(kit: &Kit, lab: Lab) -> Result<()> {
 /// Prints the first compiler error and its location. Further errors often follow from it.
 fn print_compile_errors(lab: Lab, errors: &[CompileError]) {
     let Some(first) = errors.first() else { return };
-    let location = first.locations.first();
+    let location = first.location.as_ref();
     let location = location.map(|(file, line)| format!(": {}, line {line}", file.display()));
     let count = match errors.len() {
         1 => String::new(),

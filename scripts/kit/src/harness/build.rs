@@ -45,8 +45,8 @@ impl From<anyhow::Error> for BuildError {
 pub struct CompileError {
     /// Text of the error as the compiler shows it.
     pub rendered: String,
-    /// Locations in the error: file below the workspace, and line from 1.
-    pub locations: Vec<(PathBuf, usize)>,
+    /// First location in the error: file below the workspace, and line from 1.
+    pub location: Option<(PathBuf, usize)>,
 }
 
 /// Settings for building a lab's tests.
@@ -112,7 +112,7 @@ fn compile_error(message: &Value) -> Option<CompileError> {
         return None;
     }
     let rendered = message["rendered"].as_str().unwrap_or_default().into();
-    Some(CompileError { rendered, locations: spans.iter().filter_map(location).collect() })
+    Some(CompileError { rendered, location: spans.iter().find_map(location) })
 }
 
 fn location(span: &Value) -> Option<(PathBuf, usize)> {

@@ -17,28 +17,35 @@ use crate::lab::Lab;
 /// Files of a starter, by their path in its folder.
 pub type Files = BTreeMap<PathBuf, Vec<u8>>;
 
-/// Reads the [sources](sources_below) below a folder; empty if there is no such folder.
+/// Reads the [sources](sources_below) below a folder, with Unix line endings; empty if there is no
+/// such folder.
 pub fn read_below(folder: &Path) -> Result<Files> {
-    let mut files = Files::new();
-    for path in sources_below(folder)? {
-        files.insert(path.strip_prefix(folder)?.to_owned(), read_bytes(&path)?);
-    }
-    Ok(files)
+    read(folder, &sources_below(folder)?)
 }
 
-/// Returns the paths of the files in src/ and tests/ of a folder, relative to the folder.
-pub fn own_paths(folder: &Path) -> Result<Vec<PathBuf>> {
-    let mut paths = sources_below(&folder.join("src"))?;
-    paths.extend(sources_below(&folder.join("tests"))?);
-    Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
+/// Reads the files of a starter that a student may change, with Unix line endings.
+///
+/// These are the files in src/ and tests/, and the manifest.
+pub fn own_files(folder: &Path) -> Result<Files> {
+    let own = ["src", "tests", "Cargo.toml"].map(|name| folder.join(name));
+    let mut paths = sources_below(folder)?;
+    paths.retain(|path| own.iter().any(|own| path.starts_with(own)));
+    read(folder, &paths)
+}
+
+fn read(folder: &Path, paths: &[PathBuf]) -> Result<Files> {
+    let mut files = Files::new();
+    for path in paths {
+        files.insert(path.strip_prefix(folder)?.to_owned(), with_unix_lines(read_bytes(path)?));
+    }
+    Ok(files)
 }
 
 /// Returns the starter as it was given: the copy in the kit, or else a new one from the solution.
 pub fn given(kit: &Kit, lab: Lab) -> Result<Files> {
     let kept = kit.starter(lab).join(GIVEN);
     if kept.is_dir() {
-        let files = read_below(&kept)?.into_iter();
-        return Ok(files.map(|(path, bytes)| (path, with_unix_lines(bytes))).collect());
+        return read_below(&kept);
     }
     kit.chosen_solutions(Some(lab))?;
     generate(kit, lab)
@@ -65,21 +72,16 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     }
     // Files other than Rust sources and shaders are copied unchanged.
     for (path, bytes) in read_below(&folder.join("src"))? {
-        files.entry(Path::new("src").join(path)).or_insert_with(|| with_unix_lines(bytes));
+        files.entry(Path::new("src").join(path)).or_insert(bytes);
     }
     let manifest = manifest(kit, lab).with_context(|| format!("solutions/lab{lab}/Cargo.toml"))?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
     // An editor's analysis loads no files outside a package, so the tests are copied into the
     // package. The crate's documentation is added to the root file, because a solution includes
     // that file, and an included file cannot have crate documentation.
-    let root = PathBuf::from(format!("tests/lab{lab}.rs"));
-    for path in kit.test_sources(lab)? {
-        let mut bytes = with_unix_lines(read_bytes(&path)?);
-        let path = path.strip_prefix(kit.root())?;
-        if path == root {
-            bytes.splice(..0, format!("//! Lab {lab}'s graders.\n\n").into_bytes());
-        }
-        files.insert(path.to_owned(), bytes);
+    files.extend(read(kit.root(), &kit.test_sources(lab)?)?);
+    if let Some(bytes) = files.get_mut(Path::new(&format!("tests/lab{lab}.rs"))) {
+        bytes.splice(..0, format!("//! Lab {lab}'s graders.\n\n").into_bytes());
     }
     Ok(files)
 }

@@ -7,7 +7,7 @@ mod record;
 mod todo;
 
 pub(crate) use generate::rename;
-pub use generate::{Files, generate, given, own_paths, read_below};
+pub use generate::{Files, generate, given, own_files, read_below};
 pub use record::{Plan, Record};
 pub use todo::todo;
 
