@@ -13,7 +13,6 @@ mod method;
 #[cfg(test)]
 mod mistakes;
 mod observed;
-mod row;
 mod scenes;
 mod trials;
 
@@ -30,7 +29,7 @@ use crate::numbers::Files;
 use crate::runner::Runner;
 use crate::subject::SoftPrograms;
 use engine::Lab;
-use row::{Pairs, Row};
+use judge::{Pairs, Row};
 
 /// Longest time of a run.
 const LIMIT: Duration = Duration::from_secs(120);
