@@ -23,7 +23,7 @@ use crate::numbers::Files;
 use crate::scene::Scene;
 use crate::subject::Subject;
 use counters::Breakdown;
-use curve::{Curve, Point};
+use curve::{Curve, Point, for_marks};
 use speedups::Results;
 use strong_weak::Plan;
 
@@ -192,8 +192,8 @@ fn verdict(curve: &Curve) -> String {
     );
     let weak = and_weak(curve.average_weak_efficiency);
     let mut text = format!("Average strong efficiency {strong:.2}{weak}. {grade}");
-    if let Some(strong) = curve.strong_for_marks() {
-        let weak = and_weak(curve.weak_for_marks());
+    if let Some(strong) = for_marks(&curve.strong) {
+        let weak = and_weak(for_marks(&curve.weak));
         text += &format!("\nWithout one worker, as for marks: strong {strong:.2}{weak}.");
     }
     text
