@@ -1,7 +1,6 @@
 //! `cargo lab count`: the number of a processor's events in a step.
 
 use std::collections::BTreeMap;
-use std::process::ExitCode;
 
 use anyhow::Result;
 use clap::Args;
@@ -103,7 +102,7 @@ impl Row {
 }
 
 /// Counts instructions and cache misses, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
     let named = options.programs.of_one_kind()?;
     let hard = named[0].is_hard();
     options.scene.n.get_or_insert(if hard { 2000 } else { 20_000 });
@@ -128,8 +127,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
             println!("\n{}", locations(job, profile));
         }
     }
-    options.json.write(Results { caches: options.caches, after, programs: rows })?;
-    Ok(ExitCode::SUCCESS)
+    options.json.write(Results { caches: options.caches, after, programs: rows })
 }
 
 /// Makes a job for each named variant and each value of the varied quantity.

@@ -1,7 +1,5 @@
 //! `cargo lab timeline`: the activities of each rank in a step.
 
-use std::process::ExitCode;
-
 use anyhow::{Context, Result, ensure};
 use clap::Args;
 use common::{Activity, Event};
@@ -70,7 +68,7 @@ impl Options {
 }
 
 /// Runs the programs, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let package = options.subject.package()?;
     ensure!(package.has_ranks(), "lab {} has no ranks", package.lab);
     let (runner, programs) = options.subject.build(kit, &[], false)?;
@@ -89,8 +87,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         println!("{timeline}");
         timelines.push(timeline);
     }
-    options.files.write(&timelines, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(&timelines, |shown| options.draw(shown))
 }
 
 impl Timeline {

@@ -3,8 +3,6 @@
 mod growth;
 mod line;
 
-use std::process::ExitCode;
-
 use anyhow::{Result, ensure};
 use clap::Args;
 use lab_kit::Kit;
@@ -60,7 +58,7 @@ impl Options {
 }
 
 /// Takes the measurements, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let hard = options.subject.package()?.is_hard();
     let from = options.from;
     let to = options.to.unwrap_or(if hard { 16_000 } else { 128_000 });
@@ -89,8 +87,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         lines.push(line);
     }
     let results = Results { lines, streaming_bound: timings.bounds };
-    options.files.write(results, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(results, |shown| options.draw(shown))
 }
 
 fn is_same_line(a: &Timing, b: &Timing) -> bool {

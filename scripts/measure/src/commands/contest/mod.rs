@@ -13,7 +13,6 @@ mod trial;
 
 use std::hash::{BuildHasher, RandomState};
 use std::path::PathBuf;
-use std::process::ExitCode;
 use std::time::Duration;
 
 use anyhow::{Result, ensure};
@@ -99,10 +98,9 @@ impl Options {
 }
 
 /// Takes the measurements, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
     if let Some(folder) = &options.class {
-        class_page::write(kit, folder)?;
-        return Ok(ExitCode::SUCCESS);
+        return class_page::write(kit, folder);
     }
     if options.quick {
         options.rounds = 1;
@@ -140,8 +138,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         if options.quick { "; small scenes, so the numbers say little" } else { "" }
     );
     let results = Results { seed, threads: contest.threads, entries, landmarks };
-    options.files.write(results, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(results, |shown| options.draw(shown))
 }
 
 /// Reads the landmarks; empty if the kit has none. A landmark that is also an entry of this contest

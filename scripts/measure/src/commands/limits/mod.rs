@@ -4,7 +4,6 @@ mod rows;
 mod takes;
 
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use anyhow::{Context, Result, ensure};
 use clap::Args;
@@ -61,7 +60,7 @@ impl Options {
 }
 
 /// Takes the measurements, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let mut counted = Vec::new();
     let mut caches = None;
     for file in &options.counts {
@@ -85,8 +84,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         rows.push(Row::new(run, least, &costs, &runner, options.steps)?);
     }
     println!("{}\n{}", table(&rows), costs.in_words());
-    options.files.write(Results { costs, programs: rows }, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(Results { costs, programs: rows }, |shown| options.draw(shown))
 }
 
 /// Whether the workers of a program share its work, according to the lab's facts.

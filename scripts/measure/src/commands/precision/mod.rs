@@ -9,7 +9,6 @@ mod diagram;
 pub(crate) mod group;
 pub mod reference;
 
-use std::process::ExitCode;
 use std::sync::Arc;
 
 use anyhow::Result;
@@ -58,7 +57,7 @@ impl Options {
 }
 
 /// Takes the measurements, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
     let mut divisions = vec![1, 2, 5, 10, 20, 50];
     if options.quick {
         divisions = vec![1, 10];
@@ -92,6 +91,5 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         println!("{}", diagram::table(&group));
         groups.push(group);
     }
-    options.files.write(&groups, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(&groups, |shown| options.draw(shown))
 }

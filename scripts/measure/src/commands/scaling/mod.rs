@@ -5,8 +5,6 @@ mod curve;
 mod speedups;
 mod strong_weak;
 
-use std::process::ExitCode;
-
 use anyhow::{Result, ensure};
 use clap::Args;
 use lab_kit::machine::{cores, doubled_up_to};
@@ -97,7 +95,7 @@ impl Options {
 }
 
 /// Takes the measurements, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let package = options.subject.package()?;
     ensure!(
         package.workers != Workers::Device,
@@ -122,8 +120,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut serial = timings.timings;
     serial.retain(|timing| timing.job.program == plan.serial);
     let results = Results { serial, curves, streaming_bound: timings.bounds };
-    options.files.write(results, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(results, |shown| options.draw(shown))
 }
 
 /// Finds the best serial program for the problem of this lab; `None` if the kit does not have one.
