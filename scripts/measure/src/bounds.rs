@@ -18,14 +18,14 @@ const EXPLAINS: f64 = 0.5;
 /// Costs of one core of this machine, in nanoseconds.
 #[derive(Clone, Copy, Deserialize, Serialize)]
 pub struct Costs {
-    instruction: f64,
+    pub(crate) instruction: f64,
     misprediction: f64,
     /// A load from the second-level cache, in a chain of dependent loads.
     second_level: f64,
     /// A load that misses the second-level cache, in a chain of dependent loads.
     beyond: f64,
     /// A multiplication or an addition.
-    operation: f64,
+    pub(crate) operation: f64,
 }
 
 /// Bounds on a program's time per particle and step, in nanoseconds, computed from its counts.
@@ -67,16 +67,6 @@ impl Costs {
             1.0 / instruction,
             1.0 / operation
         )
-    }
-
-    /// Returns the greatest number of instructions in a nanosecond.
-    pub(crate) fn most_instructions(&self) -> f64 {
-        1.0 / self.instruction
-    }
-
-    /// Returns the greatest number of floating-point operations in a nanosecond.
-    pub(crate) fn most_operations(&self) -> f64 {
-        1.0 / self.operation
     }
 }
 

@@ -42,8 +42,7 @@ pub(super) fn chart(lines: &[Line]) -> Chart {
 /// Converts (n, seconds of a run) to nanoseconds per particle and step, if the number of `steps` is
 /// given.
 fn shown(runs: impl Iterator<Item = (f64, f64)>, steps: Option<f64>) -> Vec<(f64, f64)> {
-    let value = |n: f64, seconds: f64| steps.map_or(seconds, |steps| 1e9 * seconds / steps / n);
-    runs.map(|(n, seconds)| (n, value(n, seconds))).collect()
+    runs.map(|(n, seconds)| (n, steps.map_or(seconds, |steps| 1e9 * seconds / steps / n))).collect()
 }
 
 /// Returns the names of the course reports' tables that the chart includes.

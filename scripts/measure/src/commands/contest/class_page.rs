@@ -80,10 +80,11 @@ pub fn publish(kit: &Kit, mut entries: Vec<(String, Vec<Entry>)>, into: &Path) -
 /// # Errors
 /// If two files have different scenes, or if a file does not contain a contest.
 fn read(folder: &Path) -> Result<Vec<(String, Vec<Entry>)>> {
-    let unread = || format!("cannot read {}", folder.display());
     let mut files = Vec::new();
     let mut seed = None;
-    for file in fs::read_dir(folder).with_context(unread)? {
+    let listed =
+        fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
+    for file in listed {
         let path = file?.path();
         if path.extension().is_none_or(|extension| extension != "json") {
             continue;

@@ -6,7 +6,7 @@ use oracle::contest::Kind;
 use super::entry::Entry;
 use super::ranking::{Ranking, unranked};
 use crate::chart::{Axis, Chart, Kind as Look, Series};
-use crate::clock::{Span, Times};
+use crate::clock::Span;
 use crate::columns::Columns;
 use crate::commands::precision::group::front;
 
@@ -36,12 +36,8 @@ pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
     let mut kinds = Columns::of("time / error", |row: &Row| row.name.clone());
     for kind in Kind::ALL {
         kinds = kinds.perhaps(kind.name(), move |row| {
-            let median = |times: Times| three_digits(times.median);
-            Some(format!(
-                "{} / {}",
-                row.entry.times(kind).map(median)?,
-                row.entry.errors(kind).map(median)?
-            ))
+            let time = three_digits(row.entry.times(kind)?.median);
+            Some(format!("{time} / {}", three_digits(row.entry.errors(kind)?.median)))
         });
     }
     let mut text = format!("{}\n{}", places.table(&rows), kinds.table(&rows));

@@ -51,9 +51,9 @@ pub struct Results {
 
 impl Options {
     pub(in crate::commands) fn draw(&self, results: Results) -> Result<Sheet> {
-        let most = results.costs.most_operations();
+        let most = 1.0 / results.costs.operation;
         let flops = results.roof("Operations", "operations", most, |row| row.operations);
-        let most = results.costs.most_instructions();
+        let most = 1.0 / results.costs.instruction;
         let all = results.roof("Instructions", "instructions", most, |row| Some(row.instructions));
         Ok(vec![vec![flops, all]])
     }

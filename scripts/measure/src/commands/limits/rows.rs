@@ -67,11 +67,9 @@ impl Row {
         let counts = run.row.counts();
         let bounds = Bounds::new(counts, costs, least.streaming);
         let each = 1e9 / (run.n() as f64 * steps as f64);
-        let time = each * least.alone.seconds();
-        let all_cores = match least.on_all {
-            Some(on_all) => Some(Shared::new(runner, run, each * on_all.seconds(), time)?),
-            None => None,
-        };
+        let time = each * least.seconds();
+        let all_cores =
+            least.seconds_on_all().map(|all| Shared::new(runner, run, each * all, time));
         Ok(Self {
             program: run.row.job.program.clone(),
             n: run.n(),
@@ -84,7 +82,7 @@ impl Row {
             instructions: counts[0],
             bytes: bytes(counts),
             operations: operations(runner, &run.job(1, run.after + steps))?,
-            all_cores,
+            all_cores: all_cores.transpose()?,
         })
     }
 }
