@@ -15,20 +15,20 @@
 //! times; these counts give the least times of a program, its [bounds].
 
 pub mod autograder;
-pub mod bounds;
-pub mod cachegrind;
+mod bounds;
+mod cachegrind;
 pub mod chart;
 pub mod clock;
 pub mod columns;
 pub mod commands;
-pub mod cs3210;
+mod cs3210;
 pub mod experiment;
-pub mod fit;
+mod fit;
 pub mod job;
 pub mod numbers;
-pub mod over;
+mod over;
 pub mod published;
 pub mod runner;
 pub mod scene;
-pub mod scene_options;
-pub mod subject;
+mod scene_options;
+mod subject;

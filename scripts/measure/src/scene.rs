@@ -115,9 +115,6 @@ impl Scene {
     /// Appends the options to a command that make a program take `steps` steps of the scene.
     ///
     /// The function writes to `file` those parts of the scene that options cannot express.
-    ///
-    /// # Errors
-    /// The file cannot be written.
     pub(crate) fn tell(&self, command: &mut Command, file: &Path, steps: u64) -> Result<()> {
         if let Self::Hard { n, side, radius, random: RandomDiscs { speeds, blob } } = self {
             write_file(file, format!("{n} {side} {radius} {steps} perf\n"))?;

@@ -7,7 +7,7 @@ use super::scene::{RandomDiscs, Scene};
 
 /// Options of a scene without the number of discs.
 #[derive(Args)]
-pub struct DiscOptions {
+pub(crate) struct DiscOptions {
     /// Side of the square of hard discs [default: 20000]
     #[arg(long, value_name = "L", value_parser = positive)]
     length: Option<f64>,
@@ -28,30 +28,24 @@ pub struct DiscOptions {
 
 /// The options of a scene that all programs share.
 #[derive(Args)]
-pub struct OneScene {
+pub(crate) struct OneScene {
     /// Number of particles [default: 100000; 10000 hard discs]
     #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    pub n: Option<u32>,
+    pub(crate) n: Option<u32>,
     #[command(flatten)]
     discs: DiscOptions,
 }
 
 impl OneScene {
     /// Makes the scene of soft or of hard discs.
-    ///
-    /// # Errors
-    /// An option is for discs of the other kind.
-    pub fn scene(&self, hard: bool) -> Result<Scene> {
+    pub(crate) fn scene(&self, hard: bool) -> Result<Scene> {
         self.discs.scene(self.n.map(|n| n as usize), hard)
     }
 }
 
 impl DiscOptions {
     /// Makes the scene of `n` discs, or of the usual number.
-    ///
-    /// # Errors
-    /// An option is for discs of the other kind.
-    pub fn scene(&self, n: Option<usize>, hard: bool) -> Result<Scene> {
+    pub(crate) fn scene(&self, n: Option<usize>, hard: bool) -> Result<Scene> {
         let Self { length, radius, speeds, blob, neighbours } = *self;
         let usual = Scene::usual(n, hard);
         if let Scene::Hard { n, side, radius: usual_radius, .. } = usual {

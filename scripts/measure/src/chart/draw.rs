@@ -69,7 +69,6 @@ fn above<'p>(chart: &Chart, layout: Layout, plot: &Area<'p>) -> Drawn<Area<'p>> 
     Ok(plot.split_vertically(y).1)
 }
 
-/// Draws the legend.
 fn entries(chart: &Chart, layout: Layout, legend: &Area<'_>) -> Drawn {
     let looks = looks(&chart.series);
     let named = chart.series.iter().zip(&looks).filter(|(series, _)| !series.name.is_empty());

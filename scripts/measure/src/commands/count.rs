@@ -70,9 +70,8 @@ const COLUMNS: [&str; 4] =
 /// Number of locations of a program that the table shows.
 const LOCATIONS: usize = 12;
 
-/// Counts of a program, per particle and step.
 #[derive(Clone, Deserialize, Serialize)]
-pub struct Row {
+pub(super) struct Row {
     #[serde(flatten)]
     pub(super) job: Job,
     #[serde(skip)]
@@ -80,9 +79,8 @@ pub struct Row {
     per_particle_and_step: BTreeMap<String, f64>,
 }
 
-/// All results of the command.
 #[derive(Deserialize, Serialize)]
-pub struct Results {
+pub(super) struct Results {
     pub(super) caches: Caches,
     pub(super) after: u64,
     pub(super) programs: Vec<Row>,
@@ -101,7 +99,6 @@ impl Row {
     }
 }
 
-/// Counts instructions and cache misses, then prints the results and writes them to a file.
 pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
     let named = options.programs.of_one_kind()?;
     let hard = named[0].is_hard();

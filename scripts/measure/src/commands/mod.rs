@@ -1,17 +1,17 @@
 //! The measuring commands.
 
-pub mod complexity;
+mod complexity;
 pub mod contest;
-pub mod count;
-pub mod limits;
+mod count;
+mod limits;
 pub mod precision;
-pub mod race;
-pub mod scaling;
-pub mod speed;
-pub mod stress;
-pub mod sweep;
-pub mod timeline;
-pub mod traffic;
+mod race;
+mod scaling;
+mod speed;
+mod stress;
+mod sweep;
+mod timeline;
+mod traffic;
 
 use std::path::Path;
 use std::process::ExitCode;

@@ -55,7 +55,6 @@ struct Results<'r> {
     streaming_bound: &'r [Bound],
 }
 
-/// Times the programs and prints the table.
 pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let programs = options.programs.of_one_kind()?;
     let runner = Runner::build(kit, &programs)?;

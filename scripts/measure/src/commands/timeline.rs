@@ -39,7 +39,7 @@ pub struct Options {
 
 /// A run, and the step that is drawn.
 #[derive(Deserialize, Serialize)]
-pub struct Timeline {
+pub(super) struct Timeline {
     program: Program,
     n: usize,
     steps: u64,
@@ -67,7 +67,6 @@ impl Options {
     }
 }
 
-/// Runs the programs, then prints the results and writes them to a file.
 pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let package = options.subject.package()?;
     ensure!(package.has_ranks(), "lab {} has no ranks", package.lab);
@@ -121,7 +120,6 @@ impl Timeline {
         })
     }
 
-    /// Draws a lane for each rank.
     fn chart(&self) -> Chart {
         let parts = Activity::ALL.map(Activity::name).map(|name| {
             let of_it = self.stretches.iter().filter(|stretch| stretch.activity == name);

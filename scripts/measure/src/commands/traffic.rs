@@ -55,7 +55,6 @@ const COLUMNS: [(&str, &str); 7] = [
 
 const BYTES: &str = "bytes per step, mean rank";
 
-/// The counters of one run.
 #[derive(Deserialize, Serialize)]
 struct Point {
     program: Program,
@@ -72,9 +71,8 @@ struct Slope {
     slope_of_bytes: Option<f64>,
 }
 
-/// All results of the command.
 #[derive(Deserialize, Serialize)]
-pub struct Results {
+pub(super) struct Results {
     runs: Vec<Point>,
     slopes: Vec<Slope>,
 }
@@ -85,7 +83,6 @@ impl Options {
     }
 }
 
-/// Counts the messages, then prints the results and writes them to a file.
 pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let package = options.subject.package()?;
     ensure!(

@@ -44,9 +44,8 @@ pub struct Options {
     pub(super) files: Files,
 }
 
-/// All results of the command.
 #[derive(Deserialize, Serialize)]
-pub struct Results {
+pub(super) struct Results {
     lines: Vec<Line>,
     streaming_bound: Vec<Bound>,
 }
@@ -57,7 +56,6 @@ impl Options {
     }
 }
 
-/// Takes the measurements, then prints the results and writes them to a file.
 pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let hard = options.subject.package()?.is_hard();
     let from = options.from;

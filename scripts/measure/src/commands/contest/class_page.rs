@@ -75,10 +75,6 @@ pub fn publish(kit: &Kit, mut entries: Vec<(String, Vec<Entry>)>, into: &Path) -
     Ok(into.join(PAGE))
 }
 
-/// Reads the entries of all students.
-///
-/// # Errors
-/// If two files have different scenes, or if a file does not contain a contest.
 fn read(folder: &Path) -> Result<Vec<(String, Vec<Entry>)>> {
     let mut files = Vec::new();
     let mut seed = None;
@@ -142,7 +138,6 @@ fn earned(entry: &Entry, goals: &[Goal], landmarks: &[Entry]) -> Result<f64> {
     Ok(sum)
 }
 
-/// Explains the points.
 fn rules(goals: &[Goal]) -> String {
     let mut text =
         "points for an entry that is better than an engine in one of the rankings\n".to_owned();

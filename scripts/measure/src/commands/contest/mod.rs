@@ -97,7 +97,6 @@ impl Options {
     }
 }
 
-/// Takes the measurements, then prints the results and writes them to a file.
 pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
     if let Some(folder) = &options.class {
         return class_page::write(kit, folder);

@@ -10,7 +10,6 @@ use crate::clock::Span;
 use crate::columns::Columns;
 use crate::commands::precision::group::front;
 
-/// A line of the tables.
 struct Row<'e> {
     name: String,
     entry: &'e Entry,

@@ -42,9 +42,8 @@ pub struct Options {
     pub(in crate::commands) files: Files,
 }
 
-/// All results of the command.
 #[derive(Deserialize, Serialize)]
-pub struct Results {
+pub(super) struct Results {
     costs: Costs,
     programs: Vec<Row>,
 }
@@ -59,7 +58,6 @@ impl Options {
     }
 }
 
-/// Takes the measurements, then prints the results and writes them to a file.
 pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let mut counted = Vec::new();
     let mut caches = None;

@@ -56,7 +56,6 @@ impl Options {
     }
 }
 
-/// Takes the measurements, then prints the results and writes them to a file.
 pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
     let mut divisions = vec![1, 2, 5, 10, 20, 50];
     if options.quick {

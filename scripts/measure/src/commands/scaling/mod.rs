@@ -94,7 +94,6 @@ impl Options {
     }
 }
 
-/// Takes the measurements, then prints the results and writes them to a file.
 pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let package = options.subject.package()?;
     ensure!(

@@ -8,7 +8,6 @@ use crate::experiment::{Timing, Timings};
 use crate::job::Job;
 use crate::scene::Scene;
 
-/// The scenes and numbers of workers of a measurement.
 pub(super) struct Plan {
     /// The serial program, whose time is t₁.
     pub(super) serial: Program,
@@ -55,7 +54,6 @@ impl Plan {
         Some(Job { scene, ..self.strong_job(program, workers) })
     }
 
-    /// Returns a curve for each program.
     pub(super) fn curves(&self, timings: &Timings) -> Vec<Curve> {
         let mut curves = Vec::new();
         for program in &self.programs {

@@ -19,7 +19,6 @@ pub(super) type Answer = Result<Option<Vec<Vec<Particle>>>>;
 /// A way to run a scene of a trial.
 pub(super) type Run<'a> = dyn Fn(&Scene) -> Answer + 'a;
 
-/// A variant of a lab's program.
 pub(super) struct Lab<'a> {
     pub(super) program: Program,
     pub(super) known: Known,
@@ -36,7 +35,6 @@ impl Lab<'_> {
         Method::of(self.program.variant.as_deref().unwrap_or_default())
     }
 
-    /// Runs a scene of a trial.
     pub(super) fn run(&self, scene: &Scene, trial: &Trial) -> Answer {
         let &Trial { steps, every, stretch, .. } = trial;
         let scene = scene::Scene::Given(Arc::new(scene.clone()));

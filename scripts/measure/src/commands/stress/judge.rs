@@ -11,7 +11,6 @@ use super::method::Method;
 use super::observed::{Met, Observed};
 use super::trials::{Column, Trial};
 
-/// A cell of the table.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Cell {
     pub(super) trial: &'static str,
@@ -35,7 +34,6 @@ pub(super) enum Verdict {
     Fails(String),
 }
 
-/// The results of a program.
 #[derive(Serialize)]
 pub(super) struct Row {
     pub(super) program: Program,

@@ -13,7 +13,6 @@ use super::trials::{Trial, short};
 /// step, and the state after it.
 type Mistake = fn(f64, &[Particle], &mut [Particle]);
 
-/// No mistake.
 const NONE: Mistake = |_, _, _| {};
 
 /// Takes official steps, and makes a mistake after each.

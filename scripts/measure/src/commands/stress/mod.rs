@@ -56,7 +56,6 @@ impl Options {
     }
 }
 
-/// Runs the trials, then prints the results and writes them to a file.
 pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let packages = options.programs.packages(kit, options.quick)?;
     let mut runner = Runner::build(kit, &packages)?;

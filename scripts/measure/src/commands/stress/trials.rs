@@ -41,7 +41,6 @@ pub(super) enum Observable {
     Inside,
 }
 
-/// A column of the table.
 #[derive(Clone, Copy)]
 pub(super) struct Column {
     pub(super) head: &'static str,

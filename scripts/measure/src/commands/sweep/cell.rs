@@ -11,7 +11,6 @@ use crate::over::Varied;
 use crate::published::HARD_STEPS;
 use crate::scene::{RandomDiscs, Scene};
 
-/// The run of a variant at one value.
 #[derive(Serialize)]
 pub(super) struct Cell {
     #[serde(flatten)]

@@ -60,7 +60,7 @@ struct Results<'r> {
 
 /// The part of the results that the chart needs.
 #[derive(Deserialize)]
-pub struct Runs {
+pub(super) struct Runs {
     #[serde(default)]
     device: Option<String>,
     runs: Vec<Timing>,
@@ -75,7 +75,6 @@ impl Options {
     }
 }
 
-/// Takes the measurements, then prints the results and writes them to a file.
 pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let first = &programs[0];
@@ -153,7 +152,6 @@ fn chart(title: String, varied: &Varied, cells: &[Cell]) -> Chart {
     chart
 }
 
-/// Makes the axis of the quantity.
 fn across(varied: &Varied, cells: &[Cell]) -> Axis {
     let at = cells.iter().map(|cell| cell.at);
     match varied {
@@ -166,7 +164,6 @@ fn across(varied: &Varied, cells: &[Cell]) -> Axis {
     }
 }
 
-/// Makes the axis of times.
 fn upwards(varied: &Varied, cells: &[Cell]) -> Axis {
     match varied {
         Varied::N => Axis::log("ms a step"),
