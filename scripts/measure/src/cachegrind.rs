@@ -73,9 +73,8 @@ impl Caches {
         there.ok().filter(|status| status.success()).context(
             "there is no valgrind, which counts: install it, on Debian and Ubuntu with 'sudo apt install valgrind'",
         )?;
-        let mut words: Vec<String> = Vec::new();
-        words.extend(same_addresses().iter().copied().map(String::from));
-        words.extend(COUNTING.map(String::from));
+        let mut words: Vec<String> =
+            same_addresses().iter().chain(&COUNTING).map(|word| (*word).into()).collect();
         for (name, kib, ways) in [("I1", &32, 8), ("D1", first_level, 8), ("LL", last_level, 16)] {
             words.push(format!("--{name}={},{ways},64", 1024 * kib));
         }

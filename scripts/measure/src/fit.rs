@@ -65,12 +65,7 @@ impl Effort {
         let share = self.seconds / (jobs.len() * usize::from(self.rounds)) as f64;
         match fit {
             Fit::Alike => self.alike(runner, jobs, share),
-            Fit::Each { most, affordable } => {
-                let longest = (2.0 * share).max(self.seconds * LONGEST);
-                let is_limited = affordable && self.steps.is_none();
-                let longest = if is_limited { longest } else { f64::INFINITY };
-                self.each(runner, jobs, share, most, longest)
-            }
+            Fit::Each { most, affordable } => self.each(runner, jobs, share, most, affordable),
         }
     }
 
@@ -86,20 +81,23 @@ impl Effort {
         Ok(Fitted { jobs, left_out: Vec::new() })
     }
 
-    /// Chooses the steps of each job separately. Omits jobs of which a single step would take
-    /// longer than `longest` seconds.
+    /// Chooses the steps of each job separately. With `affordable`, jobs are omitted of which a
+    /// single step would take far too long.
     fn each(
         &self,
         runner: &Runner,
         jobs: Vec<Job>,
         share: f64,
         most: u64,
-        longest: f64,
+        affordable: bool,
     ) -> Result<Fitted> {
+        let longest = (2.0 * share).max(self.seconds * LONGEST);
+        let is_limited = affordable && self.steps.is_none();
         let mut tried: Vec<TriedOut> = Vec::new();
         let mut left_out = Vec::new();
         for job in jobs {
-            if let Some(step) = foreseen(&tried, &job).filter(|step| *step > longest) {
+            if let Some(step) = foreseen(&tried, &job).filter(|step| is_limited && *step > longest)
+            {
                 let allowed = format!("and --seconds {} allows {longest:.1}", self.seconds);
                 let why = format!("left out: a step would take about {step:.1} s, {allowed}");
                 left_out.push((job, why));

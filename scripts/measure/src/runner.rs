@@ -6,7 +6,7 @@ use std::process::Command;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail, ensure};
-use lab_kit::binaries::Binaries;
+use lab_kit::binaries::{Binaries, Known};
 use lab_kit::program::Program;
 use lab_kit::starter::Record;
 use lab_kit::{Kit, process};
@@ -82,6 +82,15 @@ impl Runner {
             command.args(["--param", &format!("{name}={value}")]);
         }
         Ok(command)
+    }
+
+    /// Returns the variants of all programs, or the one that a program names.
+    pub(crate) fn variants(&self, programs: &[Program]) -> Result<Vec<(Program, Known)>> {
+        let mut all = Vec::new();
+        for program in programs {
+            all.extend(self.binaries.variants(program)?);
+        }
+        Ok(all)
     }
 
     /// Returns the folder of the programs' files.

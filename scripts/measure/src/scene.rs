@@ -81,8 +81,10 @@ impl Scene {
     /// Returns the number of particles or discs.
     pub fn n(&self) -> usize {
         match self {
-            Self::Soft { n } | Self::Counter { n } | Self::Spread { n, .. } => *n,
-            Self::Hard { n, .. } => *n,
+            Self::Soft { n }
+            | Self::Counter { n }
+            | Self::Spread { n, .. }
+            | Self::Hard { n, .. } => *n,
             Self::Given(scene) => scene.len(),
         }
     }
@@ -130,17 +132,14 @@ impl Scene {
         }
         command.args(["--steps", &steps.to_string()]);
         match self {
-            Self::Spread { n, neighbours } => {
-                write_scene(file, &spread(*n, *neighbours)?)?;
-                command.arg("--scene").arg(file);
-            }
-            Self::Given(scene) => {
-                write_scene(file, scene)?;
-                command.arg("--scene").arg(file);
-            }
+            Self::Spread { n, neighbours } => write_scene(file, &spread(*n, *neighbours)?)?,
+            Self::Given(scene) => write_scene(file, scene)?,
             other => {
                 command.args(["-s", "1", "-n", &other.n().to_string()]);
             }
+        }
+        if let Self::Spread { .. } | Self::Given(_) = self {
+            command.arg("--scene").arg(file);
         }
         if let Self::Counter { .. } = self {
             command.args(["--generator", "counter"]);

@@ -5,6 +5,7 @@ use anyhow::{Result, bail, ensure};
 use clap::Args;
 
 use super::runner::Runner;
+use lab_kit::binaries::Known;
 use lab_kit::program::Program;
 use lab_kit::{Discs, Kit, Lab, Workers};
 use lab_machine::Mpiexec;
@@ -61,10 +62,9 @@ impl Programs {
 }
 
 impl SoftPrograms {
-    /// Returns the programs that the user named, or all solutions that this machine can run.
-    ///
-    /// With `quick`, solutions with ranks are omitted.
-    pub(crate) fn packages(&self, kit: &Kit, quick: bool) -> Result<Vec<Program>> {
+    /// Builds the programs that the user named, or all solutions that this machine can run, and
+    /// returns their variants. With `quick`, solutions with ranks are omitted.
+    pub(crate) fn build(&self, kit: &Kit, quick: bool) -> Result<(Runner, Vec<(Program, Known)>)> {
         let mut packages = self.programs.clone();
         for program in &mut packages {
             program.solution |= self.solution;
@@ -78,7 +78,9 @@ impl SoftPrograms {
                 Err(why) => println!("left out: labs with ranks ({why})"),
             }
         }
-        Ok(packages)
+        let runner = Runner::build(kit, &packages)?;
+        let variants = runner.variants(&packages)?;
+        Ok((runner, variants))
     }
 }
 
@@ -104,11 +106,11 @@ impl Subject {
         let packages = [others, std::slice::from_ref(&package)].concat();
         let runner = Runner::build(kit, &packages)?;
         let mut programs = Vec::new();
-        for program in std::iter::once(package.clone()).chain(package.others()?) {
-            for (mut program, variant) in runner.binaries.variants(&program)? {
-                program.parameters.retain(|(set, _)| variant.has(set));
-                programs.push(program);
-            }
+        for (mut program, known) in
+            runner.variants(&[vec![package.clone()], package.others()?].concat())?
+        {
+            program.parameters.retain(|(set, _)| known.has(set));
+            programs.push(program);
         }
         ensure!(!programs.is_empty(), "{} has no variants", package.package());
         let programs = self.chosen(programs, all)?;
@@ -124,14 +126,12 @@ impl Subject {
     }
 
     fn chosen(&self, mut programs: Vec<Program>, all: bool) -> Result<Vec<Program>> {
-        match self.variant.as_slice() {
-            [] if all => return Ok(programs),
-            [] => {
-                programs.truncate(1);
-                return Ok(programs);
-            }
-            [all] if all == "all" => return Ok(programs),
-            _ => {}
+        if self.variant == ["all"] || all && self.variant.is_empty() {
+            return Ok(programs);
+        }
+        if self.variant.is_empty() {
+            programs.truncate(1);
+            return Ok(programs);
         }
         let mut chosen = Vec::new();
         for name in &self.variant {

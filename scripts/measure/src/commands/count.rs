@@ -74,8 +74,6 @@ const LOCATIONS: usize = 12;
 pub(super) struct Row {
     #[serde(flatten)]
     pub(super) job: Job,
-    #[serde(skip)]
-    at: Option<f64>,
     per_particle_and_step: BTreeMap<String, f64>,
 }
 
@@ -87,11 +85,10 @@ pub(super) struct Results {
 }
 
 impl Row {
-    fn new(job: &Job, profile: &Profile, over: Option<&Over>) -> Self {
+    fn new(job: &Job, profile: &Profile) -> Self {
         let counts = per(job, profile.total());
         let per_particle_and_step = COLUMNS.map(Into::into).into_iter().zip(counts).collect();
-        let at = over.map(|over| over.varied.of(job));
-        Self { at, per_particle_and_step, job: job.clone() }
+        Self { job: job.clone(), per_particle_and_step }
     }
 
     pub(super) fn counts(&self) -> Counts {
@@ -111,7 +108,7 @@ pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
     let profiles = one_by_one(&jobs, Job::name, |job| profile(&runner, job, after, by))?;
     let mut rows = Vec::new();
     for (job, profile) in jobs.iter().zip(&profiles) {
-        rows.push(Row::new(job, profile, options.over.as_ref()));
+        rows.push(Row::new(job, profile));
     }
     println!("{}", table(options.over.as_ref(), &rows));
     print!("Per particle and step, of {} steps after {after}", options.steps);
@@ -129,10 +126,7 @@ pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
 
 /// Makes a job for each named variant and each value of the varied quantity.
 fn jobs(options: &Options, runner: &Runner, named: &[Program]) -> Result<Vec<Job>> {
-    let mut programs = Vec::new();
-    for program in named {
-        programs.extend(runner.binaries.variants(program)?.into_iter().map(|(program, _)| program));
-    }
+    let programs: Vec<Program> = runner.variants(named)?.into_iter().map(|(one, _)| one).collect();
     let scene = options.scene.scene(named[0].is_hard())?;
     let like = Job::new(programs[0].clone(), scene);
     let like = Job { workers: options.t.into(), steps: options.steps, ..like };
@@ -158,7 +152,7 @@ pub(super) fn per(job: &Job, counts: Counts) -> Counts {
 fn table(over: Option<&Over>, rows: &[Row]) -> Table {
     let head = over.map_or(String::new(), |over| over.varied.to_string());
     Columns::of("program", |row: &Row| row.job.program.to_string())
-        .number(head, |row| row.at)
+        .number(head, |row| Some(over?.varied.of(&row.job)))
         .numbers(COLUMNS, |row, at| Some(row.counts()[at]))
         .table(rows)
 }

@@ -95,10 +95,10 @@ impl Timeline {
         let mut ms = vec![vec![[0.0; 3]; ranks]; job.steps as usize];
         let mut ms_per_step = vec![[0.0; 3]; ranks];
         for Event { rank, step, activity, begin, end } in events {
-            let of_step = ms.get_mut(*step as usize)?;
-            of_step[*rank as usize][*activity as usize] += 1e3 * (end - begin);
-            ms_per_step[*rank as usize][*activity as usize] +=
-                1e3 * (end - begin) / job.steps as f64;
+            let [rank, activity] = [*rank as usize, *activity as usize];
+            let took = 1e3 * (end - begin);
+            ms.get_mut(*step as usize)?[rank][activity] += took;
+            ms_per_step[rank][activity] += took / job.steps as f64;
         }
         let step = typical(&ms)?;
         let mut drawn: Vec<&Event> = events.iter().collect();

@@ -112,10 +112,7 @@ pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
     let packages = [&options.programs[..], std::slice::from_ref(&reference)].concat();
     let mut runner = Runner::build(kit, &packages)?;
     runner.limit = Duration::from_secs(options.limit);
-    let mut programs = Vec::new();
-    for program in &options.programs {
-        programs.extend(runner.binaries.variants(program)?.into_iter().map(|(program, _)| program));
-    }
+    let variants = runner.variants(&options.programs)?;
     let clock = RandomState::new().hash_one(()) as u32 % 1_000_000 + 1;
     let contest = Contest {
         reference,
@@ -124,7 +121,7 @@ pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
         seed: options.seed.unwrap_or(clock),
     };
     let scenes = contest.scenes(options.rounds)?;
-    let mut entries: Vec<Entry> = programs.into_iter().map(Entry::new).collect();
+    let mut entries: Vec<Entry> = variants.into_iter().map(|(one, _)| Entry::new(one)).collect();
     contest.measure(&by(&runner), &scenes, &mut entries)?;
     contest.count(&mut runner, options.caches, options.rounds, &mut entries)?;
     let seed = contest.seed;

@@ -19,7 +19,6 @@ use lab_kit::Kit;
 use crate::chart::Sheet;
 use crate::experiment::{in_turns, one_by_one};
 use crate::numbers::Files;
-use crate::runner::Runner;
 use crate::subject::SoftPrograms;
 use candidate::{Candidate, STEPS, candidates};
 use group::Group;
@@ -64,13 +63,10 @@ pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
         options.rounds = 1;
         options.seeds = 0;
     }
-    let packages = options.programs.packages(kit, options.quick)?;
-    let runner = Runner::build(kit, &packages)?;
+    let (runner, variants) = options.programs.build(kit, options.quick)?;
     let mut all = Vec::new();
-    for package in &packages {
-        for (program, known) in runner.binaries.variants(package)? {
-            all.extend(candidates(program, &known, &divisions));
-        }
+    for (program, known) in variants {
+        all.extend(candidates(program, &known, &divisions));
     }
     let drifts =
         one_by_one(&all, Candidate::name, |candidate| candidate.drift(&runner, options.seeds))?;

@@ -26,7 +26,6 @@ use lab_kit::Kit;
 use crate::chart::Sheet;
 use crate::experiment::one_by_one;
 use crate::numbers::Files;
-use crate::runner::Runner;
 use crate::subject::SoftPrograms;
 use engine::Lab;
 use judge::{Pairs, Row};
@@ -57,15 +56,11 @@ impl Options {
 }
 
 pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let packages = options.programs.packages(kit, options.quick)?;
-    let mut runner = Runner::build(kit, &packages)?;
+    let (mut runner, variants) = options.programs.build(kit, options.quick)?;
     runner.limit = LIMIT;
-    let mut labs = Vec::new();
-    for package in &packages {
-        for (program, known) in runner.binaries.variants(package)? {
-            labs.push(Lab { program, known, runner: &runner });
-        }
-    }
+    let runner = &runner;
+    let labs = variants.into_iter().map(|(program, known)| Lab { program, known, runner });
+    let labs: Vec<Lab> = labs.collect();
     let trials = trials::all(options.quick);
     let rows = one_by_one(&labs, Lab::name, |lab| Row::of(lab, &trials))?;
     print!("{}", cells::tables(&trials, &rows));
