@@ -52,12 +52,8 @@ impl FromStr for Over {
             "r" | "ranks" => Varied::Ranks,
             parameter => Varied::Parameter(parameter.into()),
         };
-        let mut values = Vec::new();
-        if text.contains('=') {
-            for value in list.split(',') {
-                values.push(varied.value(value.trim())?);
-            }
-        }
+        let listed = list.split(',').filter(|_| text.contains('='));
+        let values = listed.map(|value| varied.value(value.trim())).collect::<Result<_, _>>()?;
         Ok(Self { varied, values })
     }
 }

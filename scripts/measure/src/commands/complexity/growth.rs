@@ -58,16 +58,10 @@ fn beside(hard: bool, parallel: bool) -> &'static [&'static str] {
 ///
 /// The lines end where the points end, to the right or upwards.
 fn guides(points: &[(f64, f64)]) -> [Series; 2] {
-    let mut first = f64::INFINITY;
-    let mut low = f64::INFINITY;
-    let mut last = 0.0_f64;
-    let mut high = 0.0_f64;
-    for &(x, y) in points {
-        first = first.min(x);
-        low = low.min(0.7 * y);
-        last = last.max(x);
-        high = high.max(y);
-    }
+    let first = points.iter().map(|point| point.0).fold(f64::INFINITY, f64::min);
+    let last = points.iter().map(|point| point.0).fold(0.0, f64::max);
+    let low = 0.7 * points.iter().map(|point| point.1).fold(f64::INFINITY, f64::min);
+    let high = points.iter().map(|point| point.1).fold(0.0, f64::max);
     [1, 2].map(|power| {
         let reach = (last / first).min((2.0 * high / low).powf(1.0 / f64::from(power)));
         let end = (first * reach, low * reach.powi(power));

@@ -13,24 +13,22 @@ use crate::commands::precision::group::front;
 struct Row<'e> {
     name: String,
     entry: &'e Entry,
-    places: Vec<String>,
 }
 
 /// Formats tables of all entries' places, results on each kind of scene, and faults.
 pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
-    let all: Vec<&Entry> = entries.iter().chain(landmarks).collect();
+    let all = &*entries.iter().chain(landmarks).collect::<Vec<&Entry>>();
     let mut rows = Vec::new();
     for (at, entry) in all.iter().enumerate() {
         let star = if at < entries.len() { "" } else { " *" };
-        let places = Ranking::ALL.iter().map(|ranking| place(*ranking, entry, &all)).collect();
-        rows.push(Row { name: entry.name() + star, entry, places });
+        rows.push(Row { name: entry.name() + star, entry });
     }
     let mut places = Columns::of("all kinds", |row: &Row| row.name.clone())
         .perhaps("time", |row| row.entry.time.map(range))
         .perhaps("error", |row| row.entry.error.map(range))
         .number("instructions", |row| row.entry.instructions);
-    for (at, ranking) in Ranking::ALL.into_iter().enumerate() {
-        places = places.text(ranking.name(), move |row| row.places[at].clone());
+    for ranking in Ranking::ALL {
+        places = places.text(ranking.name(), move |row| place(ranking, row.entry, all));
     }
     let mut kinds = Columns::of("time / error", |row: &Row| row.name.clone());
     for kind in Kind::ALL {
@@ -40,7 +38,7 @@ pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
         });
     }
     let mut text = format!("{}\n{}", places.table(&rows), kinds.table(&rows));
-    for entry in &all {
+    for entry in all {
         if let Some(why) = unranked(entry) {
             text += &format!("\nnot ranked: {}: {why}", entry.name());
         }
