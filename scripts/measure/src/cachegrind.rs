@@ -83,12 +83,8 @@ impl Caches {
     }
 }
 
-/// Returns the words that give a program the same addresses in each run. They precede its command
-/// line.
-///
-/// The result is empty if the system cannot fix addresses.
-///
-/// Misses and mispredictions depend on the addresses.
+/// Returns the words before a program's command line that give it the same addresses in each run,
+/// on which misses and mispredictions depend; empty if the system cannot fix addresses.
 fn same_addresses() -> &'static [&'static str] {
     const WORDS: [&str; 2] = ["setarch", "--addr-no-randomize"];
     let tried = Command::new(WORDS[0]).args([WORDS[1], "true"]).stderr(Stdio::null()).status();

@@ -54,9 +54,8 @@ fn beside(hard: bool, parallel: bool) -> &'static [&'static str] {
     }
 }
 
-/// Makes lines of slope 1 and 2 through the lower left corner of the measured points.
-///
-/// The lines end where the points end, to the right or upwards.
+/// Makes lines of slope 1 and 2 from the lower left corner of the measured points to where the
+/// points end, to the right or upwards.
 fn guides(points: &[(f64, f64)]) -> [Series; 2] {
     let first = points.iter().map(|point| point.0).fold(f64::INFINITY, f64::min);
     let last = points.iter().map(|point| point.0).fold(0.0, f64::max);

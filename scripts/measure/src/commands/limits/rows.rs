@@ -12,13 +12,10 @@ use crate::columns::Columns;
 use crate::job::{Job, RunOutput};
 use crate::runner::Runner;
 
-/// Floating-point operations that the distance of two particles needs.
-///
-/// Multiplications, additions, divisions and roots count as one operation each.
+/// Floating-point operations of a distance, of the force of a pair on one of its particles, and of
+/// the move of a particle. A division or a root counts as one operation.
 const DISTANCE: f64 = 5.0;
-/// Floating-point operations that the force of a pair on one of its particles needs.
 const FORCE: f64 = 9.0;
-/// Floating-point operations that the move of a particle needs.
 const MOVE: f64 = 8.0;
 
 #[derive(Deserialize, Serialize)]
@@ -87,9 +84,8 @@ impl Row {
     }
 }
 
-/// Returns the floating-point operations per particle and step that the formulas need.
-///
-/// The number follows from the counts of pairs in a run.
+/// Returns the floating-point operations per particle and step that the formulas need for the pairs
+/// that a run counts.
 fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
     if job.program.discs != Discs::Soft {
         return Ok(None);

@@ -110,9 +110,8 @@ impl Breakdown {
 }
 
 impl Point {
-    /// Returns the milliseconds of a step that each counter measures, and the rest of the step.
-    ///
-    /// Returns `None` if the run has no such counter.
+    /// Returns the milliseconds of a step that each counter measures, and the rest of the step;
+    /// `None` if the run has no such counter.
     fn parts(&self, counters: &[String]) -> Option<Vec<f64>> {
         counters.iter().find(|name| self.timing.counters.contains_key(*name))?;
         let mut parts = Vec::new();
