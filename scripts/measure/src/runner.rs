@@ -17,8 +17,7 @@ use super::job::{EVENTS, FRAMES, Job, RunOutput};
 
 /// The binaries of programs, and a folder for their files.
 pub struct Runner {
-    /// The binaries.
-    pub binaries: Binaries,
+    binaries: Binaries,
     folder: TempDir,
     /// Longest time of a run; a month unless a command changes it.
     pub limit: Duration,

@@ -60,7 +60,6 @@ pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let hard = options.subject.package()?.is_hard();
     let from = options.from;
     let to = options.to.unwrap_or(if hard { 16_000 } else { 128_000 });
-    ensure!(from < to, "--from {from} must be less than --to {to}");
     let doubled = std::iter::successors(Some(from), |n| n.checked_mul(2));
     let sizes: Vec<f64> = doubled.take_while(|n| *n <= to).map(f64::from).collect();
     ensure!(sizes.len() > 1, "--to {to} must be at least twice --from {from}");
