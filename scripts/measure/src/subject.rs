@@ -106,9 +106,8 @@ impl Subject {
         let packages = [others, std::slice::from_ref(&package)].concat();
         let runner = Runner::build(kit, &packages)?;
         let mut programs = Vec::new();
-        for (mut program, known) in
-            runner.variants(&[vec![package.clone()], package.others()?].concat())?
-        {
+        let of_lab = [vec![package.clone()], package.others()?].concat();
+        for (mut program, known) in runner.variants(&of_lab)? {
             program.parameters.retain(|(set, _)| known.has(set));
             programs.push(program);
         }
