@@ -3,7 +3,7 @@
 use anyhow::{Result, ensure};
 use clap::Args;
 
-use super::scene::{RandomDiscs, Scene};
+use super::scene::Scene;
 
 /// Options of a scene without the number of discs.
 #[derive(Args)]
@@ -50,12 +50,9 @@ impl DiscOptions {
         let usual = Scene::usual(n, hard);
         if let Scene::Hard { n, side, radius: usual_radius, .. } = usual {
             ensure!(neighbours.is_none(), "hard discs have no --neighbours");
-            return Ok(Scene::Hard {
-                n,
-                side: length.unwrap_or(side),
-                radius: radius.unwrap_or(usual_radius),
-                random: RandomDiscs { speeds, blob },
-            });
+            let side = length.unwrap_or(side);
+            let radius = radius.unwrap_or(usual_radius);
+            return Ok(Scene::Hard { n, side, radius, speeds, blob });
         }
         ensure!(
             length.or(radius).or(blob).is_none() && speeds.is_none(),
@@ -93,8 +90,8 @@ mod tests {
         assert_eq!(NONE.scene(None, true).unwrap(), Scene::usual(None, true));
         assert_eq!(NONE.scene(None, false).unwrap(), Scene::usual(None, false));
         let discs = DiscOptions { length: Some(1e7), speeds: Some((2.0, 5.0)), ..NONE };
-        let random = RandomDiscs { speeds: Some((2.0, 5.0)), blob: None };
-        let expected = Scene::Hard { n: 7, side: 1e7, radius: 1.0, random };
+        let speeds = Some((2.0, 5.0));
+        let expected = Scene::Hard { n: 7, side: 1e7, radius: 1.0, speeds, blob: None };
         assert_eq!(discs.scene(Some(7), true).unwrap(), expected);
         assert!(discs.scene(Some(7), false).is_err());
         let discs = DiscOptions { neighbours: Some(4.7), ..NONE };
