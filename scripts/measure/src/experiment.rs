@@ -144,11 +144,9 @@ fn bounds_of(jobs: &[Job]) -> Vec<Bound> {
     threads.dedup();
     let mut bounds = Vec::new();
     for n in sizes {
-        bounds.extend(threads.iter().map(|&threads| Bound {
-            n,
-            threads,
-            nanoseconds: f64::INFINITY,
-        }));
+        for &threads in &threads {
+            bounds.push(Bound { n, threads, nanoseconds: f64::INFINITY });
+        }
     }
     bounds
 }

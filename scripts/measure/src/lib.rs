@@ -2,8 +2,8 @@
 //!
 //! A measurement goes through these modules:
 //!
-//! 1. A command names programs (`subject`), a [scene] of discs by its options (`scene_options`), and
-//!    a quantity that varies (`over`). These make [jobs](job).
+//! 1. A command names programs (`subject`), a [scene] of discs by its options (`scene_options`),
+//!    and a quantity that varies (`over`). These make [jobs](job).
 //! 2. The number of steps of each job is fitted to the time (`fit`).
 //! 3. The jobs take turns in an [experiment], which uses a [runner]. The results are [times](clock)
 //!    and counters (`Timing`).

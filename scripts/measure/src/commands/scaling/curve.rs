@@ -40,8 +40,8 @@ pub(super) struct Point {
     pub(super) graded: bool,
 }
 
-/// A function that computes an efficiency from the seconds of one worker, the number of workers, and
-/// the seconds of all workers.
+/// A function that computes an efficiency from the seconds of one worker, the number of workers,
+/// and the seconds of all workers.
 pub(super) type Efficiency = fn(f64, usize, f64) -> f64;
 
 impl Curve {

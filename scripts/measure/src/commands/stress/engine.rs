@@ -13,7 +13,8 @@ use crate::job::{Job, States};
 use crate::runner::Runner;
 use crate::scene;
 
-/// The states that a trial observes; `None` if the program's step is fixed and not the trial's.
+/// The states that a trial observes; `None` if the program cannot take the trial's step, because
+/// its own is fixed.
 pub(super) type Answer = Result<Option<Vec<Vec<Particle>>>>;
 
 /// A way to run a scene of a trial.

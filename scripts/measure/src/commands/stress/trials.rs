@@ -26,8 +26,8 @@ pub(super) struct Trial {
 /// The quantity that a trial measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Observable {
-    /// The energy that pairs (2k, 2k + 1) gain in a head-on collision, and whether they pass through
-    /// each other. The pairs are sorted by speed.
+    /// The energy that pairs (2k, 2k + 1) gain in a head-on collision, and whether they pass
+    /// through each other. The pairs are sorted by speed.
     HeadOn { phases: u32 },
     /// Relative change of the total energy.
     Energy,
