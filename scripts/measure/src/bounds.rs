@@ -17,15 +17,15 @@ const EXPLAINS: f64 = 0.5;
 
 /// Costs of one core of this machine, in nanoseconds.
 #[derive(Clone, Copy, Deserialize, Serialize)]
-pub struct Costs {
-    instruction: f64,
+pub(crate) struct Costs {
+    pub(crate) instruction: f64,
     misprediction: f64,
     /// A load from the second-level cache, in a chain of dependent loads.
     second_level: f64,
     /// A load that misses the second-level cache, in a chain of dependent loads.
     beyond: f64,
     /// A multiplication or an addition.
-    operation: f64,
+    pub(crate) operation: f64,
 }
 
 /// Bounds on a program's time per particle and step, in nanoseconds, computed from its counts.
@@ -33,20 +33,19 @@ pub struct Costs {
 /// `instructions` and `bandwidth` are lower bounds. `branches` assumes a simple predictor and
 /// `latency` assumes no prefetching, so a program may take less time than these two.
 #[derive(Clone, Copy, Deserialize, Serialize)]
-pub struct Bounds {
+pub(crate) struct Bounds {
     /// Time of the instructions at the core's greatest rate.
-    pub instructions: f64,
+    pub(crate) instructions: f64,
     /// Time of the branches that a simple predictor mispredicts.
-    pub branches: f64,
+    pub(crate) branches: f64,
     /// Time of the lines that miss the first-level cache, if they stream in one after another.
-    pub bandwidth: f64,
+    pub(crate) bandwidth: f64,
     /// Time of the misses, if each miss waits for the previous miss. A program may take less time.
-    pub latency: f64,
+    pub(crate) latency: f64,
 }
 
 impl Costs {
-    /// Measures the costs, for caches of these sizes.
-    pub fn measure(caches: Caches) -> Self {
+    pub(crate) fn measure(caches: Caches) -> Self {
         let second = caches.second_level();
         Self {
             instruction: core_costs::instruction(),
@@ -57,8 +56,7 @@ impl Costs {
         }
     }
 
-    /// Describes the costs in words.
-    pub fn in_words(&self) -> String {
+    pub(crate) fn in_words(&self) -> String {
         let Self { instruction, misprediction, second_level, beyond, operation } = self;
         format!(
             "One core, at its best: {:.1} instructions a ns, {:.1} multiplications and additions of f64.\n\
@@ -68,16 +66,6 @@ impl Costs {
             1.0 / operation
         )
     }
-
-    /// Returns the greatest number of instructions in a nanosecond.
-    pub(crate) fn most_instructions(&self) -> f64 {
-        1.0 / self.instruction
-    }
-
-    /// Returns the greatest number of floating-point operations in a nanosecond.
-    pub(crate) fn most_operations(&self) -> f64 {
-        1.0 / self.operation
-    }
 }
 
 impl Bounds {
@@ -85,7 +73,7 @@ impl Bounds {
     ///
     /// `streaming` is the measured time per particle of streaming, in nanoseconds. It determines
     /// the bandwidth of this machine.
-    pub fn new(counts: Counts, costs: &Costs, streaming: f64) -> Self {
+    pub(crate) fn new(counts: Counts, costs: &Costs, streaming: f64) -> Self {
         let [instructions, first, last, mispredicted] = counts;
         Self {
             instructions: instructions * costs.instruction,
@@ -96,7 +84,7 @@ impl Bounds {
     }
 
     /// Returns the least time of a program with these counts.
-    pub fn least(&self) -> f64 {
+    pub(crate) fn least(&self) -> f64 {
         self.instructions.max(self.bandwidth)
     }
 
@@ -104,7 +92,7 @@ impl Bounds {
     ///
     /// The bounds of branches and latency assume a simple predictor and no prefetching. They are
     /// named only if they explain why the program takes longer than the least time.
-    pub fn holding(&self, time: f64) -> &'static str {
+    pub(crate) fn holding(&self, time: f64) -> &'static str {
         let least = self.least();
         let rest = time - least;
         if least >= EXPLAINS * time {

@@ -27,7 +27,7 @@ const EVENTS: [(&str, usize); 8] = [
 
 /// The simulated caches, with lines of 64 bytes. The first level has 8 ways, the last level 16.
 #[derive(Args, Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
-pub struct Caches {
+pub(crate) struct Caches {
     /// KiB of the first-level cache of data: a power of two
     #[arg(long, default_value_t = 32, value_name = "KIB", value_parser = power_of_two)]
     first_level: u32,
@@ -37,15 +37,15 @@ pub struct Caches {
 }
 
 /// Instructions, first-level misses, last-level misses, mispredicted branches.
-pub type Counts = [f64; 4];
+pub(crate) type Counts = [f64; 4];
 
 /// Counts of a run by the location in the program: a file with a function or a line.
 #[derive(Debug, Default, PartialEq)]
-pub struct Profile(BTreeMap<String, Counts>);
+pub(crate) struct Profile(BTreeMap<String, Counts>);
 
 /// The kind of the locations in a [`Profile`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum By {
+pub(crate) enum By {
     /// Functions that are not inlined, with the file that a part of them comes from
     Function,
     /// Lines of the source
@@ -58,7 +58,7 @@ const COUNTING: [&str; 5] =
 
 impl Caches {
     /// Returns the bytes of the last-level cache.
-    pub fn second_level(&self) -> usize {
+    pub(crate) fn second_level(&self) -> usize {
         1024 * self.last_level as usize
     }
 
@@ -66,19 +66,15 @@ impl Caches {
     /// command line.
     ///
     /// The counts are in files named `counts.…` in `folder`.
-    ///
-    /// # Errors
-    /// Valgrind is not installed, or it cannot simulate the caches.
-    pub fn tool(&self, folder: &Path) -> Result<Vec<String>> {
+    pub(crate) fn tool(&self, folder: &Path) -> Result<Vec<String>> {
         let Self { first_level, last_level } = self;
         ensure!(first_level <= last_level, "the last level cannot be smaller than the first");
         let there = Command::new("valgrind").arg("--version").stdout(Stdio::null()).status();
         there.ok().filter(|status| status.success()).context(
             "there is no valgrind, which counts: install it, on Debian and Ubuntu with 'sudo apt install valgrind'",
         )?;
-        let mut words: Vec<String> = Vec::new();
-        words.extend(same_addresses().iter().copied().map(String::from));
-        words.extend(COUNTING.map(String::from));
+        let mut words: Vec<String> =
+            same_addresses().iter().chain(&COUNTING).map(|word| (*word).into()).collect();
         for (name, kib, ways) in [("I1", &32, 8), ("D1", first_level, 8), ("LL", last_level, 16)] {
             words.push(format!("--{name}={},{ways},64", 1024 * kib));
         }
@@ -87,12 +83,8 @@ impl Caches {
     }
 }
 
-/// Returns the words that give a program the same addresses in each run. They precede its command
-/// line.
-///
-/// The result is empty if the system cannot fix addresses.
-///
-/// Misses and mispredictions depend on the addresses.
+/// Returns the words before a program's command line that give it the same addresses in each run,
+/// on which misses and mispredictions depend; empty if the system cannot fix addresses.
 fn same_addresses() -> &'static [&'static str] {
     const WORDS: [&str; 2] = ["setarch", "--addr-no-randomize"];
     let tried = Command::new(WORDS[0]).args([WORDS[1], "true"]).stderr(Stdio::null()).status();
@@ -101,10 +93,7 @@ fn same_addresses() -> &'static [&'static str] {
 
 impl Profile {
     /// Reads the files that the processes of a run left in `folder`.
-    ///
-    /// # Errors
-    /// A file is not in cachegrind's format.
-    pub fn take(folder: &Path, by: By) -> Result<Self> {
+    pub(crate) fn take(folder: &Path, by: By) -> Result<Self> {
         let mut profile = Self::default();
         for entry in fs::read_dir(folder)? {
             let path = entry?.path();
@@ -153,12 +142,12 @@ impl Profile {
     }
 
     /// Returns the sums over all locations.
-    pub fn total(&self) -> Counts {
+    pub(crate) fn total(&self) -> Counts {
         from_fn(|at| self.0.values().map(|counts| counts[at]).sum())
     }
 
     /// Subtracts the counts of a shorter run with the same beginning.
-    pub fn beyond(&self, shorter: &Self) -> Self {
+    pub(crate) fn beyond(&self, shorter: &Self) -> Self {
         let mut beyond = Self::default();
         for (location, counts) in &self.0 {
             let before = shorter.0.get(location).copied().unwrap_or_default();
@@ -168,7 +157,7 @@ impl Profile {
     }
 
     /// Returns the `most` locations with the most instructions, in descending order.
-    pub fn first(&self, most: usize) -> Vec<(&str, Counts)> {
+    pub(crate) fn first(&self, most: usize) -> Vec<(&str, Counts)> {
         let mut locations: Vec<_> =
             self.0.iter().map(|(location, counts)| (&**location, *counts)).collect();
         locations.sort_by(|(_, a), (_, b)| b[0].total_cmp(&a[0]));

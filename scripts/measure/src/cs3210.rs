@@ -5,10 +5,10 @@ use serde::Serialize;
 
 use super::published::{growth, scaling, swept};
 
-/// A number of the CS3210 report for a run of [`HARD_STEPS`] steps.
+/// A number of the CS3210 report for a run of 50 steps, in seconds unless it is scaled.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Printed {
+pub(crate) enum Printed {
     /// The report's program ended with a segmentation fault.
     Crashes,
     /// The shortest of three takes.
@@ -31,7 +31,7 @@ impl Printed {
 /// A program runs with threads (OpenMP), ranks (MPI) or a device (CUDA). `workers` is the number of
 /// workers if it varies. Other runs of the report used 20 threads or 16 processes, and its Table 2
 /// used 20 threads.
-pub fn hard_discs(
+pub(crate) fn hard_discs(
     with: Workers,
     variant: &str,
     (n, side, radius): (usize, f64, f64),

@@ -21,22 +21,20 @@ use super::runner::Runner;
 
 /// Times of a job in all rounds.
 #[derive(Clone, Debug, Deserialize, Serialize)]
-pub struct Timing {
-    /// The job.
+pub(crate) struct Timing {
     #[serde(flatten)]
-    pub job: Job,
+    pub(crate) job: Job,
     #[serde(skip_deserializing)]
     ranks: Option<usize>,
     #[serde(skip_deserializing)]
     threads: usize,
-    /// The job's times.
     #[serde(rename = "seconds")]
-    pub times: Times,
+    pub(crate) times: Times,
     /// Counters of the shortest run.
-    pub counters: BTreeMap<String, f64>,
+    pub(crate) counters: BTreeMap<String, f64>,
     /// Nanoseconds per particle and step.
     #[serde(rename = "nanoseconds_per_particle_and_step")]
-    pub nanoseconds: Span,
+    pub(crate) nanoseconds: Span,
 }
 
 /// Nanoseconds per particle of the streaming bound.
@@ -50,14 +48,13 @@ pub struct Bound {
     pub nanoseconds: f64,
 }
 
-/// Times of all jobs.
-pub struct Timings {
+pub(crate) struct Timings {
     /// Timings in the order of the jobs.
-    pub timings: Vec<Timing>,
+    pub(crate) timings: Vec<Timing>,
     /// Streaming bounds in ascending order of n, each with one thread and with all threads.
-    pub bounds: Vec<Bound>,
+    pub(crate) bounds: Vec<Bound>,
     /// Jobs that were not measured, and the reasons.
-    pub left_out: LeftOut,
+    pub(crate) left_out: LeftOut,
 }
 
 /// Returns the order of the jobs in a round, which is reversed in every other round.
@@ -95,10 +92,7 @@ pub fn in_turns<T, O>(
 }
 
 /// Runs `items` once each. Returns their results in order.
-///
-/// # Errors
-/// A run fails.
-pub fn one_by_one<T, O>(
+pub(crate) fn one_by_one<T, O>(
     items: &[T],
     name: impl Fn(&T) -> String,
     run: impl FnMut(&T) -> Result<O>,
@@ -108,10 +102,7 @@ pub fn one_by_one<T, O>(
 
 impl Effort {
     /// Runs all jobs and the streaming bound, round after round.
-    ///
-    /// # Errors
-    /// A job fails.
-    pub fn run(&self, runner: &Runner, jobs: Vec<Job>, fit: Fit) -> Result<Timings> {
+    pub(crate) fn run(&self, runner: &Runner, jobs: Vec<Job>, fit: Fit) -> Result<Timings> {
         if self.steps.is_none() {
             let runs = jobs.len() * usize::from(self.rounds);
             let seconds = self.seconds;
@@ -153,11 +144,9 @@ fn bounds_of(jobs: &[Job]) -> Vec<Bound> {
     threads.dedup();
     let mut bounds = Vec::new();
     for n in sizes {
-        bounds.extend(threads.iter().map(|&threads| Bound {
-            n,
-            threads,
-            nanoseconds: f64::INFINITY,
-        }));
+        for &threads in &threads {
+            bounds.push(Bound { n, threads, nanoseconds: f64::INFINITY });
+        }
     }
     bounds
 }
@@ -177,19 +166,19 @@ impl Bound {
 
 impl Timings {
     /// Finds the timing of a job, with any number of steps.
-    pub fn find(&self, job: &Job) -> Option<&Timing> {
+    pub(crate) fn find(&self, job: &Job) -> Option<&Timing> {
         self.timings.iter().find(|timing| timing.job.is_but_for_steps(job))
     }
 
     /// Returns the streaming bound at `n` with one thread, or with all threads if `all`.
-    pub fn bound(&self, n: usize, all: bool) -> f64 {
+    pub(crate) fn bound(&self, n: usize, all: bool) -> f64 {
         let mut of_n = self.bounds.iter().filter(|bound| bound.n == n);
         let bound = if all { of_n.next_back() } else { of_n.next() };
         bound.map_or(f64::NAN, |bound| bound.nanoseconds)
     }
 
     /// Returns a line for each job that was not measured.
-    pub fn left_out_in_words(&self) -> String {
+    pub(crate) fn left_out_in_words(&self) -> String {
         let lines = self
             .left_out
             .iter()
@@ -198,7 +187,7 @@ impl Timings {
     }
 
     /// Returns the streaming bounds as lines below a table.
-    pub fn bounds_in_words(&self) -> String {
+    pub(crate) fn bounds_in_words(&self) -> String {
         let mut text = String::from("To read and write x, y, vx, vy of a particle takes at least");
         for Bound { n, threads, nanoseconds } in &self.bounds {
             let threads =
@@ -215,13 +204,12 @@ impl Timing {
         Self { ranks: job.ranks(), threads: job.threads(), job, times, counters, nanoseconds }
     }
 
-    /// Returns the milliseconds of a step.
-    pub fn ms(&self) -> Span {
+    pub(crate) fn ms(&self) -> Span {
         self.times.span(1e3 / self.job.steps as f64)
     }
 
     /// Returns a counter divided by the number of steps; `None` if the program does not have it.
-    pub fn per_step(&self, counter: &str) -> Option<f64> {
+    pub(crate) fn per_step(&self, counter: &str) -> Option<f64> {
         self.counters.get(counter).map(|total| total / self.job.steps as f64)
     }
 }

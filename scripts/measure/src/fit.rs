@@ -10,7 +10,7 @@ use super::runner::Runner;
 
 /// Greatest number of steps of a run. The course reports ran 1,000 steps; more steps show nothing
 /// new.
-pub const MOST_STEPS: u64 = 1000;
+pub(crate) const MOST_STEPS: u64 = 1000;
 
 /// Greatest share of the total time that a single step may take.
 const LONGEST: f64 = 1.0 / 20.0;
@@ -18,27 +18,26 @@ const LONGEST: f64 = 1.0 / 20.0;
 /// The time that a measurement may take, as options. A command with other defaults sets them with
 /// `mut_arg`.
 #[derive(Args, Clone, Copy)]
-pub struct Effort {
+pub(crate) struct Effort {
     /// Number of time steps of every run [default: as many as the time allows, at most 1000]
     #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
-    pub steps: Option<u64>,
+    pub(crate) steps: Option<u64>,
     /// Number of takes of each run
     #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
-    pub rounds: u16,
+    pub(crate) rounds: u16,
     /// Seconds for all runs together, if --steps is not set; every run takes at least one step
     #[arg(long, default_value_t = 60.0, value_name = "SECONDS")]
-    pub seconds: f64,
+    pub(crate) seconds: f64,
 }
 
 /// The way to choose the numbers of steps, if the user does not set them.
 #[derive(Clone, Copy)]
-pub enum Fit {
+pub(crate) enum Fit {
     /// All jobs have the same number of steps. The first job of each program is tried, and the
     /// number suits the slowest program.
     Alike,
     /// Each job has as many steps as its share of the time allows, at most `most`.
     Each {
-        /// The greatest number of steps.
         most: u64,
         /// Whether to omit, without a try, scenes on which a single step would take far too long,
         /// as with all pairs.
@@ -47,15 +46,13 @@ pub enum Fit {
 }
 
 /// Jobs that are not measured, and the reasons.
-pub type LeftOut = Vec<(Job, String)>;
+pub(crate) type LeftOut = Vec<(Job, String)>;
 
-/// Jobs with their numbers of steps.
 pub(crate) struct Fitted {
     pub(crate) jobs: Vec<Job>,
     pub(crate) left_out: LeftOut,
 }
 
-/// A job that was tried.
 struct TriedOut {
     job: Job,
     /// Seconds of a step; NaN if the user sets the number of steps.
@@ -68,12 +65,7 @@ impl Effort {
         let share = self.seconds / (jobs.len() * usize::from(self.rounds)) as f64;
         match fit {
             Fit::Alike => self.alike(runner, jobs, share),
-            Fit::Each { most, affordable } => {
-                let longest = (2.0 * share).max(self.seconds * LONGEST);
-                let is_limited = affordable && self.steps.is_none();
-                let longest = if is_limited { longest } else { f64::INFINITY };
-                self.each(runner, jobs, share, most, longest)
-            }
+            Fit::Each { most, affordable } => self.each(runner, jobs, share, most, affordable),
         }
     }
 
@@ -89,20 +81,23 @@ impl Effort {
         Ok(Fitted { jobs, left_out: Vec::new() })
     }
 
-    /// Chooses the steps of each job separately. Omits jobs of which a single step would take
-    /// longer than `longest` seconds.
+    /// Chooses the steps of each job separately. With `affordable`, the function omits jobs whose
+    /// steps would take far too long.
     fn each(
         &self,
         runner: &Runner,
         jobs: Vec<Job>,
         share: f64,
         most: u64,
-        longest: f64,
+        affordable: bool,
     ) -> Result<Fitted> {
+        let longest = (2.0 * share).max(self.seconds * LONGEST);
+        let is_limited = affordable && self.steps.is_none();
         let mut tried: Vec<TriedOut> = Vec::new();
         let mut left_out = Vec::new();
         for job in jobs {
-            if let Some(step) = foreseen(&tried, &job).filter(|step| *step > longest) {
+            if let Some(step) = foreseen(&tried, &job).filter(|step| is_limited && *step > longest)
+            {
                 let allowed = format!("and --seconds {} allows {longest:.1}", self.seconds);
                 let why = format!("left out: a step would take about {step:.1} s, {allowed}");
                 left_out.push((job, why));

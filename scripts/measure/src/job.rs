@@ -171,7 +171,6 @@ mod tests {
     use std::fs;
     use std::sync::Arc;
 
-    use super::super::scene::RandomDiscs;
     use super::*;
 
     fn job(program: &str, scene: Scene) -> Job {
@@ -195,8 +194,9 @@ mod tests {
         assert!(words(folder, Scene::Counter { n: 500 }).ends_with("-n 500 --generator counter"));
         assert_eq!(words(folder, Scene::usual(Some(100), true)), "-t 2 --json -s 1 FILE");
         assert_eq!(fs::read_to_string(&input).unwrap(), "100 20000 1 10 perf\n");
-        let random = RandomDiscs { speeds: Some((2.0, 5.0)), blob: Some(1000.0) };
-        let hard = words(folder, Scene::Hard { n: 100, side: 1e7, radius: 1.0, random });
+        let speeds = Some((2.0, 5.0));
+        let blob = Some(1000.0);
+        let hard = words(folder, Scene::Hard { n: 100, side: 1e7, radius: 1.0, speeds, blob });
         assert!(hard.ends_with("-s 1 --speeds 2,5 --blob 1000 FILE"), "{hard}");
         let scene = common::soft::Scene::official(7, 1).unwrap();
         for scene in [Scene::Spread { n: 7, neighbours: 4.7 }, Scene::Given(Arc::new(scene))] {

@@ -24,7 +24,7 @@ pub struct Json {
 
 /// The files of the numbers and of the figure, as options.
 #[derive(Args)]
-pub struct Files {
+pub(crate) struct Files {
     #[command(flatten)]
     json: Json,
     /// Draw the figure to this file
@@ -47,10 +47,7 @@ pub struct DataFile<R = Value> {
 
 impl Files {
     /// Writes the files that the user has named; `draw` makes the figure from the written numbers.
-    ///
-    /// # Errors
-    /// [`Self::again`] fails, or a file cannot be written.
-    pub fn write<R: DeserializeOwned>(
+    pub(crate) fn write<R: DeserializeOwned>(
         &self,
         results: impl Serialize,
         draw: impl FnOnce(R) -> Result<Sheet>,
@@ -64,12 +61,8 @@ impl Files {
     }
 
     /// Returns the figure of results that were written earlier, and the path of the figure's file.
-    ///
     /// `None` if the user has named no figure.
-    ///
-    /// # Errors
-    /// The results are from a different command, or lack data that its options need.
-    pub fn again<R: DeserializeOwned>(
+    pub(crate) fn again<R: DeserializeOwned>(
         &self,
         results: &Value,
         draw: impl FnOnce(R) -> Result<Sheet>,

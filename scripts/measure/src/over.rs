@@ -12,7 +12,7 @@ use lab_kit::program::Program;
 
 /// A quantity that can vary: an option of the labs' programs.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Varied {
+pub(crate) enum Varied {
     /// Number of particles or discs.
     N,
     /// Side L of the square of hard discs.
@@ -32,9 +32,8 @@ pub enum Varied {
 /// The quantity with its values: `n=5000,10000`, or `radius` alone for the values of the CS3210
 /// report.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Over {
-    /// The quantity.
-    pub varied: Varied,
+pub(crate) struct Over {
+    pub(crate) varied: Varied,
     values: Vec<f64>,
 }
 
@@ -53,22 +52,15 @@ impl FromStr for Over {
             "r" | "ranks" => Varied::Ranks,
             parameter => Varied::Parameter(parameter.into()),
         };
-        let mut values = Vec::new();
-        if text.contains('=') {
-            for value in list.split(',') {
-                values.push(varied.value(value.trim())?);
-            }
-        }
+        let listed = list.split(',').filter(|_| text.contains('='));
+        let values = listed.map(|value| varied.value(value.trim())).collect::<Result<_, _>>()?;
         Ok(Self { varied, values })
     }
 }
 
 impl Over {
     /// Returns the user's values, or values that fit the lab's problem.
-    ///
-    /// # Errors
-    /// The lab does not have the quantity, or the user must give values for it.
-    pub fn values(&self, lab: &Program) -> Result<Vec<f64>> {
+    pub(crate) fn values(&self, lab: &Program) -> Result<Vec<f64>> {
         let hard = lab.is_hard();
         match self.varied {
             Varied::Length | Varied::Radius => {
@@ -100,8 +92,7 @@ impl Over {
 }
 
 impl Varied {
-    /// Makes a job for each value and each program.
-    pub fn jobs(&self, values: &[f64], programs: &[Program], like: &Job) -> Vec<Job> {
+    pub(crate) fn jobs(&self, values: &[f64], programs: &[Program], like: &Job) -> Vec<Job> {
         let mut jobs = Vec::new();
         for &value in values {
             for program in programs {
@@ -123,9 +114,8 @@ impl Varied {
         if fits { Ok(value) } else { Err(format!("{text} is no value of {self}")) }
     }
 
-    /// Sets the value in the job.
     #[must_use]
-    pub fn set(&self, mut job: Job, value: f64) -> Job {
+    pub(crate) fn set(&self, mut job: Job, value: f64) -> Job {
         match (self, &mut job.scene) {
             (Self::N, _) => job.scene = job.scene.with_n(value as usize),
             (Self::Neighbours, scene) => {
@@ -145,7 +135,7 @@ impl Varied {
     }
 
     /// Returns the value in the job; NaN if the job does not have the quantity.
-    pub fn of(&self, job: &Job) -> f64 {
+    pub(crate) fn of(&self, job: &Job) -> f64 {
         match (self, &job.scene) {
             (Self::N, scene) => scene.n() as f64,
             (Self::Neighbours, Scene::Spread { neighbours, .. }) => *neighbours,
@@ -162,17 +152,17 @@ impl Varied {
     }
 
     /// Whether the quantity is a number of workers that share the work.
-    pub fn is_workers(&self) -> bool {
+    pub(crate) fn is_workers(&self) -> bool {
         matches!(self, Self::Threads | Self::Ranks)
     }
 
     /// Whether the quantity is the number of threads in a workgroup of a device.
-    pub fn is_workgroup(&self) -> bool {
+    pub(crate) fn is_workgroup(&self) -> bool {
         matches!(self, Self::Parameter(name) if name == "workgroup")
     }
 
     /// Returns the quantity's name in a chart.
-    pub fn label(&self) -> String {
+    pub(crate) fn label(&self) -> String {
         match self {
             Self::N => "discs or particles N".into(),
             Self::Length => "side L of the square".into(),

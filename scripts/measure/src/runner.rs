@@ -6,7 +6,7 @@ use std::process::Command;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail, ensure};
-use lab_kit::binaries::Binaries;
+use lab_kit::binaries::{Binaries, Known};
 use lab_kit::program::Program;
 use lab_kit::starter::Record;
 use lab_kit::{Kit, process};
@@ -17,8 +17,7 @@ use super::job::{EVENTS, FRAMES, Job, RunOutput};
 
 /// The binaries of programs, and a folder for their files.
 pub struct Runner {
-    /// The binaries.
-    pub binaries: Binaries,
+    binaries: Binaries,
     folder: TempDir,
     /// Longest time of a run; a month unless a command changes it.
     pub limit: Duration,
@@ -82,6 +81,15 @@ impl Runner {
             command.args(["--param", &format!("{name}={value}")]);
         }
         Ok(command)
+    }
+
+    /// Returns the variants of all programs, or the one that a program names.
+    pub(crate) fn variants(&self, programs: &[Program]) -> Result<Vec<(Program, Known)>> {
+        let mut all = Vec::new();
+        for program in programs {
+            all.extend(self.binaries.variants(program)?);
+        }
+        Ok(all)
     }
 
     /// Returns the folder of the programs' files.

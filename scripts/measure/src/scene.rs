@@ -44,21 +44,13 @@ pub enum Scene {
         side: f64,
         /// Radius of a disc.
         radius: f64,
-        /// Differences from the assignment's random discs.
-        #[serde(flatten)]
-        random: RandomDiscs,
+        /// Least and greatest magnitude of a velocity component; `None` for the assignment's.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        speeds: Option<(f64, f64)>,
+        /// Side of the central square in which the discs begin; `None` for the whole square.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        blob: Option<f64>,
     },
-}
-
-/// Differences of random hard discs from the assignment's random discs.
-#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
-pub struct RandomDiscs {
-    /// Least and greatest magnitude of a velocity component.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub speeds: Option<(f64, f64)>,
-    /// Side of the central square in which the discs begin.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub blob: Option<f64>,
 }
 
 impl Scene {
@@ -72,7 +64,8 @@ impl Scene {
                 n: n.unwrap_or(10_000),
                 side: 20_000.0,
                 radius: 1.0,
-                random: RandomDiscs::default(),
+                speeds: None,
+                blob: None,
             },
             false => Self::Soft { n: n.unwrap_or(100_000) },
         }
@@ -104,8 +97,8 @@ impl Scene {
     /// number, and their speeds stay the same.
     #[must_use]
     pub fn times(mut self, factor: usize) -> Self {
-        if let (Self::Hard { side, radius, random, .. }, 2..) = (&mut self, factor) {
-            random.speeds.get_or_insert((*side / (8.0 * *radius), *side / 4.0));
+        if let (Self::Hard { side, radius, speeds, .. }, 2..) = (&mut self, factor) {
+            speeds.get_or_insert((*side / (8.0 * *radius), *side / 4.0));
             *side *= (factor as f64).sqrt();
         }
         let n = factor * self.n();
@@ -115,11 +108,8 @@ impl Scene {
     /// Appends the options to a command that make a program take `steps` steps of the scene.
     ///
     /// The function writes to `file` those parts of the scene that options cannot express.
-    ///
-    /// # Errors
-    /// The file cannot be written.
     pub(crate) fn tell(&self, command: &mut Command, file: &Path, steps: u64) -> Result<()> {
-        if let Self::Hard { n, side, radius, random: RandomDiscs { speeds, blob } } = self {
+        if let Self::Hard { n, side, radius, speeds, blob } = self {
             write_file(file, format!("{n} {side} {radius} {steps} perf\n"))?;
             command.args(["-s", "1"]);
             if let Some((least, most)) = speeds {
@@ -133,17 +123,14 @@ impl Scene {
         }
         command.args(["--steps", &steps.to_string()]);
         match self {
-            Self::Spread { n, neighbours } => {
-                write_scene(file, &spread(*n, *neighbours)?)?;
-                command.arg("--scene").arg(file);
-            }
-            Self::Given(scene) => {
-                write_scene(file, scene)?;
-                command.arg("--scene").arg(file);
-            }
+            Self::Spread { n, neighbours } => write_scene(file, &spread(*n, *neighbours)?)?,
+            Self::Given(scene) => write_scene(file, scene)?,
             other => {
                 command.args(["-s", "1", "-n", &other.n().to_string()]);
             }
+        }
+        if let Self::Spread { .. } | Self::Given(_) = self {
+            command.arg("--scene").arg(file);
         }
         if let Self::Counter { .. } = self {
             command.args(["--generator", "counter"]);
@@ -175,8 +162,8 @@ mod tests {
     fn four_scenes_are_as_crowded_as_one() {
         assert_eq!(Scene::usual(Some(7), false).times(4), Scene::usual(Some(28), false));
         assert_eq!(Scene::usual(Some(7), true).times(1), Scene::usual(Some(7), true));
-        let random = RandomDiscs { speeds: Some((2500.0, 5000.0)), blob: None };
-        let expected = Scene::Hard { n: 28, side: 40_000.0, radius: 1.0, random };
+        let speeds = Some((2500.0, 5000.0));
+        let expected = Scene::Hard { n: 28, side: 40_000.0, radius: 1.0, speeds, blob: None };
         assert_eq!(Scene::usual(Some(7), true).times(4), expected);
     }
 

@@ -3,11 +3,11 @@
 use anyhow::{Result, ensure};
 use clap::Args;
 
-use super::scene::{RandomDiscs, Scene};
+use super::scene::Scene;
 
 /// Options of a scene without the number of discs.
 #[derive(Args)]
-pub struct DiscOptions {
+pub(crate) struct DiscOptions {
     /// Side of the square of hard discs [default: 20000]
     #[arg(long, value_name = "L", value_parser = positive)]
     length: Option<f64>,
@@ -28,40 +28,31 @@ pub struct DiscOptions {
 
 /// The options of a scene that all programs share.
 #[derive(Args)]
-pub struct OneScene {
+pub(crate) struct OneScene {
     /// Number of particles [default: 100000; 10000 hard discs]
     #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    pub n: Option<u32>,
+    pub(crate) n: Option<u32>,
     #[command(flatten)]
     discs: DiscOptions,
 }
 
 impl OneScene {
     /// Makes the scene of soft or of hard discs.
-    ///
-    /// # Errors
-    /// An option is for discs of the other kind.
-    pub fn scene(&self, hard: bool) -> Result<Scene> {
+    pub(crate) fn scene(&self, hard: bool) -> Result<Scene> {
         self.discs.scene(self.n.map(|n| n as usize), hard)
     }
 }
 
 impl DiscOptions {
     /// Makes the scene of `n` discs, or of the usual number.
-    ///
-    /// # Errors
-    /// An option is for discs of the other kind.
-    pub fn scene(&self, n: Option<usize>, hard: bool) -> Result<Scene> {
+    pub(crate) fn scene(&self, n: Option<usize>, hard: bool) -> Result<Scene> {
         let Self { length, radius, speeds, blob, neighbours } = *self;
         let usual = Scene::usual(n, hard);
         if let Scene::Hard { n, side, radius: usual_radius, .. } = usual {
             ensure!(neighbours.is_none(), "hard discs have no --neighbours");
-            return Ok(Scene::Hard {
-                n,
-                side: length.unwrap_or(side),
-                radius: radius.unwrap_or(usual_radius),
-                random: RandomDiscs { speeds, blob },
-            });
+            let side = length.unwrap_or(side);
+            let radius = radius.unwrap_or(usual_radius);
+            return Ok(Scene::Hard { n, side, radius, speeds, blob });
         }
         ensure!(
             length.or(radius).or(blob).is_none() && speeds.is_none(),
@@ -99,8 +90,8 @@ mod tests {
         assert_eq!(NONE.scene(None, true).unwrap(), Scene::usual(None, true));
         assert_eq!(NONE.scene(None, false).unwrap(), Scene::usual(None, false));
         let discs = DiscOptions { length: Some(1e7), speeds: Some((2.0, 5.0)), ..NONE };
-        let random = RandomDiscs { speeds: Some((2.0, 5.0)), blob: None };
-        let expected = Scene::Hard { n: 7, side: 1e7, radius: 1.0, random };
+        let speeds = Some((2.0, 5.0));
+        let expected = Scene::Hard { n: 7, side: 1e7, radius: 1.0, speeds, blob: None };
         assert_eq!(discs.scene(Some(7), true).unwrap(), expected);
         assert!(discs.scene(Some(7), false).is_err());
         let discs = DiscOptions { neighbours: Some(4.7), ..NONE };

@@ -5,13 +5,14 @@ use anyhow::{Result, bail, ensure};
 use clap::Args;
 
 use super::runner::Runner;
+use lab_kit::binaries::Known;
 use lab_kit::program::Program;
 use lab_kit::{Discs, Kit, Lab, Workers};
 use lab_machine::Mpiexec;
 
 /// Options that name a lab and variants of it.
 #[derive(Args)]
-pub struct Subject {
+pub(crate) struct Subject {
     /// The lab, such as 2
     lab: Lab,
     /// Measure the solution instead of your own work
@@ -27,7 +28,7 @@ pub struct Subject {
 
 /// Options that name programs of any labs.
 #[derive(Args)]
-pub struct Programs {
+pub(crate) struct Programs {
     /// The programs; the first one is the one to compare with
     #[arg(required = true, value_name = "PROGRAM")]
     programs: Vec<Program>,
@@ -38,7 +39,7 @@ pub struct Programs {
 
 /// Options that name programs of soft discs.
 #[derive(Args)]
-pub struct SoftPrograms {
+pub(crate) struct SoftPrograms {
     /// The programs, such as lab12:pefrl [default: all solutions]
     #[arg(value_name = "PROGRAM")]
     programs: Vec<Program>,
@@ -49,10 +50,7 @@ pub struct SoftPrograms {
 
 impl Programs {
     /// Returns the programs. All of them simulate soft discs, or all simulate hard discs.
-    ///
-    /// # Errors
-    /// Some programs simulate soft discs, and some simulate hard discs.
-    pub fn of_one_kind(&self) -> Result<Vec<Program>> {
+    pub(crate) fn of_one_kind(&self) -> Result<Vec<Program>> {
         let mut programs = self.programs.clone();
         programs.iter_mut().for_each(|program| program.solution |= self.solution);
         ensure!(
@@ -64,13 +62,9 @@ impl Programs {
 }
 
 impl SoftPrograms {
-    /// Returns the programs that the user named, or all solutions that this machine can run.
-    ///
-    /// With `quick`, solutions with ranks are omitted.
-    ///
-    /// # Errors
-    /// A program simulates hard discs.
-    pub fn packages(&self, kit: &Kit, quick: bool) -> Result<Vec<Program>> {
+    /// Builds the programs that the user named, or all solutions that this machine can run, and
+    /// returns their variants. With `quick`, solutions with ranks are omitted.
+    pub(crate) fn build(&self, kit: &Kit, quick: bool) -> Result<(Runner, Vec<(Program, Known)>)> {
         let mut packages = self.programs.clone();
         for program in &mut packages {
             program.solution |= self.solution;
@@ -84,16 +78,15 @@ impl SoftPrograms {
                 Err(why) => println!("left out: labs with ranks ({why})"),
             }
         }
-        Ok(packages)
+        let runner = Runner::build(kit, &packages)?;
+        let variants = runner.variants(&packages)?;
+        Ok((runner, variants))
     }
 }
 
 impl Subject {
     /// Returns the lab's package as a program without a variant.
-    ///
-    /// # Errors
-    /// There is no such lab.
-    pub fn package(&self) -> Result<Program> {
+    pub(crate) fn package(&self) -> Result<Program> {
         let mut program = Program::new(self.lab, self.solution)?;
         program.parameters.clone_from(&self.param);
         Ok(program)
@@ -103,10 +96,7 @@ impl Subject {
     ///
     /// Without a choice it returns the first variant, or all variants if `all`. All programs
     /// simulate the same kind of discs.
-    ///
-    /// # Errors
-    /// A program does not build, or there is no such variant or parameter.
-    pub fn build(
+    pub(crate) fn build(
         &self,
         kit: &Kit,
         others: &[Program],
@@ -116,11 +106,10 @@ impl Subject {
         let packages = [others, std::slice::from_ref(&package)].concat();
         let runner = Runner::build(kit, &packages)?;
         let mut programs = Vec::new();
-        for program in std::iter::once(package.clone()).chain(package.others()?) {
-            for (mut program, variant) in runner.binaries.variants(&program)? {
-                program.parameters.retain(|(set, _)| variant.has(set));
-                programs.push(program);
-            }
+        let of_lab = [vec![package.clone()], package.others()?].concat();
+        for (mut program, known) in runner.variants(&of_lab)? {
+            program.parameters.retain(|(set, _)| known.has(set));
+            programs.push(program);
         }
         ensure!(!programs.is_empty(), "{} has no variants", package.package());
         let programs = self.chosen(programs, all)?;
@@ -135,16 +124,13 @@ impl Subject {
         Ok((runner, programs))
     }
 
-    /// Returns the variants that the user chose.
     fn chosen(&self, mut programs: Vec<Program>, all: bool) -> Result<Vec<Program>> {
-        match self.variant.as_slice() {
-            [] if all => return Ok(programs),
-            [] => {
-                programs.truncate(1);
-                return Ok(programs);
-            }
-            [all] if all == "all" => return Ok(programs),
-            _ => {}
+        if self.variant == ["all"] || all && self.variant.is_empty() {
+            return Ok(programs);
+        }
+        if self.variant.is_empty() {
+            programs.truncate(1);
+            return Ok(programs);
         }
         let mut chosen = Vec::new();
         for name in &self.variant {
@@ -157,7 +143,6 @@ impl Subject {
     }
 }
 
-/// Formats the names of the variants.
 fn names(programs: &[Program]) -> String {
     programs.iter().filter_map(|program| program.variant.as_deref()).collect::<Vec<_>>().join(", ")
 }

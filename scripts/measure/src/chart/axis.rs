@@ -81,19 +81,12 @@ impl Axis {
     pub(super) fn fit(&self, values: impl IntoIterator<Item = f64>, most: usize) -> Fitted {
         let given = self.ticks.iter().flatten().filter(|tick| self.shows(**tick));
         let given: Vec<f64> = given.map(|tick| self.scale.position(*tick)).collect();
-        let mut low = f64::INFINITY;
-        let mut high = f64::NEG_INFINITY;
         let values = values.into_iter().map(|value| self.scale.position(value));
-        for position in values.chain(given.iter().copied()) {
-            low = low.min(position);
-            high = high.max(position);
-        }
-        if low > high {
-            low = 0.0;
-            high = 1.0;
-        }
-        let start = self.from.filter(|from| self.scale == Scale::Linear && *from <= low);
-        low = start.unwrap_or(low);
+        let shown: Vec<f64> = values.chain(given.iter().copied()).collect();
+        let least = shown.iter().copied().reduce(f64::min).unwrap_or(0.0);
+        let high = shown.iter().copied().reduce(f64::max).unwrap_or(1.0);
+        let start = self.from.filter(|from| self.scale == Scale::Linear && *from <= least);
+        let low = start.unwrap_or(least);
         let margin = match self.scale {
             Scale::Names(_) => 0.7,
             _ if high > low => 0.04 * (high - low),

@@ -20,17 +20,14 @@ pub fn svg(rows: &[Vec<Chart>], form: Form) -> String {
     let mut text = String::new();
     {
         let page = SVGBackend::with_string(&mut text, size).into_drawing_area();
-        page.fill(&WHITE)
-            .map_err(Into::into)
-            .and_then(|()| draw(rows, &layouts, &page))
-            .and_then(|()| page.present().map_err(Into::into))
-            .expect("drawing into a string does not fail");
+        draw(rows, &layouts, &page).expect("drawing into a string does not fail");
     }
     let titles: Vec<&str> = rows.iter().flatten().map(|chart| &*chart.title).collect();
     text.replacen('>', &format!("><title>{}</title>", html(&titles.join("; "))), 1)
 }
 
 fn draw(rows: &[Vec<Chart>], layouts: &[Layout], page: &Area<'_>) -> Drawn {
+    page.fill(&WHITE)?;
     let mut rest = page.clone();
     for (row, &layout) in rows.iter().zip(layouts) {
         for charts in row.chunks(layout.across) {
@@ -47,6 +44,7 @@ fn draw(rows: &[Vec<Chart>], layouts: &[Layout], page: &Area<'_>) -> Drawn {
         }
         rest = below;
     }
+    page.present()?;
     Ok(())
 }
 
@@ -69,7 +67,6 @@ fn above<'p>(chart: &Chart, layout: Layout, plot: &Area<'p>) -> Drawn<Area<'p>> 
     Ok(plot.split_vertically(y).1)
 }
 
-/// Draws the legend.
 fn entries(chart: &Chart, layout: Layout, legend: &Area<'_>) -> Drawn {
     let looks = looks(&chart.series);
     let named = chart.series.iter().zip(&looks).filter(|(series, _)| !series.name.is_empty());

@@ -7,10 +7,8 @@ const BAR_ROW: u32 = 22;
 /// The width of a character, as a multiple of the text size.
 const CHARACTER: f64 = 0.45;
 
-/// Layout of a row of charts.
-///
-/// It consists of the number of charts side by side, the height of each plot, and the height of the
-/// legend below them, which is 0 without a legend.
+/// Layout of a row of charts: the number of charts side by side, the height of each plot, and the
+/// height of the legend below them, which is 0 without a legend.
 #[derive(Clone, Copy)]
 pub(super) struct Layout {
     form: Form,
@@ -20,9 +18,8 @@ pub(super) struct Layout {
     pub(super) legend: u32,
 }
 
-/// Text sizes. A size is 1.24 times the height of the text in pixels.
-///
-/// No text is displayed less than 12 pixels high. A page scales a figure by 0.91.
+/// Text sizes. A size is 1.24 times the height of the text in pixels. No text is displayed less
+/// than 12 pixels high. A page scales a figure by 0.91.
 pub(super) struct Sizes {
     pub(super) title: u32,
     pub(super) label: u32,

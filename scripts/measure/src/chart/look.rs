@@ -34,7 +34,6 @@ const REPORTS: [(&str, RGBColor); 4] = [
     ("CS3210", RGBColor(148, 148, 24)),
 ];
 
-/// Colour and mark of a series.
 #[derive(Clone, Copy)]
 pub(super) struct Look {
     pub(super) colour: RGBColor,

@@ -1,13 +1,5 @@
 //! Charts of lines and bars as SVG, with the same look in all figures.
 //!
-//! ```ignore
-//! let chart = Chart::new("Run time against n", Axis::log("particles n"), Axis::log("time [s]"))
-//!     .with(Series::new(Kind::Measured, "sorted", points))
-//!     .with(Series::new(Kind::Published, "CS267, Table 1", table))
-//!     .with(Series::new(Kind::Guide, "slope 1", line));
-//! write_file(&path, svg(&[vec![chart]], Form::Page))?;
-//! ```
-//!
 //! Points are (x, y) pairs in any order. Values that are not finite are omitted, and on a
 //! logarithmic axis also values that are not positive. The colours differ for every kind of colour
 //! vision, and every series has a different mark as well.

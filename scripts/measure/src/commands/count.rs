@@ -1,7 +1,6 @@
 //! `cargo lab count`: the number of a processor's events in a step.
 
 use std::collections::BTreeMap;
-use std::process::ExitCode;
 
 use anyhow::Result;
 use clap::Args;
@@ -71,30 +70,25 @@ const COLUMNS: [&str; 4] =
 /// Number of locations of a program that the table shows.
 const LOCATIONS: usize = 12;
 
-/// Counts of a program, per particle and step.
 #[derive(Clone, Deserialize, Serialize)]
-pub struct Row {
+pub(super) struct Row {
     #[serde(flatten)]
     pub(super) job: Job,
-    #[serde(skip)]
-    at: Option<f64>,
     per_particle_and_step: BTreeMap<String, f64>,
 }
 
-/// All results of the command.
 #[derive(Deserialize, Serialize)]
-pub struct Results {
+pub(super) struct Results {
     pub(super) caches: Caches,
     pub(super) after: u64,
     pub(super) programs: Vec<Row>,
 }
 
 impl Row {
-    fn new(job: &Job, profile: &Profile, over: Option<&Over>) -> Self {
+    fn new(job: &Job, profile: &Profile) -> Self {
         let counts = per(job, profile.total());
         let per_particle_and_step = COLUMNS.map(Into::into).into_iter().zip(counts).collect();
-        let at = over.map(|over| over.varied.of(job));
-        Self { at, per_particle_and_step, job: job.clone() }
+        Self { job: job.clone(), per_particle_and_step }
     }
 
     pub(super) fn counts(&self) -> Counts {
@@ -102,8 +96,7 @@ impl Row {
     }
 }
 
-/// Counts instructions and cache misses, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
     let named = options.programs.of_one_kind()?;
     let hard = named[0].is_hard();
     options.scene.n.get_or_insert(if hard { 2000 } else { 20_000 });
@@ -115,7 +108,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let profiles = one_by_one(&jobs, Job::name, |job| profile(&runner, job, after, by))?;
     let mut rows = Vec::new();
     for (job, profile) in jobs.iter().zip(&profiles) {
-        rows.push(Row::new(job, profile, options.over.as_ref()));
+        rows.push(Row::new(job, profile));
     }
     println!("{}", table(options.over.as_ref(), &rows));
     print!("Per particle and step, of {} steps after {after}", options.steps);
@@ -128,16 +121,12 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
             println!("\n{}", locations(job, profile));
         }
     }
-    options.json.write(Results { caches: options.caches, after, programs: rows })?;
-    Ok(ExitCode::SUCCESS)
+    options.json.write(Results { caches: options.caches, after, programs: rows })
 }
 
 /// Makes a job for each named variant and each value of the varied quantity.
 fn jobs(options: &Options, runner: &Runner, named: &[Program]) -> Result<Vec<Job>> {
-    let mut programs = Vec::new();
-    for program in named {
-        programs.extend(runner.binaries.variants(program)?.into_iter().map(|(program, _)| program));
-    }
+    let programs: Vec<Program> = runner.variants(named)?.into_iter().map(|(one, _)| one).collect();
     let scene = options.scene.scene(named[0].is_hard())?;
     let like = Job::new(programs[0].clone(), scene);
     let like = Job { workers: options.t.into(), steps: options.steps, ..like };
@@ -163,7 +152,7 @@ pub(super) fn per(job: &Job, counts: Counts) -> Counts {
 fn table(over: Option<&Over>, rows: &[Row]) -> Table {
     let head = over.map_or(String::new(), |over| over.varied.to_string());
     Columns::of("program", |row: &Row| row.job.program.to_string())
-        .number(head, |row| row.at)
+        .number(head, |row| Some(over?.varied.of(&row.job)))
         .numbers(COLUMNS, |row, at| Some(row.counts()[at]))
         .table(rows)
 }

@@ -1,17 +1,17 @@
 //! The measuring commands.
 
-pub mod complexity;
+mod complexity;
 pub mod contest;
-pub mod count;
-pub mod limits;
+mod count;
+mod limits;
 pub mod precision;
-pub mod race;
-pub mod scaling;
-pub mod speed;
-pub mod stress;
-pub mod sweep;
-pub mod timeline;
-pub mod traffic;
+mod race;
+mod scaling;
+mod speed;
+mod stress;
+mod sweep;
+mod timeline;
+mod traffic;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -47,7 +47,7 @@ impl Command {
     /// # Errors
     /// A measurement fails.
     pub fn run(self, kit: &Kit) -> Result<ExitCode> {
-        match self {
+        let done = match self {
             Self::Race(options) => race::run(kit, options),
             Self::Count(options) => count::run(kit, options),
             Self::Limits(options) => limits::run(kit, options),
@@ -58,9 +58,10 @@ impl Command {
             Self::Timeline(options) => timeline::run(kit, options),
             Self::Traffic(options) => traffic::run(kit, options),
             Self::Precision(options) => precision::run(kit, options),
-            Self::Stress(options) => stress::run(kit, options),
+            Self::Stress(options) => return stress::run(kit, options),
             Self::Contest(options) => contest::run(kit, options),
-        }
+        };
+        done.map(|()| ExitCode::SUCCESS)
     }
 
     /// Returns a figure of the results that the command wrote, and the path of the figure's file.

@@ -1,7 +1,5 @@
 //! `cargo lab race`: times of programs that take turns.
 
-use std::process::ExitCode;
-
 use anyhow::Result;
 use clap::Args;
 use serde::Serialize;
@@ -57,8 +55,7 @@ struct Results<'r> {
     streaming_bound: &'r [Bound],
 }
 
-/// Times the programs and prints the table.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let programs = options.programs.of_one_kind()?;
     let runner = Runner::build(kit, &programs)?;
     let scene = options.scene.scene(programs[0].is_hard())?;
@@ -75,8 +72,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let rounds = count(first.times.takes.len() as u64, "round");
     println!("n = {}, {steps}, {rounds}", first.job.scene.n());
     println!("{}", timings.bounds_in_words());
-    options.json.write(Results { programs: rows, streaming_bound: &timings.bounds })?;
-    Ok(ExitCode::SUCCESS)
+    options.json.write(Results { programs: rows, streaming_bound: &timings.bounds })
 }
 
 fn count(count: u64, what: &str) -> String {

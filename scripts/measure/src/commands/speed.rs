@@ -1,7 +1,5 @@
 //! `cargo lab speed`: compares a lab's innermost loop with a fast loop.
 
-use std::process::ExitCode;
-
 use anyhow::{Result, ensure};
 use clap::Args;
 use lab_kit::facts::Race;
@@ -49,7 +47,7 @@ const MOST_PASSES: u64 = 1_000_000;
 const COUNTED: u64 = 10;
 
 /// Times the loops, and for each slow loop prints the reason why it is slow.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let Options { lab, solution, caches } = options;
     let races = kit.facts(lab)?.races;
     ensure!(!races.is_empty(), "no single loop of lab {lab} is timed");
@@ -85,7 +83,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             "Branches that are guessed wrong are counted where valgrind is installed; here it is not."
         );
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(())
 }
 
 /// Makes the job for a program with one loop, such as `alone:drift` of package `lab10`.

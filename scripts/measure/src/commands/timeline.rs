@@ -1,7 +1,5 @@
 //! `cargo lab timeline`: the activities of each rank in a step.
 
-use std::process::ExitCode;
-
 use anyhow::{Context, Result, ensure};
 use clap::Args;
 use common::{Activity, Event};
@@ -41,7 +39,7 @@ pub struct Options {
 
 /// A run, and the step that is drawn.
 #[derive(Deserialize, Serialize)]
-pub struct Timeline {
+pub(super) struct Timeline {
     program: Program,
     n: usize,
     steps: u64,
@@ -69,8 +67,7 @@ impl Options {
     }
 }
 
-/// Runs the programs, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let package = options.subject.package()?;
     ensure!(package.has_ranks(), "lab {} has no ranks", package.lab);
     let (runner, programs) = options.subject.build(kit, &[], false)?;
@@ -89,8 +86,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         println!("{timeline}");
         timelines.push(timeline);
     }
-    options.files.write(&timelines, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(&timelines, |shown| options.draw(shown))
 }
 
 impl Timeline {
@@ -99,10 +95,10 @@ impl Timeline {
         let mut ms = vec![vec![[0.0; 3]; ranks]; job.steps as usize];
         let mut ms_per_step = vec![[0.0; 3]; ranks];
         for Event { rank, step, activity, begin, end } in events {
-            let of_step = ms.get_mut(*step as usize)?;
-            of_step[*rank as usize][*activity as usize] += 1e3 * (end - begin);
-            ms_per_step[*rank as usize][*activity as usize] +=
-                1e3 * (end - begin) / job.steps as f64;
+            let [rank, activity] = [*rank as usize, *activity as usize];
+            let took = 1e3 * (end - begin);
+            ms.get_mut(*step as usize)?[rank][activity] += took;
+            ms_per_step[rank][activity] += took / job.steps as f64;
         }
         let step = typical(&ms)?;
         let mut drawn: Vec<&Event> = events.iter().collect();
@@ -124,7 +120,6 @@ impl Timeline {
         })
     }
 
-    /// Draws a lane for each rank.
     fn chart(&self) -> Chart {
         let parts = Activity::ALL.map(Activity::name).map(|name| {
             let of_it = self.stretches.iter().filter(|stretch| stretch.activity == name);

@@ -1,7 +1,6 @@
 //! `cargo lab traffic`: the messages of ranks, and their memory.
 
 use std::collections::BTreeMap;
-use std::process::ExitCode;
 
 use anyhow::{Result, ensure};
 use clap::Args;
@@ -56,7 +55,6 @@ const COLUMNS: [(&str, &str); 7] = [
 
 const BYTES: &str = "bytes per step, mean rank";
 
-/// The counters of one run.
 #[derive(Deserialize, Serialize)]
 struct Point {
     program: Program,
@@ -73,9 +71,8 @@ struct Slope {
     slope_of_bytes: Option<f64>,
 }
 
-/// All results of the command.
 #[derive(Deserialize, Serialize)]
-pub struct Results {
+pub(super) struct Results {
     runs: Vec<Point>,
     slopes: Vec<Slope>,
 }
@@ -86,8 +83,7 @@ impl Options {
     }
 }
 
-/// Counts the messages, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let package = options.subject.package()?;
     ensure!(
         package.has_ranks() && !package.is_hard(),
@@ -120,8 +116,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         let slope_of_bytes = slope.is_finite().then_some(slope);
         slopes.push(Slope { program: program.clone(), ranks: *ranks, slope_of_bytes });
     }
-    options.files.write(Results { runs, slopes }, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(Results { runs, slopes }, |shown| options.draw(shown))
 }
 
 /// Iterates over the runs of each program on each number of ranks.

@@ -42,8 +42,7 @@ pub(super) fn chart(lines: &[Line]) -> Chart {
 /// Converts (n, seconds of a run) to nanoseconds per particle and step, if the number of `steps` is
 /// given.
 fn shown(runs: impl Iterator<Item = (f64, f64)>, steps: Option<f64>) -> Vec<(f64, f64)> {
-    let value = |n: f64, seconds: f64| steps.map_or(seconds, |steps| 1e9 * seconds / steps / n);
-    runs.map(|(n, seconds)| (n, value(n, seconds))).collect()
+    runs.map(|(n, seconds)| (n, steps.map_or(seconds, |steps| 1e9 * seconds / steps / n))).collect()
 }
 
 /// Returns the names of the course reports' tables that the chart includes.
@@ -55,20 +54,13 @@ fn beside(hard: bool, parallel: bool) -> &'static [&'static str] {
     }
 }
 
-/// Makes lines of slope 1 and 2 through the lower left corner of the measured points.
-///
-/// The lines end where the points end, to the right or upwards.
+/// Makes lines of slope 1 and 2 from the lower left corner of the measured points to where the
+/// points end, to the right or upwards.
 fn guides(points: &[(f64, f64)]) -> [Series; 2] {
-    let mut first = f64::INFINITY;
-    let mut low = f64::INFINITY;
-    let mut last = 0.0_f64;
-    let mut high = 0.0_f64;
-    for &(x, y) in points {
-        first = first.min(x);
-        low = low.min(0.7 * y);
-        last = last.max(x);
-        high = high.max(y);
-    }
+    let first = points.iter().map(|point| point.0).fold(f64::INFINITY, f64::min);
+    let last = points.iter().map(|point| point.0).fold(0.0, f64::max);
+    let low = 0.7 * points.iter().map(|point| point.1).fold(f64::INFINITY, f64::min);
+    let high = points.iter().map(|point| point.1).fold(0.0, f64::max);
     [1, 2].map(|power| {
         let reach = (last / first).min((2.0 * high / low).powf(1.0 / f64::from(power)));
         let end = (first * reach, low * reach.powi(power));

@@ -3,8 +3,6 @@
 mod growth;
 mod line;
 
-use std::process::ExitCode;
-
 use anyhow::{Result, ensure};
 use clap::Args;
 use lab_kit::Kit;
@@ -46,9 +44,8 @@ pub struct Options {
     pub(super) files: Files,
 }
 
-/// All results of the command.
 #[derive(Deserialize, Serialize)]
-pub struct Results {
+pub(super) struct Results {
     lines: Vec<Line>,
     streaming_bound: Vec<Bound>,
 }
@@ -59,12 +56,10 @@ impl Options {
     }
 }
 
-/// Takes the measurements, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let hard = options.subject.package()?.is_hard();
     let from = options.from;
     let to = options.to.unwrap_or(if hard { 16_000 } else { 128_000 });
-    ensure!(from < to, "--from {from} must be less than --to {to}");
     let doubled = std::iter::successors(Some(from), |n| n.checked_mul(2));
     let sizes: Vec<f64> = doubled.take_while(|n| *n <= to).map(f64::from).collect();
     ensure!(sizes.len() > 1, "--to {to} must be at least twice --from {from}");
@@ -89,8 +84,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         lines.push(line);
     }
     let results = Results { lines, streaming_bound: timings.bounds };
-    options.files.write(results, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(results, |shown| options.draw(shown))
 }
 
 fn is_same_line(a: &Timing, b: &Timing) -> bool {

@@ -75,15 +75,12 @@ pub fn publish(kit: &Kit, mut entries: Vec<(String, Vec<Entry>)>, into: &Path) -
     Ok(into.join(PAGE))
 }
 
-/// Reads the entries of all students.
-///
-/// # Errors
-/// If two files have different scenes, or if a file does not contain a contest.
 fn read(folder: &Path) -> Result<Vec<(String, Vec<Entry>)>> {
-    let unread = || format!("cannot read {}", folder.display());
     let mut files = Vec::new();
     let mut seed = None;
-    for file in fs::read_dir(folder).with_context(unread)? {
+    let listed =
+        fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
+    for file in listed {
         let path = file?.path();
         if path.extension().is_none_or(|extension| extension != "json") {
             continue;
@@ -141,7 +138,6 @@ fn earned(entry: &Entry, goals: &[Goal], landmarks: &[Entry]) -> Result<f64> {
     Ok(sum)
 }
 
-/// Explains the points.
 fn rules(goals: &[Goal]) -> String {
     let mut text =
         "points for an entry that is better than an engine in one of the rankings\n".to_owned();

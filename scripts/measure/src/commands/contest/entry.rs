@@ -56,7 +56,6 @@ impl Entry {
         self.alias.clone().unwrap_or_else(|| self.program.to_string())
     }
 
-    /// Adds a round.
     pub(super) fn add(&mut self, kind: Kind, time: f64, error: f64) {
         self.kinds.entry(kind.name().into()).or_default().push(Round { time, error });
     }

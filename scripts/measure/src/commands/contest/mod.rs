@@ -13,7 +13,6 @@ mod trial;
 
 use std::hash::{BuildHasher, RandomState};
 use std::path::PathBuf;
-use std::process::ExitCode;
 use std::time::Duration;
 
 use anyhow::{Result, ensure};
@@ -98,11 +97,9 @@ impl Options {
     }
 }
 
-/// Takes the measurements, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
     if let Some(folder) = &options.class {
-        class_page::write(kit, folder)?;
-        return Ok(ExitCode::SUCCESS);
+        return class_page::write(kit, folder);
     }
     if options.quick {
         options.rounds = 1;
@@ -115,10 +112,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let packages = [&options.programs[..], std::slice::from_ref(&reference)].concat();
     let mut runner = Runner::build(kit, &packages)?;
     runner.limit = Duration::from_secs(options.limit);
-    let mut programs = Vec::new();
-    for program in &options.programs {
-        programs.extend(runner.binaries.variants(program)?.into_iter().map(|(program, _)| program));
-    }
+    let variants = runner.variants(&options.programs)?;
     let clock = RandomState::new().hash_one(()) as u32 % 1_000_000 + 1;
     let contest = Contest {
         reference,
@@ -127,7 +121,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         seed: options.seed.unwrap_or(clock),
     };
     let scenes = contest.scenes(options.rounds)?;
-    let mut entries: Vec<Entry> = programs.into_iter().map(Entry::new).collect();
+    let mut entries: Vec<Entry> = variants.into_iter().map(|(one, _)| Entry::new(one)).collect();
     contest.measure(&by(&runner), &scenes, &mut entries)?;
     contest.count(&mut runner, options.caches, options.rounds, &mut entries)?;
     let seed = contest.seed;
@@ -140,8 +134,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         if options.quick { "; small scenes, so the numbers say little" } else { "" }
     );
     let results = Results { seed, threads: contest.threads, entries, landmarks };
-    options.files.write(results, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(results, |shown| options.draw(shown))
 }
 
 /// Reads the landmarks; empty if the kit has none. A landmark that is also an entry of this contest

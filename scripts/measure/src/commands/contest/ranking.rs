@@ -68,18 +68,16 @@ impl Ranking {
 
 /// Returns why an entry takes part in no ranking; `None` if it takes part.
 pub fn unranked(entry: &Entry) -> Option<String> {
-    let inaccurate = || {
-        let kind = inaccurate(entry)?;
-        Some(format!("{}: the error is above {ACCURATE}", kind.name()))
-    };
-    entry.faults.first().cloned().or_else(inaccurate)
+    let fault = entry.faults.first().cloned();
+    fault.or_else(|| Some(format!("{}: the error is above {ACCURATE}", inaccurate(entry)?.name())))
 }
 
 /// Returns the first kind of scene with too great an error; `None` if the entry is accurate on all
 /// kinds. One kind without forces would otherwise buy time for the other kinds.
 fn inaccurate(entry: &Entry) -> Option<Kind> {
-    let median = |kind| entry.errors(kind).map(|errors| errors.median);
-    Kind::ALL.into_iter().find(|&kind| median(kind).is_none_or(|error| error > ACCURATE))
+    Kind::ALL
+        .into_iter()
+        .find(|kind| entry.errors(*kind).is_none_or(|errors| errors.median > ACCURATE))
 }
 
 #[cfg(test)]

@@ -6,46 +6,39 @@ use oracle::contest::Kind;
 use super::entry::Entry;
 use super::ranking::{Ranking, unranked};
 use crate::chart::{Axis, Chart, Kind as Look, Series};
-use crate::clock::{Span, Times};
+use crate::clock::Span;
 use crate::columns::Columns;
 use crate::commands::precision::group::front;
 
-/// A line of the tables.
 struct Row<'e> {
     name: String,
     entry: &'e Entry,
-    places: Vec<String>,
 }
 
 /// Formats tables of all entries' places, results on each kind of scene, and faults.
 pub(super) fn tables(entries: &[Entry], landmarks: &[Entry]) -> String {
-    let all: Vec<&Entry> = entries.iter().chain(landmarks).collect();
+    let all = &*entries.iter().chain(landmarks).collect::<Vec<&Entry>>();
     let mut rows = Vec::new();
     for (at, entry) in all.iter().enumerate() {
         let star = if at < entries.len() { "" } else { " *" };
-        let places = Ranking::ALL.iter().map(|ranking| place(*ranking, entry, &all)).collect();
-        rows.push(Row { name: entry.name() + star, entry, places });
+        rows.push(Row { name: entry.name() + star, entry });
     }
     let mut places = Columns::of("all kinds", |row: &Row| row.name.clone())
         .perhaps("time", |row| row.entry.time.map(range))
         .perhaps("error", |row| row.entry.error.map(range))
         .number("instructions", |row| row.entry.instructions);
-    for (at, ranking) in Ranking::ALL.into_iter().enumerate() {
-        places = places.text(ranking.name(), move |row| row.places[at].clone());
+    for ranking in Ranking::ALL {
+        places = places.text(ranking.name(), move |row| place(ranking, row.entry, all));
     }
     let mut kinds = Columns::of("time / error", |row: &Row| row.name.clone());
     for kind in Kind::ALL {
         kinds = kinds.perhaps(kind.name(), move |row| {
-            let median = |times: Times| three_digits(times.median);
-            Some(format!(
-                "{} / {}",
-                row.entry.times(kind).map(median)?,
-                row.entry.errors(kind).map(median)?
-            ))
+            let time = three_digits(row.entry.times(kind)?.median);
+            Some(format!("{time} / {}", three_digits(row.entry.errors(kind)?.median)))
         });
     }
     let mut text = format!("{}\n{}", places.table(&rows), kinds.table(&rows));
-    for entry in &all {
+    for entry in all {
         if let Some(why) = unranked(entry) {
             text += &format!("\nnot ranked: {}: {why}", entry.name());
         }

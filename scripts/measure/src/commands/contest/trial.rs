@@ -10,13 +10,14 @@ use crate::commands::precision::reference::rms;
 use crate::job::{Job, RunOutput, States};
 use crate::runner::Runner;
 
-/// A way to run a job on a drawn scene. The inner error is a fault of the program, in words.
-pub type Track<'a> = dyn Fn(&Drawn, &Job) -> Result<std::result::Result<RunOutput, String>> + 'a;
+/// The result of a run. The inner error is a fault of the program, in words.
+pub(super) type Outcome<T> = Result<std::result::Result<T, String>>;
+
+/// A way to run a job on a drawn scene.
+pub type Track<'a> = dyn Fn(&Drawn, &Job) -> Outcome<RunOutput> + 'a;
 
 /// Runs jobs by a runner. Every error of the runner counts as a fault of the program.
-pub(super) fn by(
-    runner: &Runner,
-) -> impl Fn(&Drawn, &Job) -> Result<std::result::Result<RunOutput, String>> {
+pub(super) fn by(runner: &Runner) -> impl Fn(&Drawn, &Job) -> Outcome<RunOutput> {
     |_, job| Ok(runner.run(job).map_err(|why| format!("{why:#}")))
 }
 
@@ -50,12 +51,8 @@ impl Drawn {
         Ok(Self { kind, seed, scene: Arc::new(scene), exact })
     }
 
-    /// Runs a job for the contest's steps. The inner error is a fault of the program, in words.
-    pub(super) fn run(
-        &self,
-        track: &Track<'_>,
-        job: Job,
-    ) -> Result<std::result::Result<End, String>> {
+    /// Runs a job for the contest's steps.
+    pub(super) fn run(&self, track: &Track<'_>, job: Job) -> Outcome<End> {
         let job = Job { steps: STEPS, states: Some(States::Last), ..job };
         let output = match track(self, &job)? {
             Ok(output) => output,
@@ -65,8 +62,7 @@ impl Drawn {
         if let Some(fault) = self.fault(state) {
             return Ok(Err(fault));
         }
-        let of_judged = |particle: &Particle| state[particle.id as usize];
-        let judged: Vec<Particle> = self.exact.iter().map(of_judged).collect();
+        let judged: Vec<Particle> = self.exact.iter().map(|p| state[p.id as usize]).collect();
         let seconds = output.loading + output.seconds + output.reading;
         Ok(Ok(End { seconds, error: rms(&judged, &self.exact), state: state.clone() }))
     }

@@ -4,7 +4,6 @@ mod rows;
 mod takes;
 
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use anyhow::{Context, Result, ensure};
 use clap::Args;
@@ -43,25 +42,23 @@ pub struct Options {
     pub(in crate::commands) files: Files,
 }
 
-/// All results of the command.
 #[derive(Deserialize, Serialize)]
-pub struct Results {
+pub(super) struct Results {
     costs: Costs,
     programs: Vec<Row>,
 }
 
 impl Options {
     pub(in crate::commands) fn draw(&self, results: Results) -> Result<Sheet> {
-        let most = results.costs.most_operations();
+        let most = 1.0 / results.costs.operation;
         let flops = results.roof("Operations", "operations", most, |row| row.operations);
-        let most = results.costs.most_instructions();
+        let most = 1.0 / results.costs.instruction;
         let all = results.roof("Instructions", "instructions", most, |row| Some(row.instructions));
         Ok(vec![vec![flops, all]])
     }
 }
 
-/// Takes the measurements, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let mut counted = Vec::new();
     let mut caches = None;
     for file in &options.counts {
@@ -85,8 +82,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         rows.push(Row::new(run, least, &costs, &runner, options.steps)?);
     }
     println!("{}\n{}", table(&rows), costs.in_words());
-    options.files.write(Results { costs, programs: rows }, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(Results { costs, programs: rows }, |shown| options.draw(shown))
 }
 
 /// Whether the workers of a program share its work, according to the lab's facts.

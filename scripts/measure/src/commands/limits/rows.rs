@@ -12,13 +12,10 @@ use crate::columns::Columns;
 use crate::job::{Job, RunOutput};
 use crate::runner::Runner;
 
-/// Floating-point operations that the distance of two particles needs.
-///
-/// Multiplications, additions, divisions and roots count as one operation each.
+/// Floating-point operations of a distance, of the force of a pair on one of its particles, and of
+/// the move of a particle. A division or a root counts as one operation.
 const DISTANCE: f64 = 5.0;
-/// Floating-point operations that the force of a pair on one of its particles needs.
 const FORCE: f64 = 9.0;
-/// Floating-point operations that the move of a particle needs.
 const MOVE: f64 = 8.0;
 
 #[derive(Deserialize, Serialize)]
@@ -67,11 +64,9 @@ impl Row {
         let counts = run.row.counts();
         let bounds = Bounds::new(counts, costs, least.streaming);
         let each = 1e9 / (run.n() as f64 * steps as f64);
-        let time = each * least.alone.seconds();
-        let all_cores = match least.on_all {
-            Some(on_all) => Some(Shared::new(runner, run, each * on_all.seconds(), time)?),
-            None => None,
-        };
+        let time = each * least.seconds();
+        let all_cores =
+            least.seconds_on_all().map(|all| Shared::new(runner, run, each * all, time));
         Ok(Self {
             program: run.row.job.program.clone(),
             n: run.n(),
@@ -84,14 +79,13 @@ impl Row {
             instructions: counts[0],
             bytes: bytes(counts),
             operations: operations(runner, &run.job(1, run.after + steps))?,
-            all_cores,
+            all_cores: all_cores.transpose()?,
         })
     }
 }
 
-/// Returns the floating-point operations per particle and step that the formulas need.
-///
-/// The number follows from the counts of pairs in a run.
+/// Returns the floating-point operations per particle and step that the formulas need for the pairs
+/// that a run counts.
 fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
     if job.program.discs != Discs::Soft {
         return Ok(None);

@@ -17,18 +17,14 @@ pub(super) struct Counted {
 }
 
 /// Seconds of a run until counting began, and of the whole run.
-#[derive(Clone, Copy)]
-pub(super) struct Stretch {
-    until: f64,
-    in_all: f64,
-}
+type Stretch = [f64; 2];
 
 /// The runs of a program in one round.
 #[derive(Clone, Copy)]
 pub(super) struct Take {
-    pub(super) alone: Stretch,
+    alone: Stretch,
     /// The run with a worker for each core; `None` if workers do not share the work.
-    pub(super) on_all: Option<Stretch>,
+    on_all: Option<Stretch>,
     pub(super) streaming: f64,
 }
 
@@ -54,27 +50,31 @@ impl Counted {
 
     fn stretch(&self, runner: &Runner, workers: usize, steps: u64) -> Result<Stretch> {
         let until = runner.run(&self.job(workers, self.after))?.seconds;
-        let in_all = runner.run(&self.job(workers, self.after + steps))?.seconds;
-        Ok(Stretch { until, in_all })
-    }
-}
-
-impl Stretch {
-    pub(super) fn least(self, other: Self) -> Self {
-        Self { until: self.until.min(other.until), in_all: self.in_all.min(other.in_all) }
-    }
-
-    pub(super) fn seconds(self) -> f64 {
-        self.in_all - self.until
+        Ok([until, runner.run(&self.job(workers, self.after + steps))?.seconds])
     }
 }
 
 impl Take {
+    /// Returns the least times of two rounds.
     pub(super) fn least(self, other: Self) -> Self {
         Self {
-            alone: self.alone.least(other.alone),
-            on_all: self.on_all.zip(other.on_all).map(|(a, b)| a.least(b)),
+            alone: least(self.alone, other.alone),
+            on_all: self.on_all.zip(other.on_all).map(|(a, b)| least(a, b)),
             streaming: self.streaming.min(other.streaming),
         }
     }
+
+    /// Returns the seconds of the counted steps.
+    pub(super) fn seconds(self) -> f64 {
+        self.alone[1] - self.alone[0]
+    }
+
+    /// Returns the seconds of the counted steps on all cores; `None` if workers do not share them.
+    pub(super) fn seconds_on_all(self) -> Option<f64> {
+        self.on_all.map(|[until, in_all]| in_all - until)
+    }
+}
+
+fn least(a: Stretch, b: Stretch) -> Stretch {
+    [a[0].min(b[0]), a[1].min(b[1])]
 }

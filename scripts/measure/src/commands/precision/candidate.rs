@@ -59,9 +59,7 @@ impl Candidate {
         self.program.to_string()
     }
 
-    /// Makes a job of some official steps on one worker.
-    ///
-    /// The program writes the state after the last step.
+    /// Makes a job that takes official steps on one worker and writes its last state.
     pub(super) fn job(&self, scene: &Arc<Scene>, steps: u64) -> Job {
         let job = Job::new(self.program.clone(), scene::Scene::Given(Arc::clone(scene)));
         Job { steps, states: Some(States::Last), ..job }

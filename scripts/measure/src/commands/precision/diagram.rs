@@ -33,15 +33,14 @@ pub(super) fn chart(group: &Group) -> Chart {
     let mut labs: Vec<Lab> = group.points.iter().map(|point| point.program.lab).collect();
     labs.sort();
     labs.dedup();
-    let mut front: Vec<&Point> = group.points.iter().collect();
-    front.retain(|point| point.on_front);
+    let front: Vec<&Point> = group.points.iter().filter(|point| point.on_front).collect();
     let mut grey = Vec::new();
     let mut behind = Vec::new();
     let mut marks = Vec::new();
     let mut lines: Vec<(String, Vec<&Point>)> = Vec::new();
     for lab in labs {
-        let mut of_lab: Vec<&Point> = group.points.iter().collect();
-        of_lab.retain(|point| point.program.lab == lab);
+        let of_lab = group.points.iter().filter(|point| point.program.lab == lab);
+        let of_lab: Vec<&Point> = of_lab.collect();
         if of_lab.iter().any(|point| !point.program.parameters.is_empty()) {
             of_lab.into_iter().for_each(|point| add(&mut lines, point));
         } else if of_lab.iter().any(|point| point.on_front) {

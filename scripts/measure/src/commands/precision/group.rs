@@ -46,16 +46,16 @@ impl Group {
 /// Returns for each point (cost, error) whether it is on the Pareto front. A point that is not
 /// finite is never on the front.
 pub(crate) fn front(points: &[(f64, f64)]) -> Vec<bool> {
-    let is_on = |p: &(f64, f64)| is_finite(p) && !points.iter().any(|other| beats(other, p));
-    points.iter().map(is_on).collect()
-}
-
-fn is_finite(p: &(f64, f64)) -> bool {
-    p.0.is_finite() && p.1.is_finite()
+    let mut front = Vec::new();
+    for p in points {
+        let is_beaten = points.iter().any(|other| beats(other, p));
+        front.push(p.0.is_finite() && p.1.is_finite() && !is_beaten);
+    }
+    front
 }
 
 fn beats(a: &(f64, f64), b: &(f64, f64)) -> bool {
-    is_finite(a) && a.0 <= b.0 && a.1 <= b.1 && (a.0 < b.0 || a.1 < b.1)
+    a.0 <= b.0 && a.1 <= b.1 && (a.0 < b.0 || a.1 < b.1)
 }
 
 #[cfg(test)]

@@ -9,7 +9,6 @@ mod diagram;
 pub(crate) mod group;
 pub mod reference;
 
-use std::process::ExitCode;
 use std::sync::Arc;
 
 use anyhow::Result;
@@ -20,7 +19,6 @@ use lab_kit::Kit;
 use crate::chart::Sheet;
 use crate::experiment::{in_turns, one_by_one};
 use crate::numbers::Files;
-use crate::runner::Runner;
 use crate::subject::SoftPrograms;
 use candidate::{Candidate, STEPS, candidates};
 use group::Group;
@@ -57,8 +55,7 @@ impl Options {
     }
 }
 
-/// Takes the measurements, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, mut options: Options) -> Result<()> {
     let mut divisions = vec![1, 2, 5, 10, 20, 50];
     if options.quick {
         divisions = vec![1, 10];
@@ -66,13 +63,10 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         options.rounds = 1;
         options.seeds = 0;
     }
-    let packages = options.programs.packages(kit, options.quick)?;
-    let runner = Runner::build(kit, &packages)?;
+    let (runner, variants) = options.programs.build(kit, options.quick)?;
     let mut all = Vec::new();
-    for package in &packages {
-        for (program, known) in runner.binaries.variants(package)? {
-            all.extend(candidates(program, &known, &divisions));
-        }
+    for (program, known) in variants {
+        all.extend(candidates(program, &known, &divisions));
     }
     let drifts =
         one_by_one(&all, Candidate::name, |candidate| candidate.drift(&runner, options.seeds))?;
@@ -92,6 +86,5 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         println!("{}", diagram::table(&group));
         groups.push(group);
     }
-    options.files.write(&groups, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(&groups, |shown| options.draw(shown))
 }

@@ -27,9 +27,6 @@ pub(super) fn table(curves: &[Curve]) -> Option<Table> {
 }
 
 /// Plots a counter against the number of workers.
-///
-/// # Errors
-/// No program has the counter, or several counters contain the name.
 pub(super) fn chart(curves: &[Curve], n: usize, name: &str) -> Result<Chart> {
     let counter = &counter_named(curves, name)?;
     let workers = curves.iter().flat_map(|curve| &curve.strong).map(|point| point.workers as f64);
@@ -50,9 +47,6 @@ pub(super) fn chart(curves: &[Curve], n: usize, name: &str) -> Result<Chart> {
 }
 
 /// Finds the only counter whose name contains `name`.
-///
-/// # Errors
-/// No program has the counter, or several counters contain the name.
 fn counter_named(curves: &[Curve], name: &str) -> Result<String> {
     let names = counter_names(curves);
     let fitting: Vec<&String> = names.iter().filter(|known| known.contains(name)).collect();
@@ -82,9 +76,6 @@ pub(super) struct Breakdown {
 impl Breakdown {
     /// Finds the counters whose names contain `names`. A program without any of these counters is
     /// omitted.
-    ///
-    /// # Errors
-    /// A name fits no counter, or several counters.
     pub(super) fn new(curves: &[Curve], names: &[String]) -> Result<Self> {
         let mut parts = names.to_vec();
         parts.push("rest".into());
@@ -103,7 +94,6 @@ impl Breakdown {
         Ok(Self { parts, rows })
     }
 
-    /// Draws a bar for each run.
     pub(super) fn chart(&self, n: usize) -> Chart {
         let title = format!("Where the time of a step goes, n = {n}");
         let x = Axis::linear("ms a step, mean of the workers").starting_at(0.0);
@@ -120,9 +110,8 @@ impl Breakdown {
 }
 
 impl Point {
-    /// Returns the milliseconds of a step that each counter measures, and the rest of the step.
-    ///
-    /// Returns `None` if the run has no such counter.
+    /// Returns the milliseconds of a step that each counter measures, and the rest of the step;
+    /// `None` if the run has no such counter.
     fn parts(&self, counters: &[String]) -> Option<Vec<f64>> {
         counters.iter().find(|name| self.timing.counters.contains_key(*name))?;
         let mut parts = Vec::new();

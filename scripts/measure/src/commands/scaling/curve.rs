@@ -40,19 +40,9 @@ pub(super) struct Point {
     pub(super) graded: bool,
 }
 
-/// Runs of a program on some scenes.
-pub(super) struct Runs<'m> {
-    /// The run of the serial program.
-    pub(super) serial: Option<&'m Timing>,
-    /// The runs by number of workers.
-    pub(super) all: Vec<(usize, &'m Timing)>,
-}
-
-/// A function that computes an efficiency.
-///
-/// Its arguments are the seconds of one worker, the number of workers, and the seconds of all
-/// workers.
-type Efficiency = fn(f64, usize, f64) -> f64;
+/// A function that computes an efficiency from the seconds of one worker, the number of workers,
+/// and the seconds of all workers.
+pub(super) type Efficiency = fn(f64, usize, f64) -> f64;
 
 impl Curve {
     pub(super) fn new(program: Program, strong: Vec<Point>, weak: Vec<Point>) -> Self {
@@ -75,43 +65,17 @@ impl Curve {
             weak,
         }
     }
+}
 
-    /// Returns the average strong-scaling efficiency for marks, without the point of one worker.
-    pub(super) fn strong_for_marks(&self) -> Option<f64> {
-        Some(mean(&self.strong, 2)?.min)
-    }
-
-    /// Returns the average weak-scaling efficiency for marks, without the point of one worker.
-    pub(super) fn weak_for_marks(&self) -> Option<f64> {
-        Some(mean(&self.weak, 2)?.min)
-    }
+/// Returns the average efficiency for marks, without the point of one worker.
+pub(super) fn for_marks(points: &[Point]) -> Option<f64> {
+    Some(mean(points, 2)?.min)
 }
 
 /// Averages the graded points with `least` or more workers.
 fn mean(points: &[Point], least: usize) -> Option<Span> {
     let graded = points.iter().filter(|point| point.graded && point.workers >= least);
     averages(&graded.filter_map(|point| point.efficiencies).collect::<Vec<_>>())
-}
-
-impl Runs<'_> {
-    /// Makes a point for each number of workers.
-    pub(super) fn points(&self, efficiency: Efficiency) -> Vec<Point> {
-        let own = self.all.iter().find(|(workers, _)| *workers == 1).map(|(_, timing)| *timing);
-        let mut points = Vec::new();
-        for &(workers, timing) in &self.all {
-            let efficiencies = against(self.serial, workers, timing, efficiency);
-            let own_efficiencies = against(own, workers, timing, efficiency);
-            points.push(Point {
-                workers,
-                timing: timing.clone(),
-                efficiency: efficiencies.map_or(f64::NAN, |efficiency| efficiency.min),
-                efficiencies,
-                own_efficiency: own_efficiencies.map_or(f64::NAN, |efficiency| efficiency.min),
-                graded: timing.job.all_workers() <= cores(),
-            });
-        }
-        points
-    }
 }
 
 /// Computes the efficiency of a run relative to a run of one worker.
@@ -122,6 +86,25 @@ fn against(one: Option<&Timing>, p: usize, all: &Timing, efficiency: Efficiency)
 }
 
 impl Point {
+    /// Compares a run with the serial program's run, and with the variant's own run on one worker.
+    pub(super) fn new(
+        workers: usize,
+        timing: &Timing,
+        [serial, own]: [Option<&Timing>; 2],
+        efficiency: Efficiency,
+    ) -> Self {
+        let efficiencies = against(serial, workers, timing, efficiency);
+        let own = against(own, workers, timing, efficiency);
+        Self {
+            workers,
+            timing: timing.clone(),
+            efficiency: efficiencies.map_or(f64::NAN, |efficiency| efficiency.min),
+            efficiencies,
+            own_efficiency: own.map_or(f64::NAN, |efficiency| efficiency.min),
+            graded: timing.job.all_workers() <= cores(),
+        }
+    }
+
     fn is_too_short(&self) -> bool {
         self.graded && self.timing.times.are_too_short()
     }

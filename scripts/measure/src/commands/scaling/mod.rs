@@ -5,8 +5,6 @@ mod curve;
 mod speedups;
 mod strong_weak;
 
-use std::process::ExitCode;
-
 use anyhow::{Result, ensure};
 use clap::Args;
 use lab_kit::machine::{cores, doubled_up_to};
@@ -23,7 +21,7 @@ use crate::numbers::Files;
 use crate::scene::Scene;
 use crate::subject::Subject;
 use counters::Breakdown;
-use curve::{Curve, Point};
+use curve::{Curve, Point, for_marks};
 use speedups::Results;
 use strong_weak::Plan;
 
@@ -96,8 +94,7 @@ impl Options {
     }
 }
 
-/// Takes the measurements, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let package = options.subject.package()?;
     ensure!(
         package.workers != Workers::Device,
@@ -122,8 +119,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut serial = timings.timings;
     serial.retain(|timing| timing.job.program == plan.serial);
     let results = Results { serial, curves, streaming_bound: timings.bounds };
-    options.files.write(results, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(results, |shown| options.draw(shown))
 }
 
 /// Finds the best serial program for the problem of this lab; `None` if the kit does not have one.
@@ -192,8 +188,8 @@ fn verdict(curve: &Curve) -> String {
     );
     let weak = and_weak(curve.average_weak_efficiency);
     let mut text = format!("Average strong efficiency {strong:.2}{weak}. {grade}");
-    if let Some(strong) = curve.strong_for_marks() {
-        let weak = and_weak(curve.weak_for_marks());
+    if let Some(strong) = for_marks(&curve.strong) {
+        let weak = and_weak(for_marks(&curve.weak));
         text += &format!("\nWithout one worker, as for marks: strong {strong:.2}{weak}.");
     }
     text

@@ -7,7 +7,6 @@ use crate::chart::{Axis, Chart, Kind, Series};
 use crate::experiment::{Bound, Timing};
 use crate::published::{self, Scaling};
 
-/// All results of the command.
 #[derive(Deserialize, Serialize)]
 pub(crate) struct Results {
     pub(super) serial: Vec<Timing>,

@@ -2,13 +2,12 @@
 
 use lab_kit::program::Program;
 
-use super::curve::{Curve, Runs};
+use super::curve::{Curve, Efficiency, Point};
 use crate::autograder::{strong_efficiency, weak_efficiency};
 use crate::experiment::{Timing, Timings};
 use crate::job::Job;
 use crate::scene::Scene;
 
-/// The scenes and numbers of workers of a measurement.
 pub(super) struct Plan {
     /// The serial program, whose time is t₁.
     pub(super) serial: Program,
@@ -55,26 +54,34 @@ impl Plan {
         Some(Job { scene, ..self.strong_job(program, workers) })
     }
 
-    /// Returns a curve for each program.
     pub(super) fn curves(&self, timings: &Timings) -> Vec<Curve> {
         let mut curves = Vec::new();
         for program in &self.programs {
-            let strong =
-                self.runs(program, |program, p| timings.find(&self.strong_job(program, p)));
-            let weak = self.runs(program, |program, p| timings.find(&self.weak_job(program, p)?));
-            let strong = strong.points(strong_efficiency);
-            let weak = weak.points(|one, _, all| weak_efficiency(one, all));
+            let strong = self.points(program, strong_efficiency, |program, p| {
+                timings.find(&self.strong_job(program, p))
+            });
+            let weak = self.points(
+                program,
+                |one, _, all| weak_efficiency(one, all),
+                |program, p| timings.find(&self.weak_job(program, p)?),
+            );
             curves.push(Curve::new(program.clone(), strong, weak));
         }
         curves
     }
 
-    fn runs<'m>(
+    /// Makes a point for each number of workers with a run.
+    fn points<'m>(
         &self,
         program: &Program,
-        find: impl Fn(&Program, usize) -> Option<&'m Timing>,
-    ) -> Runs<'m> {
-        let all = self.workers.iter().filter_map(|&p| Some((p, find(program, p)?)));
-        Runs { serial: find(&self.serial, 1), all: all.collect() }
+        efficiency: Efficiency,
+        run: impl Fn(&Program, usize) -> Option<&'m Timing>,
+    ) -> Vec<Point> {
+        let single = [run(&self.serial, 1), run(program, 1)];
+        let mut points = Vec::new();
+        for &p in &self.workers {
+            points.extend(run(program, p).map(|run| Point::new(p, run, single, efficiency)));
+        }
+        points
     }
 }

@@ -2,8 +2,7 @@
 
 use lab_kit::table::Table;
 
-use super::judge::{Cell, Verdict};
-use super::row::{Pairs, Row};
+use super::judge::{Cell, Pairs, Row, Verdict};
 use super::trials::{Column, Observable, Trial};
 use crate::chart::{Axis, Chart, Kind, Series};
 
@@ -50,13 +49,12 @@ pub(super) fn tables(trials: &[Trial], rows: &[Row]) -> String {
             }
         }
     }
-    let inputs: Vec<bool> =
-        rows.iter().flat_map(|row| &row.inputs).map(|input| input.refused).collect();
-    let refused = inputs.iter().filter(|refused| **refused).count();
+    let inputs = rows.iter().flat_map(|row| &row.inputs);
+    let refused = inputs.clone().filter(|input| input.refused).count();
     text + &format!(
         "{passed} cells pass, {limits} show a limit of the method, {failed} fail;\n\
          {refused} of {} bad inputs are refused\n",
-        inputs.len()
+        inputs.count()
     )
 }
 
@@ -113,9 +111,8 @@ fn refusals(rows: &[Row]) -> String {
     format!("{table}\n{faults}")
 }
 
-/// A line of the chart.
+/// A line of the chart, named after the first program that has it.
 struct Line {
-    /// The first program with this line.
     name: String,
     /// Number of other programs with this line.
     others: usize,

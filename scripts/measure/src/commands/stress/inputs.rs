@@ -34,7 +34,6 @@ pub(super) struct Input {
     pub(super) answer: String,
 }
 
-/// All bad inputs.
 pub(super) const BAD: &[Bad] = &[
     Bad("a position that is no number", Scene("2 1\n0.5 0.5 0 0\nNaN 0.5 0 0\n"), "particle 1"),
     Bad("an infinite velocity", Scene("2 1\n0.5 0.5 0 0\n0.5 0.5 0 -inf\n"), "particle 1"),
@@ -65,9 +64,6 @@ pub(super) const BAD: &[Bad] = &[
 
 impl Bad {
     /// Gives the input to a program.
-    ///
-    /// # Errors
-    /// The program cannot be started.
     pub(super) fn give(&self, lab: &Lab) -> Result<Input> {
         let Self(name, give, word) = self;
         let mut program = lab.program.clone();

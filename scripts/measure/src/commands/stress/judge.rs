@@ -1,14 +1,16 @@
 //! The verdict on a measured number (a figure). The figure passes, is a limit of the method, or
 //! shows a mistake.
 
-use serde::Serialize;
+use anyhow::Result;
+use lab_kit::program::Program;
+use serde::{Deserialize, Serialize};
 
-use super::engine::{Answer, Asked};
+use super::engine::{Lab, Run};
+use super::inputs::{self, Input};
 use super::method::Method;
 use super::observed::{Met, Observed};
 use super::trials::{Column, Trial};
 
-/// A cell of the table.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Cell {
     pub(super) trial: &'static str,
@@ -32,6 +34,24 @@ pub(super) enum Verdict {
     Fails(String),
 }
 
+#[derive(Serialize)]
+pub(super) struct Row {
+    pub(super) program: Program,
+    /// A cell for each column of each trial, in their order.
+    pub(super) cells: Vec<Cell>,
+    #[serde(rename = "head_on")]
+    met: Vec<Met>,
+    pub(super) inputs: Vec<Input>,
+}
+
+/// The part of a row that the chart needs.
+#[derive(Deserialize)]
+pub(crate) struct Pairs {
+    pub(super) program: Program,
+    #[serde(rename = "head_on")]
+    pub(super) met: Vec<Met>,
+}
+
 /// The cells of a trial, and the results of head-on pairs.
 pub(super) struct Judged {
     pub(super) cells: Vec<Cell>,
@@ -39,8 +59,8 @@ pub(super) struct Judged {
 }
 
 /// Runs a trial with `run`, which claims to use `method`, and judges it.
-pub(super) fn judge(method: Method, run: impl Fn(&Asked) -> Answer, trial: &Trial) -> Judged {
-    let observed = match observe(method, run, trial) {
+pub(super) fn judge(method: Method, trial: &Trial, run: &Run) -> Judged {
+    let observed = match observe(method, trial, run) {
         Ok(observed) => observed,
         Err(verdict) => {
             let cells = trial.columns.iter().map(|c| Cell::new(trial, c, None, verdict.clone()));
@@ -61,21 +81,16 @@ pub(super) fn judge(method: Method, run: impl Fn(&Asked) -> Answer, trial: &Tria
 }
 
 /// Runs all scenes of a trial. If nothing can be measured, the error is the verdict.
-fn observe(
-    method: Method,
-    run: impl Fn(&Asked) -> Answer,
-    trial: &Trial,
-) -> Result<Observed, Verdict> {
+fn observe(method: Method, trial: &Trial, run: &Run) -> Result<Observed, Verdict> {
     let mut observed = Observed::default();
     for scene in &trial.scenes {
-        let &Trial { steps, every, stretch, .. } = trial;
-        let frames = match run(&Asked { scene, steps, every, stretch }) {
+        let frames = match run(scene) {
             Ok(Some(frames)) => frames,
             Ok(None) => return Err(Verdict::Unable("its step is built in")),
             Err(why) => return Err(Verdict::Fails(format!("{why:#}"))),
         };
         // There must be a frame for every observed step, the first and the last among them.
-        if frames.len() as u64 != (steps - 1) / every + 1 {
+        if frames.len() as u64 != (trial.steps - 1) / trial.every + 1 {
             return Err(Verdict::Fails(format!("it showed {} states", frames.len())));
         }
         observed.add(method, trial, scene, frames).map_err(Verdict::Fails)?;
@@ -86,5 +101,26 @@ fn observe(
 impl Cell {
     fn new(trial: &Trial, column: &Column, figure: Option<f64>, verdict: Verdict) -> Self {
         Self { trial: trial.name, column: column.head, steps: trial.steps, figure, verdict }
+    }
+}
+
+impl Row {
+    /// Runs all trials and bad inputs with a program.
+    pub(super) fn of(lab: &Lab, trials: &[Trial]) -> Result<Self> {
+        let mut cells = Vec::new();
+        let mut met = Vec::new();
+        for trial in trials {
+            let judged = judge(lab.method(), trial, &|scene| lab.run(scene, trial));
+            cells.extend(judged.cells);
+            met.extend(judged.met);
+        }
+        let inputs = inputs::BAD.iter().map(|bad| bad.give(lab)).collect::<Result<_>>()?;
+        Ok(Self { program: lab.program.clone(), cells, met, inputs })
+    }
+
+    /// Whether no cell fails and all bad inputs are refused.
+    pub(super) fn holds(&self) -> bool {
+        self.cells.iter().all(|cell| !matches!(cell.verdict, Verdict::Fails(_)))
+            && self.inputs.iter().all(|input| input.refused)
     }
 }

@@ -1,31 +1,31 @@
 //! Tests with known mistakes. A program with such a mistake must fail, and the correct method must
 //! pass.
 
-use common::soft::{CUTOFF, DT, Particle};
+use common::soft::{CUTOFF, DT, Particle, Scene};
 use oracle::Model;
 
-use super::engine::{Answer, Asked};
+use super::engine::Answer;
 use super::judge::{Cell, Judged, Verdict, judge};
 use super::method::Method;
-use super::trials::short;
+use super::trials::{Trial, short};
 
-/// A change of the state after a step. The second argument is the state before the step.
-type Mistake = fn(&Asked, &[Particle], &mut [Particle]);
+/// A change of the state after a step. The arguments are the side of the box, the state before the
+/// step, and the state after it.
+type Mistake = fn(f64, &[Particle], &mut [Particle]);
 
-/// No mistake.
 const NONE: Mistake = |_, _, _| {};
 
 /// Takes official steps, and makes a mistake after each.
-fn run(mistake: Mistake, asked: &Asked) -> Answer {
-    let mut state = asked.scene.particles().to_vec();
+fn run(mistake: Mistake, scene: &Scene, trial: &Trial) -> Answer {
+    let mut state = scene.particles().to_vec();
     let mut frames = Vec::new();
-    for step in 0..asked.steps {
+    for step in 0..trial.steps {
         let before = state.clone();
-        let mut model = Model::from_state(asked.scene.size(), state);
+        let mut model = Model::from_state(scene.size(), state);
         model.step();
         state = model.particles;
-        mistake(asked, &before, &mut state);
-        if step % asked.every == 0 {
+        mistake(scene.size(), &before, &mut state);
+        if step % trial.every == 0 {
             frames.push(state.clone());
         }
     }
@@ -35,7 +35,7 @@ fn run(mistake: Mistake, asked: &Asked) -> Answer {
 #[test]
 fn a_pair_that_was_thrown_back_to_a_wall_did_not_pass() {
     let trial = short(4).into_iter().find(|trial| trial.name == "head-on pairs").unwrap();
-    let Judged { met, .. } = judge(Method::Official, |asked| run(NONE, asked), &trial);
+    let Judged { met, .. } = judge(Method::Official, &trial, &|scene| run(NONE, scene, &trial));
     for met in &met {
         let share = if met.speed == 20 { 0.25 } else { 0.0 };
         assert_eq!(met.through, share, "at relative speed {}, a step is {}", met.speed, DT);
@@ -45,8 +45,11 @@ fn a_pair_that_was_thrown_back_to_a_wall_did_not_pass() {
 
 /// Judges, in all short trials, a program that claims to use the method given in `says`.
 fn cells(says: Method, mistake: Mistake) -> Vec<Cell> {
-    let trials = short(4);
-    trials.iter().flat_map(|trial| judge(says, |asked| run(mistake, asked), trial).cells).collect()
+    let mut cells = Vec::new();
+    for trial in short(4) {
+        cells.extend(judge(says, &trial, &|scene| run(mistake, scene, &trial)).cells);
+    }
+    cells
 }
 
 fn failed(says: Method, mistake: Mistake) -> Vec<&'static str> {
@@ -69,9 +72,8 @@ fn the_method_itself_passes_or_shows_its_limits() {
 }
 
 /// Moves each particle to its exact end, if that is known.
-fn exactly(asked: &Asked, before: &[Particle], after: &mut [Particle]) {
-    let exact = Method::Better.step(asked.scene.size(), before);
-    for (p, expected) in after.iter_mut().zip(exact) {
+fn exactly(size: f64, before: &[Particle], after: &mut [Particle]) {
+    for (p, expected) in after.iter_mut().zip(Method::Better.step(size, before)) {
         *p = expected.map_or(*p, |(exact, _)| exact);
     }
 }
@@ -104,10 +106,10 @@ fn a_mistake_after_every_step_is_caught() {
         ),
         (
             "a wall that takes no particle back",
-            |asked, before, after| {
+            |size, before, after| {
                 for (p, q) in after.iter_mut().zip(before) {
-                    if p.vx == -q.vx && p.vx != 0.0 && q.x > 0.5 * asked.scene.size() {
-                        (p.x, p.vx) = (asked.scene.size(), q.vx);
+                    if p.vx == -q.vx && p.vx != 0.0 && q.x > 0.5 * size {
+                        (p.x, p.vx) = (size, q.vx);
                     }
                 }
             },
@@ -115,8 +117,7 @@ fn a_mistake_after_every_step_is_caught() {
         ),
         (
             "a position beyond the box",
-            |asked, _, after| {
-                let size = asked.scene.size();
+            |size, _, after| {
                 if let Some(p) = after.iter_mut().find(|p| p.x == size || p.y == size || p.x == 0.0)
                 {
                     p.x = size.next_up();
@@ -143,8 +144,7 @@ fn a_mistake_after_every_step_is_caught() {
 }
 
 /// Leaves out the force on a particle that touches a particle in the next bin.
-fn miss_across_edges(asked: &Asked, before: &[Particle], after: &mut [Particle]) {
-    let size = asked.scene.size();
+fn miss_across_edges(size: f64, before: &[Particle], after: &mut [Particle]) {
     for (i, p) in before.iter().enumerate() {
         let mut touching =
             before.iter().filter(|q| p.to(q).norm_squared() < 0.99 * CUTOFF * CUTOFF);
@@ -163,7 +163,7 @@ fn bin(x: f64) -> f64 {
 
 #[test]
 fn an_engine_that_shows_too_little_is_caught() {
-    let lazy = |asked: &Asked| Ok(Some(vec![asked.scene.particles().to_vec()]));
-    let cells = judge(Method::Official, lazy, &short(4)[0]).cells;
+    let Judged { cells, .. } =
+        judge(Method::Official, &short(4)[0], &|scene| Ok(Some(vec![scene.particles().to_vec()])));
     assert!(cells.iter().all(|cell| matches!(cell.verdict, Verdict::Fails(_))));
 }

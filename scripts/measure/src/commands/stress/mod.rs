@@ -13,7 +13,6 @@ mod method;
 #[cfg(test)]
 mod mistakes;
 mod observed;
-mod row;
 mod scenes;
 mod trials;
 
@@ -27,10 +26,9 @@ use lab_kit::Kit;
 use crate::chart::Sheet;
 use crate::experiment::one_by_one;
 use crate::numbers::Files;
-use crate::runner::Runner;
 use crate::subject::SoftPrograms;
 use engine::Lab;
-use row::{Pairs, Row};
+use judge::{Pairs, Row};
 
 /// Longest time of a run.
 const LIMIT: Duration = Duration::from_secs(120);
@@ -57,17 +55,12 @@ impl Options {
     }
 }
 
-/// Runs the trials, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let packages = options.programs.packages(kit, options.quick)?;
-    let mut runner = Runner::build(kit, &packages)?;
+pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let (mut runner, variants) = options.programs.build(kit, options.quick)?;
     runner.limit = LIMIT;
-    let mut labs = Vec::new();
-    for package in &packages {
-        for (program, known) in runner.binaries.variants(package)? {
-            labs.push(Lab { program, known, runner: &runner });
-        }
-    }
+    let runner = &runner;
+    let labs = variants.into_iter().map(|(program, known)| Lab { program, known, runner });
+    let labs: Vec<Lab> = labs.collect();
     let trials = trials::all(options.quick);
     let rows = one_by_one(&labs, Lab::name, |lab| Row::of(lab, &trials))?;
     print!("{}", cells::tables(&trials, &rows));

@@ -35,11 +35,8 @@ pub(super) fn head_on(phases: u32) -> Scene {
     scene(size, particles)
 }
 
-/// Makes two, three and ten particles at the same position without relative motion.
-///
-/// They are at rest or move together, so there is no force.
-///
-/// Further pairs are an ulp or less apart.
+/// Makes two, three and ten particles at the same position without relative motion, and pairs that
+/// are an ulp or less apart.
 pub(super) fn one_position() -> Scene {
     let mut particles = Vec::new();
     for (k, count) in [2, 3, 10].into_iter().enumerate() {
@@ -103,9 +100,7 @@ pub(super) fn absurd() -> Vec<Scene> {
 }
 
 /// Makes particles on every wall and corner and an ulp beside them, with velocities in every
-/// direction.
-///
-/// Some of them are alone, and some touch another particle.
+/// direction. Some of them are alone, and some touch another particle.
 pub(super) fn walls() -> Scene {
     let size: f64 = 1.0;
     let low = [0.0, 5e-324, 1e-300, 1e-17, 1e-9];
@@ -157,9 +152,8 @@ pub(super) fn edges() -> Scene {
     scene(size, particles)
 }
 
-/// Makes the same twenty-five particles, slightly too close together, in two boxes.
-///
-/// One box has side `size`, with the particles near its far corner; the second box is small.
+/// Makes the same twenty-five particles, slightly too close together, near the far corner of a box
+/// of side `size`, and in a small box.
 pub(super) fn shifted(size: f64) -> Vec<Scene> {
     let small = 0.5;
     // The particles are far from the walls of both boxes.

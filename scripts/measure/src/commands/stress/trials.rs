@@ -26,9 +26,8 @@ pub(super) struct Trial {
 /// The quantity that a trial measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Observable {
-    /// Pairs (2k, 2k + 1) that collide head-on, sorted by speed.
-    ///
-    /// The trial measures the energy that they gain, and whether they pass through each other.
+    /// The energy that pairs (2k, 2k + 1) gain in a head-on collision, and whether they pass
+    /// through each other. The pairs are sorted by speed.
     HeadOn { phases: u32 },
     /// Relative change of the total energy.
     Energy,
@@ -41,15 +40,13 @@ pub(super) enum Observable {
     Inside,
 }
 
-/// A column of the table.
 #[derive(Clone, Copy)]
 pub(super) struct Column {
     pub(super) head: &'static str,
     /// Greatest figure that passes.
     pub(super) good: f64,
-    /// Section of the chapter that explains a greater figure as a limit of the method.
-    ///
-    /// It is `None` if a greater figure is a failure.
+    /// Section of the chapter that explains a greater figure as a limit of the method; `None` if a
+    /// greater figure is a failure.
     pub(super) section: Option<&'static str>,
 }
 

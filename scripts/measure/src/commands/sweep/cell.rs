@@ -9,9 +9,8 @@ use crate::cs3210::{Printed, hard_discs};
 use crate::experiment::Timing;
 use crate::over::Varied;
 use crate::published::HARD_STEPS;
-use crate::scene::{RandomDiscs, Scene};
+use crate::scene::Scene;
 
-/// The run of a variant at one value.
 #[derive(Serialize)]
 pub(super) struct Cell {
     #[serde(flatten)]
@@ -89,8 +88,10 @@ impl Cell {
 /// Finds the CS3210 report's number for the same program and scene on the report's machine, in ms
 /// per step.
 fn report(varied: &Varied, value: f64, timing: &Timing) -> Option<Printed> {
-    let Scene::Hard { n, side, radius, random } = timing.job.scene else { return None };
-    if random != RandomDiscs::default() || varied.is_workgroup() {
+    let Scene::Hard { n, side, radius, speeds: None, blob: None } = timing.job.scene else {
+        return None;
+    };
+    if varied.is_workgroup() {
         return None;
     }
     let program = &timing.job.program;

@@ -2,8 +2,6 @@
 
 mod cell;
 
-use std::process::ExitCode;
-
 use anyhow::Result;
 use clap::Args;
 use serde::{Deserialize, Serialize};
@@ -62,7 +60,7 @@ struct Results<'r> {
 
 /// The part of the results that the chart needs.
 #[derive(Deserialize)]
-pub struct Runs {
+pub(super) struct Runs {
     #[serde(default)]
     device: Option<String>,
     runs: Vec<Timing>,
@@ -77,8 +75,7 @@ impl Options {
     }
 }
 
-/// Takes the measurements, then prints the results and writes them to a file.
-pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+pub(super) fn run(kit: &Kit, options: Options) -> Result<()> {
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let first = &programs[0];
     let varied = &options.over.varied;
@@ -96,8 +93,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     println!("{}{}", timings.left_out_in_words(), timings.bounds_in_words());
     let streaming_bound = &timings.bounds;
     let results = Results { over: varied.to_string(), device, runs: &cells, streaming_bound };
-    options.files.write(results, |shown| options.draw(shown))?;
-    Ok(ExitCode::SUCCESS)
+    options.files.write(results, |shown| options.draw(shown))
 }
 
 /// Prints the description of a device, and returns its name. For a software device, the name
@@ -156,7 +152,6 @@ fn chart(title: String, varied: &Varied, cells: &[Cell]) -> Chart {
     chart
 }
 
-/// Makes the axis of the quantity.
 fn across(varied: &Varied, cells: &[Cell]) -> Axis {
     let at = cells.iter().map(|cell| cell.at);
     match varied {
@@ -169,7 +164,6 @@ fn across(varied: &Varied, cells: &[Cell]) -> Axis {
     }
 }
 
-/// Makes the axis of times.
 fn upwards(varied: &Varied, cells: &[Cell]) -> Axis {
     match varied {
         Varied::N => Axis::log("ms a step"),
