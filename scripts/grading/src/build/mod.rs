@@ -11,7 +11,7 @@ use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::time::{Duration, Instant, SystemTime};
 
-use anyhow::{Context, Result, anyhow, bail, ensure};
+use anyhow::{Context, Error, Result, bail, ensure};
 use tempfile::TempDir;
 
 use crate::asking;
@@ -177,11 +177,11 @@ impl Tree {
     ///
     /// Their compiled dependencies are kept for the next grading run.
     pub(crate) fn reference(&self, kit: &Kit, sandbox: &Sandbox) -> Result<TempDir> {
-        let unbuilt = || format!("the solution of lab {} cannot be built", self.lab);
         let names = &[&NAMES[..], &[asking::JUDGE]].concat();
         let order = Order { sources: &self.solution, names, limit: FIRST, most: GIVEN_FILE };
-        let built = self.build_once(sandbox, &order).with_context(unbuilt)?;
-        let built = built.map_err(|why| anyhow!("{}:\n{why}", unbuilt()))?;
+        let built = self.build_once(sandbox, &order).and_then(|built| built.map_err(Error::msg));
+        let built =
+            built.with_context(|| format!("the solution of lab {} cannot be built", self.lab))?;
         // The judge contains right answers, so no submission may read it.
         fs::set_permissions(built.path().join(asking::JUDGE), Permissions::from_mode(0o700))?;
         // Nothing of the solution remains in the tree.
@@ -239,13 +239,13 @@ fn is_late(why: &str) -> bool {
 
 /// Whether a line of the compiler's output is `--> src/lib.rs:3:5` or `src/lib.rs:3:5: error`.
 fn names_a_place(line: &str) -> bool {
-    let is_place = |place: &str| {
-        let mut parts = place.rsplit(':');
-        let mut is_number = || parts.next().is_some_and(|part| part.parse::<u32>().is_ok());
-        is_number() && is_number()
-    };
     line.trim_start().starts_with("--> ")
         || line.split_once(": error").is_some_and(|(place, _)| is_place(place))
+}
+
+/// Whether a text ends with the numbers of a line and a column.
+fn is_place(text: &str) -> bool {
+    text.rsplit(':').take(2).filter(|part| part.parse::<u32>().is_ok()).count() == 2
 }
 
 /// Downloads missing dependencies of a new tree, because a build in the sandbox has no network.
@@ -300,8 +300,8 @@ fn strip(root: &Path, lab: Lab) -> Result<()> {
     for entry in fs::read_dir(&tests)? {
         folders.push(entry?.path());
     }
-    let is_package = |path: &Path| path.join("Cargo.toml").is_file();
-    for path in folders.into_iter().filter(|path| !is_package(path)) {
+    // The packages of the tests remain.
+    for path in folders.into_iter().filter(|path| !path.join("Cargo.toml").is_file()) {
         if path.is_dir() {
             fs::remove_dir_all(path)?;
         } else if path.exists() {

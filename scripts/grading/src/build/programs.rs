@@ -21,8 +21,8 @@ pub(super) struct Programs {
 /// Names of the programs of a submission.
 pub(super) const NAMES: [&str; 2] = [asking::ANSWER, timing::PROGRAM];
 
-/// Packages that a lab's tests need but its questions do not.
-const ONLY_TESTS: [&str; 1] = ["insta"];
+/// Package that a lab's tests need but its questions do not.
+const ONLY_TESTS: &str = "insta";
 
 impl Programs {
     /// Collects the programs of a lab, for a package beside the lab's `folder`.
@@ -103,15 +103,10 @@ fn scene(lab: Lab, rubric: &Facts) -> String {
 /// lab's dependencies, because functions of the lab take and return their types.
 fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
     let text = fs::read_to_string(folder.join("Cargo.toml"))?;
-    let section = |name: &str| {
-        let (_, rest) = text.split_once(&format!("[{name}]\n"))?;
-        rest.split("\n[").next()
-    };
-    let own = section("dependencies").context("the lab depends on nothing")?;
-    let of_tests = section("dev-dependencies").context("the lab has no tests")?;
-    let is_of_tests = |line: &&str| ONLY_TESTS.iter().any(|name| line.starts_with(name));
+    let own = section(&text, "dependencies").context("the lab depends on nothing")?;
+    let of_tests = section(&text, "dev-dependencies").context("the lab has no tests")?;
     let mut needs: Vec<&str> = own.lines().chain(of_tests.lines()).collect();
-    needs.retain(|line| !is_of_tests(line) && !line.is_empty());
+    needs.retain(|line| !line.starts_with(ONLY_TESTS) && !line.is_empty());
     if serial && !needs.iter().any(|line| line.starts_with("solution2.")) {
         needs.push("solution2.workspace = true");
     }
@@ -120,6 +115,12 @@ fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
          [dependencies]\nlab{lab} = {{ path = \"../lab{lab}\" }}\n{}\n",
         needs.join("\n")
     ))
+}
+
+/// Returns the lines of a section of a manifest.
+fn section<'a>(manifest: &'a str, name: &str) -> Option<&'a str> {
+    let (_, rest) = manifest.split_once(&format!("[{name}]\n"))?;
+    rest.split("\n[").next()
 }
 
 /// Returns the paths of the programs' sources in the kit.

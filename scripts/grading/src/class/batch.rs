@@ -140,15 +140,15 @@ fn judge(
     into: &Path,
     bar: &ProgressBar,
 ) -> Result<BTreeMap<String, TempDir>> {
-    let work = |(name, path): &&Named| -> Result<Option<(String, TempDir)>> {
+    let programs = on_all_cores(open, |(name, path)| {
         let tree = taken(trees);
         let (record, program) = grader.grade(&tree, reference, name, path);
         trees.lock().expect("pushing does not panic").push(tree);
         record.write(into)?;
         done(bar, name, finish::summary(&record));
         Ok(program.map(|program| (name.clone(), program)))
-    };
-    on_all_cores(open, work).into_iter().filter_map(Result::transpose).collect()
+    });
+    programs.into_iter().filter_map(Result::transpose).collect()
 }
 
 /// Takes one of the trees. A tree is always free, because there are as many trees as workers.

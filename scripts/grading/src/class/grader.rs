@@ -226,8 +226,8 @@ impl Reference {
 
 /// Whether the system refused an operation, such as reading a file.
 fn is_of_the_system(error: &anyhow::Error) -> bool {
-    let refused = |cause: &std::io::Error| cause.raw_os_error().is_some();
-    error.chain().any(|cause| cause.downcast_ref().is_some_and(refused))
+    let mut causes = error.chain().filter_map(|cause| cause.downcast_ref::<std::io::Error>());
+    causes.any(|cause| cause.raw_os_error().is_some())
 }
 
 /// Returns the SHA-256 of sources and their paths.

@@ -4,7 +4,8 @@ mod by_hand;
 mod times;
 
 use std::collections::BTreeMap;
-use std::fs;
+use std::fs::{self, DirEntry};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
@@ -211,11 +212,9 @@ pub(crate) fn expect_lab(folder: &Path, lab: Lab) -> Result<()> {
 }
 
 fn files(folder: &Path) -> Result<Vec<PathBuf>> {
-    let unread = || format!("cannot read {}", folder.display());
-    let entries = fs::read_dir(folder).with_context(unread)?;
-    let mut files = entries
-        .map(|entry| Ok(entry.with_context(unread)?.path()))
-        .collect::<Result<Vec<PathBuf>>>()?;
+    let entries = fs::read_dir(folder).and_then(Iterator::collect::<io::Result<Vec<_>>>);
+    let entries = entries.with_context(|| format!("cannot read {}", folder.display()))?;
+    let mut files: Vec<PathBuf> = entries.iter().map(DirEntry::path).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
     Ok(files)
 }

@@ -89,13 +89,13 @@ impl HandIn {
 
 impl Member {
     fn of(submitter: &Yaml) -> Self {
-        let field = |name: &str| match &submitter[name] {
+        let fields = [":email", ":sid", ":name"].map(|field| match &submitter[field] {
             Yaml::String(text) => text.clone(),
             Yaml::Integer(number) => number.to_string(),
             _ => String::new(),
-        };
-        let name = field(":name");
-        let mut keys = vec![field(":email"), field(":sid"), name.clone()];
+        });
+        let name = fields[2].clone();
+        let mut keys = Vec::from(fields);
         keys.retain(|key| !key.is_empty());
         Self { name, keys }
     }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
+use super::FILE;
 use super::export::{Export, Member};
 use super::students::{Roster, Student, key};
 use crate::record::{Attempt, Record};
@@ -44,12 +45,11 @@ impl Attendance {
     ///
     /// Each is a sentence, with the students or submissions concerned.
     pub(crate) fn words(&self, records: &[Record]) -> Vec<(&'static str, Vec<String>)> {
-        let name = |at: &usize| records[*at].found.name.clone();
         let twice = self.twice.iter().map(|(student, counts, own)| {
-            let others = own.iter().filter(|at| Some(**at) != *counts).map(name);
-            let others = others.collect::<Vec<_>>().join(", ");
+            let others = own.iter().copied().filter(|at| Some(*at) != *counts);
+            let others = names(records, others).join(", ");
             match counts {
-                Some(counts) => format!("{student} ({}, not {others})", name(counts)),
+                Some(at) => format!("{student} ({}, not {others})", records[*at].found.name),
                 None => format!("{student} ({others})"),
             }
         });
@@ -67,9 +67,12 @@ impl Attendance {
             ),
             (
                 "Could not be read, graded or found, and has no mark until it can",
-                self.unmarked.iter().map(name).collect(),
+                names(records, self.unmarked.iter().copied()),
             ),
-            ("Belongs to no one student of the roster", self.strangers.iter().map(name).collect()),
+            (
+                "Belongs to no one student of the roster",
+                names(records, self.strangers.iter().copied()),
+            ),
         ];
         all.into_iter().filter(|(_, who)| !who.is_empty()).collect()
     }
@@ -80,6 +83,11 @@ impl Attendance {
             println!("{what}: {}", line(&who.join("; ")));
         }
     }
+}
+
+/// Returns the names of these submissions.
+fn names(records: &[Record], submissions: impl Iterator<Item = usize>) -> Vec<String> {
+    submissions.map(|at| records[at].found.name.clone()).collect()
 }
 
 /// Owners of a submission, as an instructor writes them.
@@ -137,9 +145,9 @@ impl<'a> Join<'a> {
         names: &BTreeMap<String, Members>,
         records: &[Record],
     ) -> Vec<String> {
-        let called =
-            |name: &String| records.iter().any(|record| composed(&record.found.name) == *name);
-        let submissions = names.keys().filter(|name| !called(name));
+        let called: Vec<String> =
+            records.iter().map(|record| composed(&record.found.name)).collect();
+        let submissions = names.keys().filter(|name| !called.contains(name));
         let submissions = submissions.map(|name| format!("no submission is called '{name}'"));
         let students = names.values().flat_map(Members::names);
         let unknown = students.filter(|student| the_one(self.students, student).is_none());
@@ -149,15 +157,25 @@ impl<'a> Join<'a> {
     }
 
     /// Finds the submission that has the name, the student or the pseudonym `who`.
-    pub(super) fn find(&self, who: &str, records: &[Record]) -> Option<usize> {
+    fn find(&self, who: &str, records: &[Record]) -> Option<usize> {
         let name = composed(who);
-        let called = |record: &Record| {
+        let called = records.iter().position(|record| {
             composed(&record.found.name) == name || record.marked.pseudonym.as_deref() == Some(who)
-        };
-        records.iter().position(called).or_else(|| {
+        });
+        called.or_else(|| {
             let student = the_one(self.students, who)?;
             self.whose.iter().position(|whose| whose.contains(&student))
         })
+    }
+
+    /// Finds the submission as [`Join::find`] does. If there is none, a message names the entry
+    /// `what` of `class.toml`.
+    pub(super) fn expect(&self, who: &str, records: &[Record], what: &str) -> Option<usize> {
+        let found = self.find(who, records);
+        if found.is_none() {
+            eprintln!("{FILE}: {what}: no submission belongs to '{}'", line(who));
+        }
+        found
     }
 
     /// Returns the names of a submission's students; `None` if no student of the roster handed it
@@ -179,7 +197,6 @@ impl<'a> Join<'a> {
             let own = submissions.clone().filter(|at| self.whose[*at].contains(&number));
             let own: Vec<usize> = own.collect();
             let mut marked = own.iter().copied().filter(|at| records[*at].has_mark());
-            let points = |at: &usize| records[*at].marked.points;
             let counts = match (own.len(), attempts) {
                 (0, _) => {
                     all.absent.push(self.called(student));
@@ -190,17 +207,18 @@ impl<'a> Join<'a> {
                 (_, Some(Attempts::Latest)) => {
                     marked.max_by_key(|at| records[*at].marked.handed_in)
                 }
-                (_, Some(Attempts::Best)) => marked.max_by(|a, b| points(a).total_cmp(&points(b))),
+                (_, Some(Attempts::Best)) => marked
+                    .max_by(|a, b| records[*a].marked.points.total_cmp(&records[*b].marked.points)),
             };
             all.present.extend(counts.map(|at| (student.row, at)));
             if own.len() > 1 {
                 all.twice.push((self.called(student), counts, own));
             }
         }
-        let unmarked = |at: &usize| {
+        let unmarked = submissions.filter(|at| {
             !records[*at].has_mark() && self.attempt(*at, &all, records) != Attempt::Another
-        };
-        all.unmarked = submissions.filter(unmarked).collect();
+        });
+        all.unmarked = unmarked.collect();
         all
     }
 

@@ -116,12 +116,14 @@ fn listed(path: &Path, zone: &TimeZone) -> Result<Vec<(String, Timestamp)>> {
         path.display(),
         header.len()
     );
-    let row = |(line, row): &(u64, csv::StringRecord)| {
-        let location = || format!("{}, line {line}, column {}", path.display(), &header[1]);
+    let mut times = Vec::new();
+    for (line, row) in rows {
         let time = row[1].parse::<Moment>().map_err(Error::msg).and_then(|time| time.at(zone));
-        Ok((row[0].to_owned(), time.with_context(location)?.timestamp()))
-    };
-    rows.iter().map(row).collect()
+        let time = time
+            .with_context(|| format!("{}, line {line}, column {}", path.display(), &header[1]))?;
+        times.push((row[0].to_owned(), time.timestamp()));
+    }
+    Ok(times)
 }
 
 /// A time as a person writes it.

@@ -139,22 +139,15 @@ impl ClassFile {
         for complaint in join.wrong(&self.names, records) {
             eprintln!("{FILE}: names: {}", line(&complaint));
         }
-        let find = |who: &str, what: &str| {
-            let found = join.find(who, records);
-            if found.is_none() {
-                eprintln!("{FILE}: {what}: no submission belongs to '{}'", line(who));
-            }
-            found
-        };
         let mut decided = vec![Vec::new(); records.len()];
         for (number, one) in (1..).zip(&self.overrides) {
-            if let Some(at) = find(&one.student, &format!("override {number}")) {
+            if let Some(at) = join.expect(&one.student, records, &format!("override {number}")) {
                 decided[at].push(one);
             }
         }
         let mut times = vec![None; records.len()];
         for (who, time) in self.late.iter().flat_map(Late::listed) {
-            if let Some(at) = find(who, "times") {
+            if let Some(at) = join.expect(who, records, "times") {
                 times[at] = Some(time);
             }
         }

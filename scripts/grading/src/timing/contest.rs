@@ -10,10 +10,9 @@ use std::time::Duration;
 use anyhow::Result;
 use common::soft::Particle;
 
-use super::take::{Order, is_doubtful, take};
+use super::take::{Order, take_believed};
 use crate::record::Findings;
 use crate::sandbox::Sandbox;
-use crate::sandbox::faults::believed;
 use lab_kit::machine::cores;
 use lab_kit::program::Program;
 use lab_kit::table::three_digits;
@@ -60,11 +59,14 @@ impl ClassContest {
     ) -> Result<()> {
         let program = format!("lab{}:{ENTRY}", findings.lab).parse().map_err(anyhow::Error::msg)?;
         let mut entry = Entry::new(program);
-        let track = |drawn: &Drawn, job: &Job| {
-            let folder = if job.program.solution { solution } else { own };
-            run(sandbox, folder, drawn, job)
-        };
-        self.contest.measure(&track, &self.scenes, std::slice::from_mut(&mut entry))?;
+        self.contest.measure(
+            &|drawn, job| {
+                let folder = if job.program.solution { solution } else { own };
+                run(sandbox, folder, drawn, job)
+            },
+            &self.scenes,
+            std::slice::from_mut(&mut entry),
+        )?;
         (findings.timed, findings.contest) = (true, Some(entry));
         Ok(())
     }
@@ -86,8 +88,7 @@ fn run(
         steps: job.steps,
         kind: drawn.kind,
     };
-    let once = || take(sandbox, folder, &order, usize::MAX, LIMIT);
-    let taken = match believed(once, is_doubtful, || sandbox.works())? {
+    let taken = match take_believed(sandbox, folder, &order, usize::MAX, LIMIT)? {
         Ok(taken) => taken,
         Err((_, why)) => return Ok(Err(why)),
     };

@@ -7,10 +7,9 @@ use anyhow::{Result, ensure};
 
 use super::correctness::{STRAY, difference, is_another};
 use super::plan::SERIAL;
-use super::take::{Order, Taken, is_doubtful, take};
+use super::take::{Order, Taken, take_believed};
 use crate::record::{Outcome, Run, Whose};
 use crate::sandbox::Sandbox;
-use crate::sandbox::faults::believed;
 use lab_measure::experiment::turns;
 
 /// Constant part of the time limit of a run.
@@ -47,8 +46,8 @@ pub(crate) fn one_round(
         });
         // The serial program is in the solution's folder.
         let folder = if run.whose == Whose::Own { own } else { solution };
-        let once = || take(sandbox, folder, &Order::of(run, seed), run.workers, allowed);
-        let taken = match believed(once, is_doubtful, || sandbox.works())? {
+        let order = Order::of(run, seed);
+        let taken = match take_believed(sandbox, folder, &order, run.workers, allowed)? {
             Ok(taken) => taken,
             Err((outcome, why)) => {
                 ensure!(run.whose == Whose::Own, "the solution cannot be timed: {why}");
@@ -78,30 +77,26 @@ pub(crate) fn one_round(
 /// The result is compared with those of the trusted programs.
 fn wrong(right: &[Right], run: &Run, taken: &Taken) -> Option<String> {
     let first = right.first().filter(|_| run.steps > 0)?;
-    let state = |is: &dyn Fn(&Run) -> bool| {
-        right.iter().find(|right| is(&right.run)).map(|right| &right.taken.state)
-    };
-    let serial = state(&|other| other.whose == Whose::Serial);
-    let solution = state(&|other| other.whose == Whose::Solution && other.variant == run.variant);
-    let another = serial.zip(solution).is_some_and(|(serial, solution)| {
-        run.whose == Whose::Own && is_another(&taken.state, serial, solution)
-    });
-    difference(&first.taken.state, &taken.state, STRAY).or_else(|| {
-        another.then(|| {
-            format!(
-                "it has the last digits of lab 2's {SERIAL}, and {} sums in another order",
-                run.variant
-            )
-        })
+    let difference = difference(&first.taken.state, &taken.state, STRAY);
+    if difference.is_some() || run.whose != Whose::Own {
+        return difference;
+    }
+    let serial = right.iter().find(|it| it.run.whose == Whose::Serial)?;
+    let mut others = right.iter().filter(|it| it.run.whose == Whose::Solution);
+    let solution = others.find(|it| it.run.variant == run.variant)?;
+    is_another(&taken.state, &serial.taken.state, &solution.taken.state).then(|| {
+        format!(
+            "it has the last digits of lab 2's {SERIAL}, and {} sums in another order",
+            run.variant
+        )
     })
 }
 
 /// Whether the program was already too slow on a smaller scene.
 fn gave_up_before(runs: &[Run], run: &Run) -> bool {
-    let program = |run: &Run| (run.whose, run.workers);
     runs.iter().any(|other| {
         other.outcome == Outcome::TooSlow
-            && program(other) == program(run)
+            && (other.whose, other.workers) == (run.whose, run.workers)
             && other.variant == run.variant
             && other.n < run.n
     })

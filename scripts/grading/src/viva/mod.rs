@@ -205,10 +205,9 @@ impl Examiner<'_> {
             return Ok(());
         };
         let variant = &variants[random.below(variants.len())].name;
-        let trace = |workers| Trace::of(&self.sandbox, folder.path(), variant, workers);
-        let two = trace(2)?;
-        let again = trace(2)?;
-        let three = trace(3)?;
+        let two = Trace::of(&self.sandbox, folder.path(), variant, 2)?;
+        let again = Trace::of(&self.sandbox, folder.path(), variant, 2)?;
+        let three = Trace::of(&self.sandbox, folder.path(), variant, 3)?;
         // A count that differs from run to run, such as the number of repeated attempts, has no
         // key.
         let steady = two.counts.iter().filter(|(line, n)| again.counts.get(line) == Some(n));

@@ -169,9 +169,10 @@ fn where_the_solution_does_not_scale_nobody_loses() {
 #[test]
 fn what_cannot_be_is_wrong() {
     let rubric = Facts { scaling: timed(100_000), speed: timed(100_000), ..Facts::default() };
-    let at_once = |whose, n: f64, _| vec![if whose == Whose::Own { 0.0 } else { 1e-4 * n }; 5];
+    let record =
+        record(&rubric, 2, |whose, n, _| vec![if whose == Whose::Own { 0.0 } else { 1e-4 * n }; 5]);
     for kind in [Kind::Scaling, Kind::Speed] {
-        let (verdict, grade_of, words) = grade(&record(&rubric, 2, at_once), &rubric, kind);
+        let (verdict, grade_of, words) = grade(&record, &rubric, kind);
         assert_eq!((verdict, grade_of), (Verdict::Wrong, Some(0.0)), "{words}");
         assert!(words.contains("impossible"), "{words}");
     }
@@ -180,14 +181,13 @@ fn what_cannot_be_is_wrong() {
 #[test]
 fn speed_is_relative_to_the_solution() {
     let rubric = Facts { speed: timed(1000), ..Facts::default() };
-    let of = |times: f64| {
+    for (times, expected) in [(1.1, 100.0), (2.0, 75.0), (4.0, 37.5)] {
         let record = record(&rubric, 2, |whose, _, _| {
             vec![if whose == Whose::Own { 0.1 * times } else { 0.1 }; 5]
         });
-        grade(&record, &rubric, Kind::Speed).1.unwrap()
-    };
-    assert_eq!(of(1.1), 100.0);
-    assert!((of(2.0) - 75.0).abs() < 1e-6 && (of(4.0) - 37.5).abs() < 1e-6);
+        let grade = grade(&record, &rubric, Kind::Speed).1.unwrap();
+        assert!((grade - expected).abs() < 1e-6, "{times}: {grade}");
+    }
 }
 
 #[test]
@@ -225,23 +225,21 @@ fn noise_that_only_the_submission_has_is_its_own() {
 #[test]
 fn only_what_can_be_graded_is_timed_again() {
     let rubric = Facts { scaling: timed(64_000), ..Facts::default() };
-    let of = |cores, later: f64| {
+    let [quiet_on_one, quiet, noisy] = [(1, 1.0), (2, 1.0), (2, 4.0)].map(|(cores, later)| {
         record(&rubric, cores, |whose, _, p| {
             let later = if whose == Whose::Serial { 1.0 } else { later };
             [1.0, later, later, later, later].map(|seconds| seconds / p).into()
         })
-    };
-    let quiet = 1.0;
-    let noisy = 4.0;
-    let done = |cores, record: Record| is_done_on(cores, &record.found, &rubric);
-    assert!(done(2, of(2, quiet)) && !done(2, of(2, noisy)));
+    });
+    let done = |cores, record: &Record| is_done_on(cores, &record.found, &rubric);
+    assert!(done(2, &quiet) && !done(2, &noisy));
     // With one core, no run of scaling is needed. With two cores, runs are needed, and the record
     // of one core lacks them.
-    assert!(done(1, of(1, quiet)) && !done(2, of(1, quiet)));
-    let mut half = of(2, quiet);
+    assert!(done(1, &quiet_on_one) && !done(2, &quiet_on_one));
+    let mut half = quiet;
     half.found.runs.retain(|run| run.whose != Whose::Own);
-    assert!(!done(2, half));
-    let mut untimed = of(1, quiet);
+    assert!(!done(2, &half));
+    let mut untimed = quiet_on_one;
     untimed.found.timed = false;
-    assert!(!done(1, untimed));
+    assert!(!done(1, &untimed));
 }
