@@ -261,17 +261,14 @@ fn a_file_in_two_places_is_said_to_be_in_the_wrong_one() {
 #[test]
 fn uploads_in_a_folder_are_unpacked() {
     let folder = tempfile::tempdir().unwrap();
-    let put = |name: &str, lab: &str| {
-        let archive = pack(lab.parse().unwrap(), &own()).unwrap();
-        fs::write(folder.path().join(name), archive).unwrap();
-    };
-    put("one.tar.gz", "1");
-    put("two.tgz", "2");
+    let [first, second] = ["1", "2"].map(|lab| pack(lab.parse().unwrap(), &own()).unwrap());
+    fs::write(folder.path().join("one.tar.gz"), first).unwrap();
+    fs::write(folder.path().join("two.tgz"), &second).unwrap();
     fs::write(folder.path().join("comment.txt"), "hello").unwrap();
     let handed_in = read(folder.path()).unwrap();
     assert_eq!(handed_in.labs.into_values().collect::<Vec<_>>(), [own(), own()]);
     assert_eq!(handed_in.left_out, [("comment.txt".into(), ELSEWHERE)]);
-    put("two again.tgz", "2");
+    fs::write(folder.path().join("two again.tgz"), second).unwrap();
     let error = read(folder.path()).unwrap_err().to_string();
     assert!(error.contains("lab 2 is in more than one archive"), "{error}");
 }

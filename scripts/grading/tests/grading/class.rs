@@ -2,7 +2,6 @@
 
 use std::ffi::OsStr;
 use std::fs;
-use std::io::Write;
 use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::{PermissionsExt, symlink};
 use std::path::{Path, PathBuf};
@@ -174,28 +173,24 @@ impl Class {
     }
 
     fn hand_in(&mut self, name: &str, form: Form, files: &Files, expected: Expected) {
-        let put = |ending: &str, bytes: Vec<u8>| {
-            fs::write(self.folder().join(format!("{name}.{ending}")), bytes).unwrap();
-        };
+        let own = self.folder().join(name);
         match form {
             Form::Folder => {
-                let below = self.folder().join(name).join(format!("labs/lab{}", self.lab));
+                let below = own.join(format!("labs/lab{}", self.lab));
                 files.iter().for_each(|(path, text)| write(&below.join(path), text));
             }
-            Form::Zip => put("zip", archives::zip(self.lab, files)),
-            Form::Tar => put("tar.gz", archives::tar(self.lab, files)),
+            Form::Zip => write(&own.with_extension("zip"), archives::zip(self.lab, files)),
+            Form::Tar => write(&own.with_extension("tar.gz"), archives::tar(self.lab, files)),
             Form::Upload => {
-                let own = self.folder().join(name);
-                fs::create_dir_all(&own).unwrap();
-                fs::write(own.join("lab.tar.gz"), archives::tar(self.lab, files)).unwrap();
-                fs::write(own.join("comment.txt"), "please grade this").unwrap();
+                write(&own.join("lab.tar.gz"), archives::tar(self.lab, files));
+                write(&own.join("comment.txt"), "please grade this");
             }
         }
         self.members.push((name.to_owned(), expected));
     }
 }
 
-fn write(path: &Path, text: &str) {
+fn write(path: &Path, contents: impl AsRef<[u8]>) {
     fs::create_dir_all(path.parent().unwrap()).unwrap();
-    fs::File::create(path).unwrap().write_all(text.as_bytes()).unwrap();
+    fs::write(path, contents).unwrap();
 }
