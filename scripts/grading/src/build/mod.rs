@@ -11,7 +11,7 @@ use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::time::{Duration, Instant, SystemTime};
 
-use anyhow::{Context, Error, Result, bail, ensure};
+use anyhow::{Context, Error, Result, bail};
 use tempfile::TempDir;
 
 use crate::asking;
@@ -143,13 +143,17 @@ impl Tree {
         let until = Instant::now() + order.limit;
         let Order { sources, names, .. } = *order;
         self.programs.hide(&root.join(PACKAGE))?;
-        put(root, self.lab, sources, sandbox)?;
+        if let Some(why) = put(root, self.lab, sources, sandbox)? {
+            return Ok(Err(why));
+        }
         if let Some(why) = compile(root, sandbox, order, until, "human")? {
             return Ok(Err(why));
         }
         empty(root, self.lab, sources)?;
         self.programs.show(&root.join(PACKAGE))?;
-        clean(root, &[PROBE], sandbox)?;
+        if let Some(why) = clean(root, &[PROBE], sandbox)? {
+            return Ok(Err(why));
+        }
         // Short messages do not quote the questions, which a student must not read.
         if let Some(why) = compile(root, sandbox, order, until, "short")? {
             let what =
@@ -185,7 +189,9 @@ impl Tree {
         // The judge contains right answers, so no submission may read it.
         fs::set_permissions(built.path().join(asking::JUDGE), Permissions::from_mode(0o700))?;
         // Nothing of the solution remains in the tree.
-        put(self.folder.path(), self.lab, &Sources::new(), sandbox)?;
+        if let Some(why) = put(self.folder.path(), self.lab, &Sources::new(), sandbox)? {
+            bail!("{why}");
+        }
         cache::keep(&cache::of(kit), self.folder.path())?;
         // The oracle is compiled now. Its sources are emptied, so that no submission can include
         // them.
@@ -257,29 +263,31 @@ fn fetch(root: &Path) {
 }
 
 /// Replaces the previous submission's sources and removes everything that was built from them.
-fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<()> {
+/// Returns why that cannot be removed; `None` if it was removed.
+fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<Option<String>> {
     let name = format!("lab{lab}");
-    clean(root, &[&name, PROBE], sandbox)?;
+    if let Some(why) = clean(root, &[&name, PROBE], sandbox)? {
+        return Ok(Some(why));
+    }
     let folder = root.join("labs").join(name);
     fs::remove_dir_all(folder.join("src"))?;
     fs::create_dir_all(folder.join("src"))?;
     for (path, bytes) in sources {
         write_file(&folder.join(path), bytes)?;
     }
-    Ok(())
+    Ok(None)
 }
 
 /// Removes the compiled files of packages, because `include_bytes!` could read them. Dependencies
-/// stay compiled.
-fn clean(root: &Path, packages: &[&str], sandbox: &Sandbox) -> Result<()> {
-    machine_works(|| {
-        let mut cargo = sandbox.cargo(root, GIVEN_FILE);
-        cargo.args(["clean", "--quiet", "--offline", "--release"]);
-        cargo.args(packages.iter().flat_map(|package| ["--package", *package]));
-        let finished = run_process(&mut cargo, sandbox.limits.build)?;
-        let well = finished.status.is_some_and(|status| status.success());
-        ensure!(well, "what was built before cannot be removed: {}", named(&finished.stderr));
-        Ok(())
+/// stay compiled. Returns why the files cannot be removed; `None` if they were removed.
+fn clean(root: &Path, packages: &[&str], sandbox: &Sandbox) -> Result<Option<String>> {
+    let mut cargo = sandbox.cargo(root, GIVEN_FILE);
+    cargo.args(["clean", "--quiet", "--offline", "--release"]);
+    cargo.args(packages.iter().flat_map(|package| ["--package", *package]));
+    let finished = run_process(&mut cargo, sandbox.limits.build)?;
+    Ok(match finished.status {
+        Some(status) if status.success() => None,
+        _ => Some(format!("what was built before cannot be removed: {}", named(&finished.stderr))),
     })
 }
 
