@@ -20,7 +20,6 @@ use crate::submission::known_wrong;
 use crate::timing::contest::{self, ClassContest};
 use crate::{report, timing};
 use lab_kit::escape::line;
-use lab_measure::commands::contest::publish;
 
 /// Times one submission after another. Returns whether all could be timed.
 ///
@@ -97,22 +96,14 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
     let class = ClassFile::read(into, &grader.rubric)?;
     let attendance = class.mark(&mut records, &grader.rubric)?;
     records.iter().try_for_each(|record| record.write(into))?;
-    report::write(grader.kit, grader.lab, &records, (&class, &attendance), into)?;
+    let pages = report::write(grader.kit, grader.lab, &records, (&class, &attendance), into)?;
     let ended = print_submissions(grader, submissions, &records)?;
     attendance.say(&records);
     print_about_times(&class, submissions);
     if let Some(ungraded) = &grader.rubric.ungraded {
         println!("Not graded: {ungraded}");
     }
-    println!("The class: {}", into.join("index.html").display());
-    let entries = records.iter().filter_map(|record| {
-        Some((record.found.name.clone(), vec![record.found.contest.clone()?]))
-    });
-    let entries: Vec<_> = entries.collect();
-    if !entries.is_empty() {
-        let page = publish(grader.kit, entries, &into.join("contest"))?;
-        println!("The contest: {}", page.display());
-    }
+    pages.iter().for_each(|page| println!("{page}"));
     Ok(ended)
 }
 
