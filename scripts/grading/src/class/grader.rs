@@ -8,7 +8,7 @@ use anyhow::{Context, Result};
 use tempfile::TempDir;
 
 use super::Options;
-use crate::asking::{JUDGE, Judge, Questions};
+use crate::asking::{Questions, TaskResult};
 use crate::build::{Tree, graded_by};
 use crate::record::{FORMAT, Findings, Marked, Record, Status, Task};
 use crate::sandbox::Sandbox;
@@ -72,6 +72,11 @@ impl<'a> Grader<'a> {
     /// Returns a random seed, so that one student's questions do not help another student.
     fn seed(&self) -> u64 {
         self.seed.unwrap_or_else(|| RandomState::new().hash_one(()))
+    }
+
+    /// Asks the solution in `folder` all questions.
+    pub(crate) fn questions(&self, folder: &Path) -> Result<Questions> {
+        Questions::of(self.kit, self.lab, self.sandbox, folder, self.seed())
     }
 
     /// Formats an error about the submission at `path` for its record.
@@ -161,7 +166,10 @@ impl<'a> Grader<'a> {
             Ok(folder) => folder,
             Err(why) => return Ok((self.ended(record, Status::NotBuilt, &why, path), None)),
         };
-        self.ask(reference, folder.path(), &mut record, path)?;
+        let questions = reference.questions.as_ref().context("the solution was not asked")?;
+        let ids = record.tasks.iter().map(|task| task.id.as_str());
+        let results = questions.ask(self.sandbox, folder.path(), ids, record.found.seed)?;
+        self.write_results(results, &mut record, path)?;
         let folders = (folder.path(), reference.programs.path());
         let Record { found, tasks, .. } = &mut record;
         whole_program::check(self.sandbox, folders, &self.rubric, found.seed, tasks)?;
@@ -175,25 +183,20 @@ impl<'a> Grader<'a> {
         record
     }
 
-    /// Asks the programs in `folder` all questions, and writes the results into the record's tasks.
-    fn ask(
+    /// Writes the results of asking into the record's tasks, and the output into files.
+    fn write_results(
         &self,
-        reference: &Reference,
-        folder: &Path,
+        results: Vec<TaskResult>,
         record: &mut Record,
         path: &Path,
     ) -> Result<()> {
-        let Record { found, tasks, .. } = record;
-        let ids = tasks.iter().map(|task| task.id.as_str());
-        let questions = reference.questions.as_ref().context("the solution was not asked")?;
-        let results = questions.ask(self.sandbox, folder, ids, found.seed)?;
-        for (task, result) in tasks.iter_mut().zip(results) {
+        for (task, result) in record.tasks.iter_mut().zip(results) {
             task.passed = result.wrong.is_none();
             task.share = result.share;
             task.message =
                 cut(&self.shown(&result.wrong.unwrap_or_default(), path), MESSAGE_LENGTH);
             if !result.printed.trim().is_empty() {
-                let path = self.printed.join(&found.name).join(format!("{}.txt", task.id));
+                let path = self.printed.join(&record.found.name).join(format!("{}.txt", task.id));
                 write_file(&path, cut(&plain(&result.printed), PRINTED))?;
             }
         }
@@ -205,23 +208,7 @@ impl<'a> Grader<'a> {
 pub(crate) struct Reference {
     pub(crate) programs: TempDir,
     /// The lab's questions; `None` if no answers are judged.
-    questions: Option<Questions>,
-}
-
-impl Reference {
-    /// Builds the solution, and asks it all questions if answers are to be `judged`.
-    pub(crate) fn build(grader: &Grader<'_>, tree: &Tree, judged: bool) -> Result<Self> {
-        let Grader { kit, lab, sandbox, .. } = grader;
-        let programs = tree.reference(kit, sandbox)?;
-        if !judged {
-            return Ok(Self { programs, questions: None });
-        }
-        let folder = programs.path();
-        // The judge is the grader's own program, so a generous limit is safe.
-        let judge = Judge::new(kit, *lab, folder.join(JUDGE), 10 * sandbox.limits.run);
-        let questions = Some(Questions::of(sandbox, folder, judge, grader.seed())?);
-        Ok(Self { programs, questions })
-    }
+    pub(crate) questions: Option<Questions>,
 }
 
 /// Whether the system refused an operation, such as reading a file.

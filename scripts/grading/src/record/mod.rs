@@ -169,6 +169,11 @@ pub(crate) fn number(id: &str) -> Option<lab_kit::answers::Task> {
     id.parse::<RegionId>().ok().map(|id| id.task)
 }
 
+/// Returns the path of a submission's record in a folder of records.
+pub(crate) fn path(folder: &Path, name: &str) -> PathBuf {
+    folder.join(format!("{name}.json"))
+}
+
 /// Reads a record from a file.
 pub(crate) fn read(path: &Path) -> Result<Record> {
     let record: Record = serde_json::from_slice(&read_bytes(path)?)
@@ -229,7 +234,7 @@ impl Record {
     /// Writes the record into a folder, under its name.
     pub(crate) fn write(&self, folder: &Path) -> Result<()> {
         let text = serde_json::to_string_pretty(self)?;
-        write_file(&folder.join(format!("{}.json", self.found.name)), &text)
+        write_file(&path(folder, &self.found.name), &text)
     }
 
     /// Returns the record as a page shows it: under its pseudonym, or else under its student's

@@ -19,7 +19,7 @@ use clap::Args;
 use self::changes::{Line, changes, own_lines};
 use self::sheet::Sheet;
 use self::trace::{PARTICLES, STEPS, Trace, probe};
-use crate::asking::{ANSWER, JUDGE, Judge, Questions, TaskResult};
+use crate::asking::{ANSWER, Questions, TaskResult};
 use crate::build::Tree;
 use crate::sandbox::{Limits, Sandbox};
 use crate::submission::names::named;
@@ -79,8 +79,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     eprintln!("Building the solution");
     let tree = Tree::lay(kit, lab, &sandbox)?;
     let solution = tree.reference(kit, &sandbox)?;
-    let judge = Judge::new(kit, lab, solution.path().join(JUDGE), 10 * RUN);
-    let questions = Questions::of(&sandbox, solution.path(), judge, options.seed)?;
+    let questions = Questions::of(kit, lab, &sandbox, solution.path(), options.seed)?;
     let given = Given::of(kit, lab)?;
     let examiner = Examiner { kit, lab, facts, sandbox, tree, questions, given };
     let mut all = true;
