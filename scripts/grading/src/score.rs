@@ -42,7 +42,7 @@ fn add_unasked(found: &Findings, tasks: &mut Vec<Task>, rubric: &Facts) -> Resul
             "the record of {} knows nothing about task {id}: grade it again",
             found.name
         );
-        tasks.push(Task::unasked(id));
+        tasks.push(Task { id: id.clone(), ..Task::default() });
     }
     Ok(())
 }

@@ -43,11 +43,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let into = options.into.clone().unwrap_or_else(|| kit.memory().join("similarity"));
     let mut labs: BTreeMap<Lab, Class> = BTreeMap::new();
     for (label, folders) in [("now", &[options.folder][..]), ("before", &options.before)] {
-        let mut paths = Vec::new();
-        for folder in folders {
-            paths.extend(submission::list(kit, folder)?);
-        }
-        for (name, path) in named(paths) {
+        for (name, path) in named(submission::list_all(kit, folders)?) {
             let handed_in = match submission::read(&path) {
                 Ok(handed_in) => handed_in,
                 Err(error) => {

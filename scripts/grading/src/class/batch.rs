@@ -15,7 +15,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use tempfile::TempDir;
 
 use super::grader::{Grader, Reference, hash};
-use super::{Named, Options, printed};
+use super::{Named, Options, summary};
 use crate::build::Tree;
 use crate::record::{self, FORMAT, Findings, Record, Status};
 use crate::sandbox::memory_guard::Guard;
@@ -120,7 +120,7 @@ fn judge(
         let (record, program) = grader.grade(&tree, reference, name, path);
         trees.lock().expect("pushing does not panic").push(tree);
         record.write(into)?;
-        done(bar, name, printed::summary(&record));
+        done(bar, name, summary::of_tasks(&record));
         Ok(program.map(|program| (name.clone(), program)))
     });
     programs.into_iter().filter_map(Result::transpose).collect()
@@ -167,7 +167,7 @@ fn time(
         done(
             &bar,
             name,
-            taken.map_or_else(|error| format!("{error:#}"), |()| printed::times(&record)),
+            taken.map_or_else(|error| format!("{error:#}"), |()| summary::of_times(&record)),
         );
     }
     bar.finish_and_clear();
@@ -238,7 +238,7 @@ fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>)
     let same = match grader.take(path) {
         Err(error) => {
             record.found.status == Status::Unreadable
-                && record.found.message == grader.message_of(&error, path)
+                && record.found.message == grader.message(&format!("{error:#}"), path)
         }
         Ok(submission) if submission.files.is_empty() => record.found.status == Status::Empty,
         Ok(submission) => record.found.hash == hash(&submission.files),

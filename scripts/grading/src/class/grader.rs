@@ -79,22 +79,19 @@ impl<'a> Grader<'a> {
         Questions::of(self.kit, self.lab, self.sandbox, folder, self.seed())
     }
 
-    /// Formats an error about the submission at `path` for its record.
-    pub(crate) fn message_of(&self, error: &anyhow::Error, path: &Path) -> String {
-        cut(&self.shown(&format!("{error:#}"), path), MESSAGE_LENGTH)
-    }
-
-    /// Removes the names of this machine's folders from a text that students will read.
-    fn shown(&self, text: &str, path: &Path) -> String {
+    /// Shortens a message about the submission at `path`, and removes the names of this machine's
+    /// folders, because students will read it.
+    pub(crate) fn message(&self, text: &str, path: &Path) -> String {
         let class = path.parent().unwrap_or(path);
         let own = self.sandbox.folders().into_iter().chain([self.kit.root(), class]);
         // The longest folder comes first, because a folder may be inside another.
         let mut folders: Vec<String> = own.map(|folder| folder.display().to_string()).collect();
         folders.sort_by_key(|folder| std::cmp::Reverse(folder.len()));
         folders.retain(|folder| folder.len() > 1 && folder.starts_with('/'));
-        folders.iter().fold(text.to_owned(), |text, folder| {
+        let text = folders.iter().fold(text.to_owned(), |text, folder| {
             text.replace(&format!("{folder}/"), "").replace(folder, "")
-        })
+        });
+        cut(&text, MESSAGE_LENGTH)
     }
 
     /// Makes the record of a submission that has not been read yet.
@@ -110,7 +107,8 @@ impl<'a> Grader<'a> {
             sandboxed: self.sandbox.keeps,
             ..Findings::default()
         };
-        let tasks = self.rubric.tasks.keys().map(|id| Task::unasked(id)).collect();
+        let ids = self.rubric.tasks.keys().cloned();
+        let tasks = ids.map(|id| Task { id, ..Task::default() }).collect();
         let out_of = self.rubric.tasks.values().map(|task| task.points).sum();
         Record { found, tasks, marked: Marked { out_of, ..Marked::default() } }
     }
@@ -179,7 +177,7 @@ impl<'a> Grader<'a> {
     /// Writes into a record why its submission has no results.
     fn ended(&self, mut record: Record, status: Status, message: &str, path: &Path) -> Record {
         record.found.status = status;
-        record.found.message = cut(&self.shown(message, path), MESSAGE_LENGTH);
+        record.found.message = self.message(message, path);
         record
     }
 
@@ -193,8 +191,7 @@ impl<'a> Grader<'a> {
         for (task, result) in record.tasks.iter_mut().zip(results) {
             task.passed = result.wrong.is_none();
             task.share = result.share;
-            task.message =
-                cut(&self.shown(&result.wrong.unwrap_or_default(), path), MESSAGE_LENGTH);
+            task.message = self.message(&result.wrong.unwrap_or_default(), path);
             if !result.printed.trim().is_empty() {
                 let path = self.printed.join(&record.found.name).join(format!("{}.txt", task.id));
                 write_file(&path, cut(&plain(&result.printed), PRINTED))?;

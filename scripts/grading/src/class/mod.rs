@@ -2,11 +2,11 @@
 //!
 //! [`grader`] judges the tasks of one submission. [`batch`] judges all submissions, several at a
 //! time, and then times them while nothing else runs. It continues after an interruption.
-//! [`printed`] contains the lines that are printed at the end.
+//! [`summary`] contains the lines that are printed at the end.
 
 mod batch;
 mod grader;
-mod printed;
+mod summary;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -81,10 +81,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 
 /// Lists the submissions at the paths of the command line, with their names.
 fn chosen(kit: &Kit, options: &Options) -> Result<Vec<Named>> {
-    let mut submissions = Vec::new();
-    for path in &options.paths {
-        submissions.extend(submission::list(kit, path)?);
-    }
+    let mut submissions = submission::list_all(kit, &options.paths)?;
     submissions.retain(|path| {
         options.only.as_ref().is_none_or(|only| name(path).contains(&composed(only)))
     });
@@ -175,7 +172,7 @@ fn grade(
 
 /// Computes points, writes the pages, and prints a line for each submission.
 ///
-/// Returns failure as [`printed::submissions`] does.
+/// Returns failure as [`summary::print_submissions`] does.
 fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<ExitCode> {
     let mut records = record::read_all(into)?;
     for (name, path) in submissions {
@@ -187,9 +184,9 @@ fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<Exi
     let attendance = class.mark(&mut records, &grader.rubric)?;
     records.iter().try_for_each(|record| record.write(into))?;
     let pages = report::write(grader.kit, grader.lab, &records, (&class, &attendance), into)?;
-    let ended = printed::submissions(grader, submissions, &records)?;
+    let ended = summary::print_submissions(grader, submissions, &records)?;
     attendance.say(&records);
-    printed::about_times(&class, submissions);
+    summary::print_about_times(&class, submissions);
     if let Some(ungraded) = &grader.rubric.ungraded {
         println!("Not graded: {ungraded}");
     }

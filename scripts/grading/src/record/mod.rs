@@ -134,7 +134,7 @@ pub(crate) struct LeftOut {
 }
 
 /// Result of a task. It depends only on the answers to the task's questions.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Task {
     /// Number of the task, such as `1.3`.
     pub(crate) id: String,
@@ -149,15 +149,6 @@ pub(crate) struct Task {
     pub(crate) points: f64,
     /// Points that the task is worth.
     pub(crate) out_of: f64,
-}
-
-impl Task {
-    /// Makes the result of a task that was not judged. The rubric sets its points later.
-    pub(crate) fn unasked(id: &str) -> Self {
-        let id = id.to_owned();
-        let message = String::new();
-        Self { id, passed: false, share: 0.0, message, points: 0.0, out_of: 0.0 }
-    }
 }
 
 /// Parses a task's number, for sorting; `None` if the text is not the number of a task.

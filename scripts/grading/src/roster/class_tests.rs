@@ -195,10 +195,10 @@ fn names_of_nobody_are_pointed_out() {
 fn a_broken_attempt_leaves_the_mark_of_an_older_one() {
     let latest = "attempts = \"latest\"\nroster = \"f.csv\"";
     let newest_broken = [Status::Graded, Status::Unreadable];
-    let cases: [(&str, [Status; 2], [Attempt; 2], &[usize]); 3] = [
-        (latest, newest_broken, [Attempt::Counts, Attempt::Another], &[]),
-        (latest, [Status::Unreadable; 2], [Attempt::Counts; 2], &[0, 1]),
-        (ROSTER, [Status::Graded; 2], [Attempt::Undecided; 2], &[]),
+    let cases = [
+        (latest, newest_broken, [Attempt::Counts, Attempt::Another], vec![]),
+        (latest, [Status::Unreadable; 2], [Attempt::Counts; 2], vec![0, 1]),
+        (ROSTER, [Status::Graded; 2], [Attempt::Undecided; 2], vec![]),
     ];
     for (class_toml, statuses, attempts, unmarked) in cases {
         let class = read(&folder(class_toml, GRADEBOOK));

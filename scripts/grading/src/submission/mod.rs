@@ -115,8 +115,14 @@ pub(crate) struct Submission {
 /// Maximal number of characters that are shown of an omitted file's path.
 const SHOWN: usize = 200;
 
+/// Lists the submissions at several paths.
+pub(crate) fn list_all(kit: &Kit, paths: &[PathBuf]) -> Result<Vec<PathBuf>> {
+    let lists = paths.iter().map(|path| list(kit, path));
+    Ok(lists.collect::<Result<Vec<_>>>()?.concat())
+}
+
 /// Lists the submissions at a path, which is a submission or a folder of submissions.
-pub(crate) fn list(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
+fn list(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     ensure!(path.exists(), "there is no {}", path.display());
     let known_wrong = known_wrong::on_page(kit, path)?;
     if !known_wrong.is_empty() {
@@ -207,6 +213,19 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<Su
         }
     }
     Ok(Submission { files, left_out, changed })
+}
+
+/// Reads the sources of a submission that is to be built outside a grading.
+///
+/// # Errors
+/// If it has no file with a task, or contains forbidden code.
+pub(crate) fn buildable(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<Sources> {
+    let submission = take(kit, lab, given, path)?;
+    ensure!(!submission.files.is_empty(), "{}", nothing(lab, &submission.left_out));
+    match forbidden::find(&submission.files) {
+        Some(why) => bail!("{why}"),
+        None => Ok(submission.files),
+    }
 }
 
 /// Whether a file outside labs/ has the name of a file with a task.

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use anyhow::{Result, anyhow, bail, ensure};
+use anyhow::{Result, anyhow, ensure};
 use clap::Args;
 
 use self::changes::{Line, changes, own_lines};
@@ -22,8 +22,8 @@ use self::trace::{PARTICLES, STEPS, Trace, probe};
 use crate::asking::{ANSWER, Questions, TaskResult};
 use crate::build::Tree;
 use crate::sandbox::{Limits, Sandbox};
+use crate::submission;
 use crate::submission::names::named;
-use crate::submission::{self, forbidden};
 use crate::timing::PROGRAM;
 use lab_kit::escape::line;
 use lab_kit::files::write_file;
@@ -71,10 +71,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let sandbox = Sandbox::find(kit, false, limits)?;
     let into = options.into.clone();
     let into = into.unwrap_or_else(|| kit.memory().join(format!("viva/lab{lab}")));
-    let mut submissions = Vec::new();
-    for path in &options.paths {
-        submissions.extend(submission::list(kit, path)?);
-    }
+    let submissions = submission::list_all(kit, &options.paths)?;
     kill_all_on_interrupt();
     eprintln!("Building the solution");
     let tree = Tree::lay(kit, lab, &sandbox)?;
@@ -116,11 +113,7 @@ struct Examiner<'a> {
 impl Examiner<'_> {
     /// Returns the sheet of the submission at `path`.
     fn sheet(&self, path: &Path, seed: u64) -> Result<Sheet> {
-        let sources = submission::take(self.kit, self.lab, &self.given, path)?.files;
-        ensure!(!sources.is_empty(), "it has no file with a task of lab {}", self.lab);
-        if let Some(why) = forbidden::find(&sources) {
-            bail!("{why}");
-        }
+        let sources = submission::buildable(self.kit, self.lab, &self.given, path)?;
         let tasks: Vec<&str> = self.facts.tasks.keys().map(String::as_str).collect();
         let own = self.failures(&sources, &tasks, seed)?;
         let own = own.map_err(|why| anyhow!("it does not compile: {why}"))?;

@@ -9,8 +9,7 @@ use lab_kit::facts::Timed;
 
 /// Returns a record of runs that take `seconds`, a function of program, n and workers.
 fn record(rubric: &Facts, cores: usize, seconds: impl Fn(Whose, f64, f64) -> Vec<f64>) -> Record {
-    let sample = include_str!("../../../tests/record.json");
-    let mut record: Record = serde_json::from_str(sample).unwrap();
+    let mut record = Record::sample();
     record.found.timed = true;
     record.found.runs = plan(rubric, record.found.seed, cores)
         .into_iter()
@@ -26,6 +25,11 @@ fn record(rubric: &Facts, cores: usize, seconds: impl Fn(Whose, f64, f64) -> Vec
         })
         .collect();
     record
+}
+
+/// Returns the runs of a program that make steps.
+fn runs_of(record: &mut Record, whose: Whose) -> impl Iterator<Item = &mut Run> {
+    record.found.runs.iter_mut().filter(move |run| run.whose == whose && run.steps > 0)
 }
 
 fn timed(n: usize) -> Option<Timed> {
@@ -75,7 +79,7 @@ fn to_sleep_on_small_scenes_makes_no_line_flat() {
         vec![if whose == Whose::Own { work(n).max(1e-5 * n) } else { 2e-6 * n }; 5]
     });
     assert_eq!(grade(&record, &rubric, Kind::Complexity).1, Some(100.0), "by the clock alone");
-    for run in record.found.runs.iter_mut().filter(|run| run.whose == Whose::Own && run.steps > 0) {
+    for run in runs_of(&mut record, Whose::Own) {
         run.processors = Some(5.0 * work(run.n as f64));
     }
     let (_, given, words) = grade(&record, &rubric, Kind::Complexity);
@@ -88,7 +92,7 @@ fn who_is_too_slow_for_the_large_scenes_is_not_flat_either() {
     let mut record = record(&rubric, 2, |whose, n, _| {
         vec![if whose == Whose::Own { 1e-9 * n * n } else { 2e-6 * n }; 5]
     });
-    for run in record.found.runs.iter_mut().filter(|r| r.whose == Whose::Own && r.n >= 32_000) {
+    for run in runs_of(&mut record, Whose::Own).filter(|run| run.n >= 32_000) {
         (run.outcome, run.seconds) = (Outcome::TooSlow, vec![8.0]);
         run.message = "no result within 8 s".into();
     }
@@ -131,12 +135,12 @@ fn one_worker_at_work_does_not_scale() {
     // So its times alone look as if the program were parallel.
     let mut record = scaling(|n, _| 1e-6 * n);
     assert_eq!(grade_of_scaling(&record).1, Some(100.0));
-    for run in record.found.runs.iter_mut().filter(|run| run.whose == Whose::Own) {
+    for run in runs_of(&mut record, Whose::Own) {
         run.processors = Some(1.05 * run.seconds.iter().sum::<f64>());
     }
     assert_eq!(grade_of_scaling(&record).1, Some(0.0));
     // The machine does other work, so the solution's workers get little more than one processor.
-    for run in record.found.runs.iter_mut().filter(|run| run.whose == Whose::Solution) {
+    for run in runs_of(&mut record, Whose::Solution) {
         run.processors = Some(1.15 * run.seconds.iter().sum::<f64>());
     }
     assert_eq!(grade_of_scaling(&record).0, Verdict::TooNoisy);
@@ -145,17 +149,13 @@ fn one_worker_at_work_does_not_scale() {
 #[test]
 fn where_the_solution_does_not_scale_nobody_loses() {
     let mut record = scaling(|n, _| 1.8e-6 * n);
-    for run in
-        record.found.runs.iter_mut().filter(|run| run.whose == Whose::Solution && run.steps > 0)
-    {
+    for run in runs_of(&mut record, Whose::Solution) {
         run.seconds.iter_mut().for_each(|seconds| *seconds *= 1.7);
     }
     // Submissions are graded relative to the scaling that the solution reaches.
     let (verdict, grade, words) = grade_of_scaling(&record);
     assert!(verdict == Verdict::Graded && (97.0..99.5).contains(&grade.unwrap()), "{words}");
-    for run in
-        record.found.runs.iter_mut().filter(|run| run.whose == Whose::Solution && run.steps > 0)
-    {
+    for run in runs_of(&mut record, Whose::Solution) {
         run.seconds.iter_mut().for_each(|seconds| *seconds *= 1.3);
     }
     let (verdict, none, words) = grade_of_scaling(&record);

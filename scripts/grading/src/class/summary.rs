@@ -14,7 +14,7 @@ use lab_kit::escape::line;
 
 /// Prints the points of the submissions. Returns failure if a submission could not be
 /// graded, or if a known-wrong solution of the kit has unexpected marks.
-pub(super) fn submissions(
+pub(super) fn print_submissions(
     grader: &Grader<'_>,
     submissions: &[Named],
     records: &[Record],
@@ -29,7 +29,7 @@ pub(super) fn submissions(
             true => record::points(record.marked.points),
             false => "-".to_owned(),
         };
-        println!("{:<32} {points:>6} of {full:<5} {}", line(name), summary(record));
+        println!("{:<32} {points:>6} of {full:<5} {}", line(name), of_tasks(record));
         if record.found.status == Status::Failed {
             ended = ExitCode::FAILURE;
         }
@@ -44,7 +44,7 @@ pub(super) fn submissions(
 
 /// Prints the deadline. Also prints the submissions whose hand-in times the students could have set
 /// themselves.
-pub(super) fn about_times(class: &ClassFile, submissions: &[Named]) {
+pub(super) fn print_about_times(class: &ClassFile, submissions: &[Named]) {
     if let Some(deadline) = class.deadline() {
         println!("The deadline was {}.", line(&deadline));
     }
@@ -64,7 +64,7 @@ pub(super) fn about_times(class: &ClassFile, submissions: &[Named]) {
 }
 
 /// Summarises the result of timing a submission in a few words.
-pub(super) fn times(record: &Record) -> String {
+pub(super) fn of_times(record: &Record) -> String {
     let measures = record.marked.measures.iter().map(|measure| {
         let kind = measure.kind.name();
         measure.grade.map_or(format!("{kind} not graded"), |grade| format!("{kind} {grade:.0}"))
@@ -77,7 +77,7 @@ pub(super) fn times(record: &Record) -> String {
 }
 
 /// Summarises a submission's tasks, open measures and lateness in a few words.
-pub(super) fn summary(record: &Record) -> String {
+pub(super) fn of_tasks(record: &Record) -> String {
     match record.found.status {
         Status::Graded => {
             let lost = record.tasks.iter().filter(|task| !task.passed).map(|task| task.id.as_str());
