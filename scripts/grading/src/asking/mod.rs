@@ -210,10 +210,9 @@ fn words(judged: &Judged, finished: &Finished, limit: Duration) -> String {
         None if finished.stdout.len().max(finished.stderr.len()) >= MUCH => PRINTS.into(),
         None => format!("no answer within {} s to: {question}", limit.as_secs()),
         Some(status) if status.signal() == Some(9) => KILLED.into(),
-        Some(_) => located_panic(&finished.stderr).map_or(wrong, |message| first_line(&message)),
+        Some(_) => match located_panic(&finished.stderr) {
+            Some(message) => message.lines().next().unwrap_or_default().chars().take(300).collect(),
+            None => wrong,
+        },
     }
-}
-
-fn first_line(text: &str) -> String {
-    text.lines().next().unwrap_or_default().chars().take(300).collect()
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::FILE;
-use super::export::{Export, Member};
+use super::export::Export;
 use super::students::{Roster, Student, key};
 use crate::record::{Attempt, Record};
 use crate::submission::names::{bare, composed};
@@ -132,7 +132,9 @@ impl<'a> Join<'a> {
             }
             None if export.of(&record.found.name).is_some() => {
                 let members = export.of(&record.found.name).into_iter().flat_map(|it| &it.members);
-                members.filter_map(|member| the_member(students, member)).collect()
+                members
+                    .filter_map(|it| it.keys.iter().find_map(|key| the_one(students, key)))
+                    .collect()
             }
             None => by_parts(students, &record.found.name).into_iter().collect(),
         });
@@ -244,11 +246,6 @@ impl<'a> Join<'a> {
             Attempt::Counts
         }
     }
-}
-
-/// Finds the roster entry of a student who is listed in Gradescope's file.
-fn the_member(students: &[Student], member: &Member) -> Option<usize> {
-    member.keys.iter().find_map(|key| the_one(students, key))
 }
 
 /// Finds the only student with that name; `None` if there is no such student, or more than one.

@@ -233,9 +233,8 @@ fn a_file_that_is_no_archive_is_refused_before_anything_is_built() {
 
 #[test]
 fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
-    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    zip.start_file("lab2/src/lib.rs", PLAIN).unwrap();
-    let submission = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap();
+    let archive = zip(&Sources::new(), |zip| zip.start_file("lab2/src/lib.rs", PLAIN).unwrap());
+    let submission = taken(&("a.zip", archive)).unwrap();
     let message = nothing("1".parse().unwrap(), &submission.left_out);
     assert!(
         submission.files.is_empty()
@@ -246,11 +245,12 @@ fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
 
 #[test]
 fn a_file_in_two_places_is_said_to_be_in_the_wrong_one() {
-    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    for path in ["new/lib.rs", "old/lib.rs", "report.pdf"] {
-        zip.start_file(path, PLAIN).unwrap();
-    }
-    let left_out = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap().left_out;
+    let archive = zip(&Sources::new(), |zip| {
+        for path in ["new/lib.rs", "old/lib.rs", "report.pdf"] {
+            zip.start_file(path, PLAIN).unwrap();
+        }
+    });
+    let left_out = taken(&("a.zip", archive)).unwrap().left_out;
     let reasons = left_out.iter().map(|left| left.reason.as_str()).collect::<Vec<_>>();
     let misplaced = "it is not in labs/lab1/src";
     assert_eq!(reasons, [misplaced, misplaced, ELSEWHERE]);

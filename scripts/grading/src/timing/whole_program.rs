@@ -24,16 +24,6 @@ struct PlannedRun {
     seed: u32,
 }
 
-/// Returns the lab's programs with random scenes, in the order of their tasks.
-fn planned_runs(rubric: &Facts, seed: u64) -> Vec<PlannedRun> {
-    let mut random = Random::new(seed);
-    let runs = runs(rubric, &mut random).into_iter();
-    let mut all: Vec<PlannedRun> =
-        runs.map(|(task, run)| PlannedRun { task, run, seed: scene(&mut random) }).collect();
-    all.sort_by_key(|program| number(&program.task));
-    all
-}
-
 /// Runs a program on all processors.
 fn result(
     sandbox: &Sandbox,
@@ -43,12 +33,13 @@ fn result(
     take(sandbox, folder, &Order::of(run, *seed), usize::MAX, sandbox.limits.run)
 }
 
-/// Plans the runs of whole programs.
+/// Plans the runs of whole programs on random scenes, in the order of their tasks.
 ///
 /// Each program runs on a small scene, and each timed program also on a scene as large as the timed
 /// one. The steps are enough for particles to meet and to cross borders, and too few for chaos, so
 /// every particle must be right.
-fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
+fn planned_runs(rubric: &Facts, seed: u64) -> Vec<PlannedRun> {
+    let mut random = Random::new(seed);
     let mut runs = Vec::new();
     for variant in &rubric.variants {
         let Some(task) = &variant.task else { continue };
@@ -59,9 +50,10 @@ fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
             let workers = 2 + random.below(3);
             let steps = 20 + random.below(60) as u64;
             let run = Run::planned(Whose::Own, &variant.name, n, workers, steps);
-            runs.push((task.clone(), run));
+            runs.push(PlannedRun { task: task.clone(), run, seed: scene(&mut random) });
         }
     }
+    runs.sort_by_key(|program| number(&program.task));
     runs
 }
 
@@ -126,9 +118,8 @@ fn trusted(sandbox: &Sandbox, solution: &Path, program_run: &PlannedRun) -> Resu
 mod tests {
     use std::collections::BTreeSet;
 
-    use super::runs;
+    use super::{PlannedRun, planned_runs};
     use lab_kit::{Kit, rubric};
-    use oracle::Random;
 
     #[test]
     fn scenes_are_others_each_time_and_reach_beyond_16_bits() {
@@ -139,8 +130,8 @@ mod tests {
         for (lab, rubric) in rubrics {
             let mut sizes = BTreeSet::new();
             for seed in 0..20 {
-                let runs = runs(&rubric, &mut Random::new(seed));
-                sizes.extend(runs.iter().map(|(_, run)| (run.n, run.steps)));
+                let runs = planned_runs(&rubric, seed);
+                sizes.extend(runs.iter().map(|PlannedRun { run, .. }| (run.n, run.steps)));
             }
             assert!(sizes.len() > 15, "lab {lab}: {sizes:?}");
             let large = rubric.timed().next().map_or(0, |timed| timed.n);

@@ -126,8 +126,10 @@ fn span(run: &Run) -> Option<Span> {
 /// Returns the time of a run, in seconds, without making the scene and sending the result.
 fn net(runs: &[Run], run: &Run) -> Result<Span, Without> {
     let all = taken(run)?;
-    let without_steps = idle(runs, run).map(taken).transpose()?;
-    Ok(without_steps.map_or(all, |idle| less(all, idle)))
+    let Some(idle) = idle(runs, run) else { return Ok(all) };
+    let idle = taken(idle)?;
+    // A difference below a microsecond becomes a microsecond.
+    Ok(Span::both(|way| (way(&all) - way(&idle)).max(1e-6)))
 }
 
 /// Returns the measured seconds of a run, or the verdict that it was not timed.
@@ -142,9 +144,4 @@ fn idle<'r>(runs: &'r [Run], run: &Run) -> Option<&'r Run> {
     let mut all = trusted.filter(|other| other.steps == 0 && other.n == run.n);
     let first = all.clone().next();
     all.find(|r| (&r.variant, r.workers) == (&run.variant, run.workers)).or(first)
-}
-
-/// Subtracts one time from another. A difference below a microsecond becomes a microsecond.
-fn less(all: Span, part: Span) -> Span {
-    Span::both(|way| (way(&all) - way(&part)).max(1e-6))
 }
