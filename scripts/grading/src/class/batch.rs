@@ -185,15 +185,15 @@ fn time_one(
 ) -> Result<()> {
     found.timed = true;
     let Some(own) = program else { return Ok(()) };
-    let folders = (own.path(), reference.programs.path());
+    let pair = reference.pair(grader.sandbox, &own);
     if !grader.rubric.has_contest() {
-        return timing::time(grader.sandbox, folders, found, &grader.rubric);
+        return timing::time(pair, found, &grader.rubric);
     }
     let contest = match contest.take() {
         Some(drawn) => contest.insert(drawn),
         None => contest.insert(ClassContest::draw()?),
     };
-    contest.enter(grader.sandbox, folders, found)
+    contest.enter(pair, found)
 }
 
 /// Builds the programs of a submission that was graded in an earlier run.

@@ -13,7 +13,7 @@ use crate::build::{Tree, graded_by};
 use crate::record::{FORMAT, Findings, Marked, Record, Status, Task};
 use crate::sandbox::Sandbox;
 use crate::submission::{self, Submission, forbidden};
-use crate::timing::whole_program;
+use crate::timing::{Pair, whole_program};
 use lab_kit::Facts;
 use lab_kit::escape::{cut, plain};
 use lab_kit::files::{digest, write_file};
@@ -168,9 +168,9 @@ impl<'a> Grader<'a> {
         let ids = record.tasks.iter().map(|task| task.id.as_str());
         let results = questions.ask(self.sandbox, folder.path(), ids, record.found.seed)?;
         self.write_results(results, &mut record, path)?;
-        let folders = (folder.path(), reference.programs.path());
+        let pair = reference.pair(self.sandbox, &folder);
         let Record { found, tasks, .. } = &mut record;
-        whole_program::check(self.sandbox, folders, &self.rubric, found.seed, tasks)?;
+        whole_program::check(pair, &self.rubric, found.seed, tasks)?;
         Ok((record, Some(folder)))
     }
 
@@ -206,6 +206,13 @@ pub(crate) struct Reference {
     pub(crate) programs: TempDir,
     /// The lab's questions; `None` if no answers are judged.
     pub(crate) questions: Option<Questions>,
+}
+
+impl Reference {
+    /// Returns a submission's programs beside the solution's.
+    pub(crate) fn pair<'a>(&'a self, sandbox: &'a Sandbox, own: &'a TempDir) -> Pair<'a> {
+        Pair { sandbox, own: own.path(), solution: self.programs.path() }
+    }
 }
 
 /// Whether the system refused an operation, such as reading a file.

@@ -53,12 +53,13 @@ pub(super) enum Form {
     Classroom,
 }
 
-/// Columns by which the form of a file is known. The first form whose columns are present is used.
+/// Columns by which the form of a file is known. The first column identifies a student. The first
+/// form whose columns are present is used.
 const FORMS: [(Form, &[&str]); 5] = [
-    (Form::Canvas, &["Student", "ID"]),
+    (Form::Canvas, &["ID", "Student"]),
     (Form::Worksheet, &["Identifier", "Full name", "Grade"]),
-    (Form::Gradebook, &["First name", "Email address"]),
-    (Form::Gradescope, &["First Name", "Last Name", "SID", "Email"]),
+    (Form::Gradebook, &["Email address", "First name"]),
+    (Form::Gradescope, &["Email", "First Name", "Last Name", "SID"]),
     (Form::Classroom, &["username", "first_name", "last_name"]),
 ];
 
@@ -88,7 +89,7 @@ impl Roster {
         let (header, rows) = table(path)?;
         let mut forms = FORMS.iter();
         let form = forms.find(|(_, names)| names.iter().all(|it| column(&header, it).is_some()));
-        let (form, _) = *form.with_context(|| {
+        let (form, columns) = *form.with_context(|| {
             format!(
                 "{}, line 1: there are neither Canvas's columns (Student, ID) nor Moodle's \
                  (Identifier, Full name, Grade; or First name, Last name, Email address), Gradescope's \
@@ -97,18 +98,11 @@ impl Roster {
             )
         })?;
         let mut roster = Self { path: path.to_owned(), form, header, rows, students: Vec::new() };
-        roster.students = roster.read_students()?;
+        roster.students = roster.read_students(columns[0])?;
         Ok(roster)
     }
 
-    fn read_students(&self) -> Result<Vec<Student>> {
-        let id = match self.form {
-            Form::Canvas => "ID",
-            Form::Worksheet => "Identifier",
-            Form::Gradebook => "Email address",
-            Form::Gradescope => "Email",
-            Form::Classroom => "username",
-        };
+    fn read_students(&self, id: &str) -> Result<Vec<Student>> {
         let mut seen = BTreeMap::new();
         let mut students = Vec::new();
         for (row, (line, cells)) in self.rows.iter().enumerate() {

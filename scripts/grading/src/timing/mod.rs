@@ -14,13 +14,11 @@ mod take;
 pub(crate) mod whole_program;
 
 use std::hash::{BuildHasher, RandomState};
-use std::path::Path;
 use std::time::{Duration, Instant};
 
 use anyhow::{Result, ensure};
 
 use crate::record::{Findings, Kind, Outcome, Run, Whose};
-use crate::sandbox::Sandbox;
 use lab_kit::Facts;
 use lab_measure::experiment::turns;
 use oracle::Random;
@@ -29,8 +27,8 @@ use correctness::{STRAY, difference, is_another};
 use judge::is_noisy;
 pub(crate) use judge::{judge, seconds_of};
 use plan::{SERIAL, plan};
-pub(crate) use take::PROGRAM;
-use take::{Order, Taken, take_believed};
+use take::{Order, Taken};
+pub(crate) use take::{PROGRAM, Pair};
 
 /// Smallest number of rounds.
 const LEAST: usize = 5;
@@ -47,24 +45,18 @@ const TIMES: f64 = 10.0;
 
 /// Times a submission and writes the runs into its record.
 ///
-/// `folders` are the folders of its programs and of the solution's. Nothing else should run on the
-/// machine.
+/// Nothing else should run on the machine.
 ///
 /// # Errors
 /// If the solution fails, or the programs cannot be started.
-pub(crate) fn time(
-    sandbox: &Sandbox,
-    folders: (&Path, &Path),
-    findings: &mut Findings,
-    rubric: &Facts,
-) -> Result<()> {
+pub(crate) fn time(pair: Pair<'_>, findings: &mut Findings, rubric: &Facts) -> Result<()> {
     let mut runs = plan(rubric, findings.seed, lab_kit::machine::cores());
     let start = Instant::now();
     (findings.timed, findings.runs) = (true, Vec::new());
     // The scene is random, so no program has seen it before. No letter contains its seed.
     let mut random = Random::new(RandomState::new().hash_one(()));
     for round in 0..MOST {
-        one_round(sandbox, folders, &mut runs, round, scene(&mut random))?;
+        one_round(pair, &mut runs, round, scene(&mut random))?;
         findings.runs.clone_from(&runs);
         if round + 1 >= LEAST && !is_noisy(findings, rubric) || start.elapsed() > BUDGET {
             break;
@@ -86,13 +78,7 @@ struct Right {
 }
 
 /// Runs every program once, in the order of the list or in reverse, and compares the states.
-fn one_round(
-    sandbox: &Sandbox,
-    (own, solution): (&Path, &Path),
-    runs: &mut [Run],
-    round: usize,
-    seed: u32,
-) -> Result<()> {
+fn one_round(pair: Pair<'_>, runs: &mut [Run], round: usize, seed: u32) -> Result<()> {
     // Trusted programs come first: their results are right, and their times limit the other runs.
     let mut order = turns(runs.len(), round);
     order.sort_by_key(|at| (runs[*at].n, runs[*at].whose == Whose::Own));
@@ -106,10 +92,8 @@ fn one_round(
         let allowed = right.first().map_or(ALLOWANCE * 8, |right| {
             ALLOWANCE + Duration::from_secs_f64(TIMES * right.taken.seconds)
         });
-        // The serial program is in the solution's folder.
-        let folder = if run.whose == Whose::Own { own } else { solution };
-        let order = Order::of(run, seed);
-        let taken = match take_believed(sandbox, folder, &order, run.workers, allowed)? {
+        let folder = if run.whose == Whose::Own { pair.own } else { pair.solution };
+        let taken = match pair.take(folder, &Order::of(run, seed), run.workers, allowed)? {
             Ok(taken) => taken,
             Err((outcome, why)) => {
                 ensure!(run.whose == Whose::Own, "the solution cannot be timed: {why}");

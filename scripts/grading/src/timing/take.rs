@@ -144,15 +144,32 @@ pub(crate) fn take(
     }))
 }
 
-/// Runs a program as [`take`] does, and repeats a run that a fault of the machine may have ended.
-pub(crate) fn take_believed(
-    sandbox: &Sandbox,
-    folder: &Path,
-    order: &Order<'_>,
-    processors: usize,
-    limit: Duration,
-) -> Result<Result<Taken, Trouble>> {
-    believed(|| take(sandbox, folder, order, processors, limit), is_doubtful, || sandbox.works())
+/// The programs of a submission and of the solution.
+#[derive(Clone, Copy)]
+pub(crate) struct Pair<'a> {
+    pub(crate) sandbox: &'a Sandbox,
+    /// Folder of the submission's programs.
+    pub(crate) own: &'a Path,
+    /// Folder of the solution's programs, and of the serial program.
+    pub(crate) solution: &'a Path,
+}
+
+impl Pair<'_> {
+    /// Runs a program as [`take`] does, and repeats a run that a fault of the machine may have
+    /// ended.
+    pub(crate) fn take(
+        &self,
+        folder: &Path,
+        order: &Order<'_>,
+        processors: usize,
+        limit: Duration,
+    ) -> Result<Result<Taken, Trouble>> {
+        believed(
+            || take(self.sandbox, folder, order, processors, limit),
+            is_doubtful,
+            || self.sandbox.works(),
+        )
+    }
 }
 
 /// Returns the trouble of a program that breaks the rules of a timed run.

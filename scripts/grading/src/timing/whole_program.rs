@@ -9,7 +9,7 @@ use anyhow::{Result, anyhow};
 
 use super::correctness::difference;
 use super::scene;
-use super::take::{Order, Taken, Trouble, is_doubtful, take};
+use super::take::{Order, Pair, Taken, Trouble, is_doubtful, take};
 use crate::record::{Run, Task, Whose, number};
 use crate::sandbox::Sandbox;
 use crate::sandbox::faults::believed;
@@ -24,13 +24,35 @@ struct PlannedRun {
     seed: u32,
 }
 
-/// Runs a program on all processors.
-fn result(
-    sandbox: &Sandbox,
-    folder: &Path,
-    PlannedRun { run, seed, .. }: &PlannedRun,
-) -> Result<Result<Taken, Trouble>> {
-    take(sandbox, folder, &Order::of(run, *seed), usize::MAX, sandbox.limits.run)
+impl PlannedRun {
+    /// Runs the program on all processors.
+    fn take(&self, sandbox: &Sandbox, folder: &Path) -> Result<Result<Taken, Trouble>> {
+        let order = Order::of(&self.run, self.seed);
+        take(sandbox, folder, &order, usize::MAX, sandbox.limits.run)
+    }
+
+    /// Runs the solution's program.
+    fn take_right(&self, pair: Pair<'_>) -> Result<Taken> {
+        let right = self.take(pair.sandbox, pair.solution)?;
+        right.map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", self.run.variant))
+    }
+
+    /// Describes what is wrong with the submission's program; `None` if it is right.
+    ///
+    /// # Errors
+    /// If the solution's program fails.
+    fn wrong(&self, pair: Pair<'_>) -> Result<Option<String>> {
+        let right = self.take_right(pair)?;
+        let taken = believed(
+            || self.take(pair.sandbox, pair.own),
+            is_doubtful,
+            || self.take_right(pair).map(drop),
+        )?;
+        Ok(match taken {
+            Ok(taken) => difference(&right.state, &taken.state, 0.0),
+            Err((_, why)) => Some(why),
+        })
+    }
 }
 
 /// Plans the runs of whole programs on random scenes, in the order of their tasks.
@@ -61,19 +83,13 @@ fn planned_runs(rubric: &Facts, seed: u64) -> Vec<PlannedRun> {
 ///
 /// If all tasks of a program are right and the program is wrong nevertheless, its last task counts
 /// as wrong. Other programs that need this task are then not run.
-pub(crate) fn check(
-    sandbox: &Sandbox,
-    (own, solution): (&Path, &Path),
-    rubric: &Facts,
-    seed: u64,
-    tasks: &mut [Task],
-) -> Result<()> {
+pub(crate) fn check(pair: Pair<'_>, rubric: &Facts, seed: u64, tasks: &mut [Task]) -> Result<()> {
     for program_run in planned_runs(rubric, seed) {
         let last = number(&program_run.task);
         if tasks.iter().any(|task| number(&task.id) <= last && !task.passed) {
             continue;
         }
-        let Some(wrong) = wrong(sandbox, own, solution, &program_run)? else { continue };
+        let Some(wrong) = program_run.wrong(pair)? else { continue };
         let Run { variant, n, workers, steps, .. } = &program_run.run;
         for own in tasks.iter_mut().filter(|own| own.id == program_run.task) {
             (own.passed, own.share) = (false, 0.0);
@@ -84,34 +100,6 @@ pub(crate) fn check(
         }
     }
     Ok(())
-}
-
-/// Describes what is wrong with a submission's program; `None` if it is right.
-///
-/// # Errors
-/// If the solution's program fails.
-fn wrong(
-    sandbox: &Sandbox,
-    own: &Path,
-    solution: &Path,
-    program_run: &PlannedRun,
-) -> Result<Option<String>> {
-    let right = trusted(sandbox, solution, program_run)?;
-    let taken = believed(
-        || result(sandbox, own, program_run),
-        is_doubtful,
-        || trusted(sandbox, solution, program_run).map(drop),
-    )?;
-    Ok(match taken {
-        Ok(taken) => difference(&right.state, &taken.state, 0.0),
-        Err((_, why)) => Some(why),
-    })
-}
-
-/// Runs the solution's program.
-fn trusted(sandbox: &Sandbox, solution: &Path, program_run: &PlannedRun) -> Result<Taken> {
-    let right = result(sandbox, solution, program_run)?;
-    right.map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", program_run.run.variant))
 }
 
 #[cfg(test)]
