@@ -191,10 +191,8 @@ impl Record {
 /// Returns the maximum number of points in a class. The points of timed measures without a grade
 /// are included.
 pub(crate) fn scale(records: &[Record]) -> f64 {
-    let mut most: f64 = 0.0;
-    for record in records {
-        most = most.max(record.worth(|measure| measure.verdict != Verdict::NotTimed));
-    }
+    let worth = records.iter().map(|it| it.worth(|one| one.verdict != Verdict::NotTimed));
+    let most = worth.fold(0.0, f64::max);
     if most > 0.0 { most } else { 1.0 }
 }
 

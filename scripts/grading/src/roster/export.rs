@@ -105,10 +105,8 @@ impl Member {
 fn time(text: &str) -> Result<Timestamp> {
     let parts: Vec<&str> = text.split_whitespace().collect();
     let [day, rest @ ..] = &parts[..] else { return Ok(text.parse()?) };
-    let time: Timestamp = format!("{day}T{}", rest.concat())
-        .parse()
-        .with_context(|| format!("'{text}' is no time such as 2026-11-20 21:59:03 Z"))?;
-    Ok(time)
+    let time = format!("{day}T{}", rest.concat()).parse();
+    time.with_context(|| format!("'{text}' is no time such as 2026-11-20 21:59:03 Z"))
 }
 
 #[cfg(test)]

@@ -250,10 +250,11 @@ impl<'a> Join<'a> {
 
 /// Finds the only student with that name; `None` if there is no such student, or more than one.
 fn the_one(students: &[Student], name: &str) -> Option<usize> {
-    match all_named(students, name)[..] {
-        [student] => Some(student),
-        _ => None,
-    }
+    only(&all_named(students, name))
+}
+
+fn only(students: &[usize]) -> Option<usize> {
+    if let [student] = students { Some(*student) } else { None }
 }
 
 fn all_named(students: &[Student], name: &str) -> Vec<usize> {
@@ -282,8 +283,5 @@ fn by_parts(students: &[Student], name: &str) -> Option<usize> {
             return None;
         }
     }
-    match meant[..] {
-        [student] => Some(student),
-        _ => None,
-    }
+    only(&meant)
 }

@@ -8,7 +8,6 @@ mod loose;
 pub(crate) mod names;
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
@@ -17,7 +16,7 @@ use anyhow::{Context, Result, bail, ensure};
 use crate::record::LeftOut;
 use crate::roster;
 pub(crate) use folder::read;
-use folder::unpacker;
+use folder::{entries, unpacker};
 use lab_kit::escape::{cut, line};
 use lab_kit::sources::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
 use lab_kit::{Given, Kit, Lab};
@@ -157,10 +156,9 @@ fn list(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
 
 /// Lists the entries of a folder of submissions: the submissions, and hidden entries.
 fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
-    let entries = fs::read_dir(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let mut found = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
+    let found = entries(path).with_context(|| format!("cannot read {}", path.display()));
+    let mut found = found?;
     found.retain(|path| !is_about_the_class(path));
-    found.sort();
     Ok(found.into_iter().partition(|path| !is_dotted(path) && !is_macos(path)))
 }
 

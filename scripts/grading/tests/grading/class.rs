@@ -4,8 +4,9 @@ use std::ffi::OsStr;
 use std::fs;
 use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::{PermissionsExt, symlink};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
+use lab_kit::files::write_file;
 use tempfile::TempDir;
 
 use crate::cheats::{QUICK, TASK, TIMED};
@@ -168,7 +169,7 @@ impl Class {
             (own.join(".config/nextest.toml"), "[profile.default]\n"),
             (below.join("src").join(OsStr::from_bytes(b"\xff\xfe.rs")), "nobody reads this"),
         ] {
-            write(&path, text);
+            write_file(&path, text).unwrap();
         }
     }
 
@@ -177,20 +178,19 @@ impl Class {
         match form {
             Form::Folder => {
                 let below = own.join(format!("labs/lab{}", self.lab));
-                files.iter().for_each(|(path, text)| write(&below.join(path), text));
+                files.iter().for_each(|(path, text)| write_file(&below.join(path), text).unwrap());
             }
-            Form::Zip => write(&own.with_extension("zip"), archives::zip(self.lab, files)),
-            Form::Tar => write(&own.with_extension("tar.gz"), archives::tar(self.lab, files)),
+            Form::Zip => {
+                write_file(&own.with_extension("zip"), archives::zip(self.lab, files)).unwrap();
+            }
+            Form::Tar => {
+                write_file(&own.with_extension("tar.gz"), archives::tar(self.lab, files)).unwrap();
+            }
             Form::Upload => {
-                write(&own.join("lab.tar.gz"), archives::tar(self.lab, files));
-                write(&own.join("comment.txt"), "please grade this");
+                write_file(&own.join("lab.tar.gz"), archives::tar(self.lab, files)).unwrap();
+                write_file(&own.join("comment.txt"), "please grade this").unwrap();
             }
         }
         self.members.push((name.to_owned(), expected));
     }
-}
-
-fn write(path: &Path, contents: impl AsRef<[u8]>) {
-    fs::create_dir_all(path.parent().unwrap()).unwrap();
-    fs::write(path, contents).unwrap();
 }

@@ -6,6 +6,7 @@ use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use lab_kit::files::write_file;
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -115,9 +116,7 @@ fn graded_without_namespaces(hand_in: impl Fn(&Path)) -> Option<Value> {
 /// Writes a submission as a folder of lab 1.
 fn folder(submission: &Path, files: Files) {
     for (path, text) in files {
-        let path = submission.join("my-kit/labs/lab1").join(path);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, text).unwrap();
+        write_file(&submission.join("my-kit/labs/lab1").join(path), text).unwrap();
     }
 }
 
