@@ -115,13 +115,13 @@ fn judge(
     into: &Path,
     bar: &ProgressBar,
 ) -> Result<BTreeMap<String, TempDir>> {
-    let programs = on_all_cores(open, |(name, path)| {
+    let programs = on_all_cores(open, |submission| {
         let tree = taken(trees);
-        let (record, program) = grader.grade(&tree, reference, name, path);
+        let (record, program) = grader.grade(&tree, reference, submission);
         trees.lock().expect("pushing does not panic").push(tree);
         record.write(into)?;
-        done(bar, name, summary::of_tasks(&record));
-        Ok(program.map(|program| (name.clone(), program)))
+        done(bar, &record.found.name, summary::of_tasks(&record));
+        Ok(program.map(|program| (record.found.name, program)))
     });
     programs.into_iter().filter_map(Result::transpose).collect()
 }

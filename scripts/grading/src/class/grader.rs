@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, Result};
 use tempfile::TempDir;
 
-use super::Options;
+use super::{Named, Options};
 use crate::asking::{Questions, TaskResult};
 use crate::build::{Tree, graded_by};
 use crate::record::{FORMAT, Findings, Marked, Record, Status, Task};
@@ -121,79 +121,75 @@ impl<'a> Grader<'a> {
         &self,
         tree: &Tree,
         reference: &Reference,
-        name: &str,
-        path: &Path,
+        (name, path): &Named,
     ) -> (Record, Option<TempDir>) {
-        self.try_to_grade(tree, reference, name, path).unwrap_or_else(|error| {
-            let message = format!("{error:#}");
-            (self.ended(self.blank(name), Status::Failed, &message, path), None)
-        })
+        let mut record = self.blank(name);
+        let (status, message) = match self.try_to_grade(&mut record, tree, reference, path) {
+            Ok(Ok(folder)) => return (record, Some(folder)),
+            Ok(Err(end)) => end,
+            Err(error) => {
+                record = self.blank(name);
+                (Status::Failed, format!("{error:#}"))
+            }
+        };
+        record.found.status = status;
+        record.found.message = self.message(&message, path);
+        (record, None)
     }
 
+    /// Returns the programs or, if there are none, the stage that grading reached and the reason.
     fn try_to_grade(
         &self,
+        record: &mut Record,
         tree: &Tree,
         reference: &Reference,
-        name: &str,
         path: &Path,
-    ) -> Result<(Record, Option<TempDir>)> {
-        let mut record = self.blank(name);
+    ) -> Result<Result<TempDir, (Status, String)>> {
         let submission = match self.take(path) {
             Ok(submission) => submission,
             // If the system cannot read a submission, its contents may still be right.
             Err(error) if is_of_the_system(&error) => return Err(error),
-            Err(error) => {
-                let message = format!("{error:#}");
-                return Ok((self.ended(record, Status::Unreadable, &message, path), None));
-            }
+            Err(error) => return Ok(Err((Status::Unreadable, format!("{error:#}")))),
         };
-        let found = &mut record.found;
+        let Record { found, tasks, .. } = record;
         found.left_out = submission.left_out;
         found.changed = submission.changed;
         if submission.files.is_empty() {
-            let message = submission::nothing(self.lab, &found.left_out);
-            return Ok((self.ended(record, Status::Empty, &message, path), None));
+            return Ok(Err((Status::Empty, submission::nothing(self.lab, &found.left_out))));
         }
         found.hash = hash(&submission.files);
         found.files =
             submission.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
         if let Some(why) = forbidden::find(&submission.files) {
-            return Ok((self.ended(record, Status::Refused, &why, path), None));
+            return Ok(Err((Status::Refused, why)));
         }
         let folder = match tree.build(self.sandbox, &submission.files)? {
             Ok(folder) => folder,
-            Err(why) => return Ok((self.ended(record, Status::NotBuilt, &why, path), None)),
+            Err(why) => return Ok(Err((Status::NotBuilt, why))),
         };
         let questions = reference.questions.as_ref().context("the solution was not asked")?;
-        let ids = record.tasks.iter().map(|task| task.id.as_str());
-        let results = questions.ask(self.sandbox, folder.path(), ids, record.found.seed)?;
-        self.write_results(results, &mut record, path)?;
+        let ids = tasks.iter().map(|task| task.id.as_str());
+        let results = questions.ask(self.sandbox, folder.path(), ids, found.seed)?;
+        self.write_results(results, tasks, &found.name, path)?;
         let pair = reference.pair(self.sandbox, &folder);
-        let Record { found, tasks, .. } = &mut record;
         whole_program::check(pair, &self.rubric, found.seed, tasks)?;
-        Ok((record, Some(folder)))
+        Ok(Ok(folder))
     }
 
-    /// Writes into a record why its submission has no results.
-    fn ended(&self, mut record: Record, status: Status, message: &str, path: &Path) -> Record {
-        record.found.status = status;
-        record.found.message = self.message(message, path);
-        record
-    }
-
-    /// Writes the results of asking into the record's tasks, and the output into files.
+    /// Writes the results of asking into the tasks of submission `name`, and the output into files.
     fn write_results(
         &self,
         results: Vec<TaskResult>,
-        record: &mut Record,
+        tasks: &mut [Task],
+        name: &str,
         path: &Path,
     ) -> Result<()> {
-        for (task, result) in record.tasks.iter_mut().zip(results) {
+        for (task, result) in tasks.iter_mut().zip(results) {
             task.passed = result.wrong.is_none();
             task.share = result.share;
             task.message = self.message(&result.wrong.unwrap_or_default(), path);
             if !result.printed.trim().is_empty() {
-                let path = self.printed.join(&record.found.name).join(format!("{}.txt", task.id));
+                let path = self.printed.join(name).join(format!("{}.txt", task.id));
                 write_file(&path, cut(&plain(&result.printed), PRINTED))?;
             }
         }
