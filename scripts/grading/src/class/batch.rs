@@ -4,7 +4,6 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
-use std::fs;
 use std::io::{Write, stderr};
 use std::path::Path;
 use std::sync::Mutex;
@@ -17,7 +16,7 @@ use tempfile::TempDir;
 use super::grader::{Grader, Reference, hash};
 use super::{Named, Options, summary};
 use crate::build::Tree;
-use crate::record::{self, FORMAT, Findings, Record, Status};
+use crate::record::{self, Findings, Status};
 use crate::sandbox::memory_guard::Guard;
 use crate::sandbox::{BUILD_QUOTA, Sandbox, room};
 use crate::score::score;
@@ -232,9 +231,7 @@ fn is_timed(grader: &Grader<'_>, record: &Path) -> bool {
 
 /// Whether judging this submission again would give the same record.
 fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>) -> bool {
-    let record =
-        fs::read(record).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
-    let Some(record) = record else { return false };
+    let Ok(record) = record::read(record) else { return false };
     let same = match grader.take(path) {
         Err(error) => {
             record.found.status == Status::Unreadable
@@ -243,8 +240,7 @@ fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>)
         Ok(submission) if submission.files.is_empty() => record.found.status == Status::Empty,
         Ok(submission) => record.found.hash == hash(&submission.files),
     };
-    same && record.found.format == FORMAT
-        && record.found.status != Status::Failed
+    same && record.found.status != Status::Failed
         && grader.rubric.tasks.keys().all(|id| record.tasks.iter().any(|task| task.id == *id))
         && record.found.grader == grader.hash
         && record.found.sandboxed == grader.sandbox.keeps

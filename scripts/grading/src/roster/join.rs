@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::FILE;
-use super::export::Export;
+use super::export::{Export, HandIn};
 use super::students::{Roster, Student, key};
 use crate::record::{Attempt, Record};
 use crate::submission::names::{bare, composed};
@@ -126,17 +126,15 @@ impl<'a> Join<'a> {
         records: &[Record],
     ) -> Self {
         let students = roster.map_or(&[][..], |roster| &roster.students);
-        let whose = records.iter().map(|record| match names.get(&composed(&record.found.name)) {
-            Some(members) => {
+        let whose = records.iter().map(|Record { found, .. }| {
+            if let Some(members) = names.get(&composed(&found.name)) {
                 members.names().iter().filter_map(|student| the_one(students, student)).collect()
+            } else if let Some(HandIn { members, .. }) = export.of(&found.name) {
+                let keys = members.iter().map(|member| &member.keys);
+                keys.filter_map(|keys| keys.iter().find_map(|key| the_one(students, key))).collect()
+            } else {
+                by_parts(students, &found.name).into_iter().collect()
             }
-            None if export.of(&record.found.name).is_some() => {
-                let members = export.of(&record.found.name).into_iter().flat_map(|it| &it.members);
-                members
-                    .filter_map(|it| it.keys.iter().find_map(|key| the_one(students, key)))
-                    .collect()
-            }
-            None => by_parts(students, &record.found.name).into_iter().collect(),
         });
         Self { students, whose: whose.collect() }
     }
