@@ -10,7 +10,7 @@ use bzip2::read::MultiBzDecoder;
 use flate2::read::GzDecoder;
 use lzma_rust2::XzReader;
 
-use super::HandedIn;
+use super::handed_in::HandedIn;
 
 /// Maximal number of bytes read from an archive. Skipped entries count too, because they also take
 /// time.

@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
 
+use super::archive;
+use super::handed_in::{HandedIn, NAMED};
 use super::names::{DEEP, is_built, is_called_archive, is_macos, lab_of};
-use super::{HandedIn, NAMED, archive};
 
 /// Reads the sources of each lab in a submission.
 ///
