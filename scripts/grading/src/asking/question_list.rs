@@ -43,11 +43,13 @@ mod tests {
 
     #[test]
     fn a_row_is_read() {
-        let line = "question|task_3_12|forces|3.1, 3.3|What | is asked.";
-        let Question { task, test, after } = question(line).unwrap();
-        assert_eq!((task.as_str(), test.as_str()), ("3.12", "task_3_12::forces"));
-        assert_eq!(after, ["3.1", "3.3"]);
-        assert!(question("question|task_1_1|a||x").unwrap().after.is_empty());
+        for (line, id, name, needed) in [
+            ("task_3_12|forces|3.1, 3.3|What | is asked.", "3.12", "task_3_12::forces", "3.1 3.3"),
+            ("task_1_1|a||x", "1.1", "task_1_1::a", ""),
+        ] {
+            let Question { task, test, after } = question(&format!("question|{line}")).unwrap();
+            assert_eq!([task, test, after.join(" ")], [id, name, needed]);
+        }
         assert_eq!(question("running 1 test"), None);
     }
 }

@@ -182,7 +182,7 @@ fn speed_is_relative_to_the_solution() {
             vec![if whose == Whose::Own { 0.1 * times } else { 0.1 }; 5]
         });
         let grade = graded(&record, Kind::Speed).1.unwrap();
-        assert!((grade - expected).abs() < 1e-6, "{times}: {grade}");
+        assert!((grade - expected).abs() < 1e-9, "{times}: {grade}");
     }
 }
 
