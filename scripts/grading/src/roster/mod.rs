@@ -1,10 +1,10 @@
 //! `class.toml` in the folder of records: an instructor's information about a class.
 //!
 //! The file contains the students ([`students`]), the penalties for lateness ([`late`]), and a
-//! person's decisions ([`Decision`]). [`join`] assigns submissions to students, [`attendance`] lists
-//! who handed in, and [`marks`] writes the students with their marks. [`ClassFile::tell`] writes
-//! this information into the records. Points are computed only from the records, so marks can be
-//! recomputed without losing this information.
+//! person's decisions ([`Decision`]). [`join`] assigns submissions to students, [`attendance`]
+//! lists who handed in, and [`marks`] writes the students with their marks. [`ClassFile::tell`]
+//! writes this information into the records. Points are computed only from the records, so marks
+//! can be recomputed without losing this information.
 
 mod attendance;
 pub(crate) mod export;

@@ -30,14 +30,19 @@ pub(crate) fn histogram(records: &[Record], full: f64) -> Markup {
                 @let x = bar * 32;
                 @let height = 80.0 * *count as f64 / most;
                 @if *count > 0 {
-                    rect x=(x + 3) y=(format!("{:.1}", 100.0 - height)) width="26" height=(format!("{height:.1}")) {}
-                    text x=(x + 16) y=(format!("{:.1}", 96.0 - height)) text-anchor="middle" { (count) }
+                    rect x=(x + 3) y=(tenths(100.0 - height)) width="26" height=(tenths(height)) {}
+                    text x=(x + 16) y=(tenths(96.0 - height)) text-anchor="middle" { (count) }
                 }
                 text x=(x) y="115" { (100 / BARS * bar) }
             }
             text x="320" y="115" text-anchor="end" { "%" }
         }
     }
+}
+
+/// Formats a length with one decimal.
+fn tenths(length: f64) -> String {
+    format!("{length:.1}")
 }
 
 /// Draws the number of submissions that solve each task. Adds the most frequent message that the
