@@ -22,8 +22,7 @@ mod submission;
 mod timing;
 mod viva;
 
-use std::panic;
-use std::process::{ExitCode, exit};
+use std::process::ExitCode;
 
 use clap::Subcommand;
 
@@ -38,7 +37,6 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    say_when_output_cannot_be_written();
     lab_kit::command::main(|kit, command: Command| match command {
         Command::Grade(options) => class::run(kit, options),
         Command::Regrade(options) => regrade::run(kit, &options),
@@ -46,21 +44,6 @@ fn main() -> ExitCode {
         Command::Similarity(options) => similarity::run(kit, options),
         Command::Viva(options) => viva::run(kit, &options),
     })
-}
-
-/// Makes the program end with exit code 2 if it cannot write to standard output.
-///
-/// `println!` would panic, for instance on a full disk. Instead, one line reports the error.
-fn say_when_output_cannot_be_written() {
-    let usual = panic::take_hook();
-    panic::set_hook(Box::new(move |panic| {
-        let message = panic.payload_as_str().unwrap_or_default();
-        let Some(why) = message.strip_prefix("failed printing to stdout: ") else {
-            return usual(panic);
-        };
-        eprintln!("error: cannot write to standard output: {why}");
-        exit(2);
-    }));
 }
 
 #[cfg(test)]

@@ -60,9 +60,9 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     say_changes(&before, &after, verb);
     if !dry_run {
         after.iter().try_for_each(|record| record.write(folder))?;
-        report::write(kit, lab, &after, (&class, &attendance), folder)?;
+        let pages = report::write(kit, lab, &after, (&class, &attendance), folder)?;
         attendance.say(&after);
-        println!("The class: {}", folder.join("index.html").display());
+        pages.iter().for_each(|page| println!("{page}"));
     }
     Ok(ExitCode::SUCCESS)
 }

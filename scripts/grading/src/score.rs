@@ -42,7 +42,7 @@ fn add_unasked(found: &Findings, tasks: &mut Vec<Task>, rubric: &Facts) -> Resul
             "the record of {} knows nothing about task {id}: grade it again",
             found.name
         );
-        tasks.push(Task::unasked(id));
+        tasks.push(Task { id: id.clone(), ..Task::default() });
     }
     Ok(())
 }
@@ -89,9 +89,10 @@ mod tests {
     use lab_kit::facts::{TaskFacts, Timed};
 
     fn rubric(tasks: &[(&str, f64)]) -> Facts {
-        let task = |points| TaskFacts { points, ..TaskFacts::default() };
-        let tasks = tasks.iter().map(|(id, points)| ((*id).to_owned(), task(*points))).collect();
-        Facts { tasks, ..Facts::default() }
+        let tasks = tasks.iter().map(|(id, points)| {
+            ((*id).to_owned(), TaskFacts { points: *points, ..TaskFacts::default() })
+        });
+        Facts { tasks: tasks.collect(), ..Facts::default() }
     }
 
     #[test]

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use anyhow::{Result, anyhow, bail, ensure};
+use anyhow::{Result, anyhow};
 use clap::Args;
 
 use crate::build::Tree;
 use crate::sandbox::{Limits, Sandbox};
-use crate::submission::{self, forbidden};
+use crate::submission;
 use lab_kit::files::write_file;
 use lab_kit::process::kill_all_on_interrupt;
 use lab_kit::{Given, Kit, Lab, Workers};
@@ -33,16 +33,12 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let limit = Duration::from_secs(900);
     let loopback = kit.facts(lab)?.workers == Workers::Ranks;
     let sandbox = Sandbox::find(kit, false, Limits { run: limit, build: limit, loopback })?;
-    let submission = submission::take(kit, lab, &Given::of(kit, lab)?, &options.path)?;
-    ensure!(!submission.files.is_empty(), "{}", submission::nothing(lab, &submission.left_out));
-    if let Some(why) = forbidden::find(&submission.files) {
-        bail!("{why}");
-    }
+    let sources = submission::buildable(kit, lab, &Given::of(kit, lab)?, &options.path)?;
     kill_all_on_interrupt();
     eprintln!("Building it");
     let tree = Tree::lay(kit, lab, &sandbox)?;
-    let folder = tree.build(&sandbox, &submission.files)?.map_err(|why| anyhow!("{why}"))?;
-    for (path, bytes) in &submission.files {
+    let folder = tree.build(&sandbox, &sources)?.map_err(|why| anyhow!("{why}"))?;
+    for (path, bytes) in &sources {
         write_file(&folder.path().join(path), bytes)?;
     }
     println!(

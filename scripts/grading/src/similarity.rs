@@ -43,11 +43,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let into = options.into.clone().unwrap_or_else(|| kit.memory().join("similarity"));
     let mut labs: BTreeMap<Lab, Class> = BTreeMap::new();
     for (label, folders) in [("now", &[options.folder][..]), ("before", &options.before)] {
-        let mut paths = Vec::new();
-        for folder in folders {
-            paths.extend(submission::list(kit, folder)?);
-        }
-        for (name, path) in named(paths) {
+        for (name, path) in named(submission::list_all(kit, folders)?) {
             let handed_in = match submission::read(&path) {
                 Ok(handed_in) => handed_in,
                 Err(error) => {
@@ -55,8 +51,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
                     continue;
                 }
             };
-            let has = |lab| handed_in.labs.contains_key(&lab);
-            if !options.lab.map_or(!handed_in.labs.is_empty(), has) {
+            let found = &handed_in.labs;
+            if options.lab.map_or(found.is_empty(), |lab| !found.contains_key(&lab)) {
                 let lab = options.lab.map_or("N".into(), |lab| lab.to_string());
                 eprintln!("passed over: {}: nothing in it is below labs/lab{lab}/src", line(&name));
                 continue;
@@ -107,30 +103,29 @@ fn one_file(sources: &Sources) -> String {
 mod tests {
     use std::fs;
 
-    use super::{Options, run};
+    use super::{Options, run, write_file};
     use lab_kit::Kit;
     use lab_kit::sources::{Sources, pack};
 
     #[test]
     fn each_submission_is_a_file_and_the_starter_is_ignored() {
         let top = tempfile::tempdir().unwrap();
+        let top = top.path();
         let kit = Kit::find().unwrap();
-        let folder = |name: &str| top.path().join(name);
         let files = ["src/a.rs", "src/b.rs", "src/data.txt"];
         let files: Sources = files.map(|path| (path.into(), b"fn f() {}".to_vec())).into();
         for path in ["handed-in/ada.tar.gz", "handed-in/bob.tgz", "2025/ada.tar.gz"] {
-            fs::create_dir_all(folder(path).parent().unwrap()).unwrap();
-            fs::write(folder(path), pack("2".parse().unwrap(), &files).unwrap()).unwrap();
+            write_file(&top.join(path), pack("2".parse().unwrap(), &files).unwrap()).unwrap();
         }
-        fs::write(folder("handed-in/what.rar"), "who knows").unwrap();
+        fs::write(top.join("handed-in/what.rar"), "who knows").unwrap();
         let options = Options {
-            folder: folder("handed-in"),
+            folder: top.join("handed-in"),
             lab: None,
-            before: vec![folder("2025")],
-            into: Some(folder("out")),
+            before: vec![top.join("2025")],
+            into: Some(top.join("out")),
         };
         run(&kit, options).unwrap();
-        let read = |name: &str| fs::read_to_string(folder("out/lab2").join(name)).unwrap();
+        let read = |name: &str| fs::read_to_string(top.join("out/lab2").join(name)).unwrap();
         assert_eq!(
             read("info.csv"),
             "filename,label\nnow/ada.rs,now\nnow/bob.rs,now\nbefore/ada.rs,before\n\

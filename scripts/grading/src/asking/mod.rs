@@ -3,8 +3,7 @@
 //! The program that runs a submission sends answers and contains no right answer. The grader's own
 //! program, which is built from the solution, judges them.
 
-mod answering;
-mod judged;
+mod answered;
 mod question_list;
 
 use std::collections::BTreeSet;
@@ -16,12 +15,11 @@ use anyhow::{Result, ensure};
 
 use crate::sandbox::Sandbox;
 use crate::sandbox::faults::{believed, could_end, machine_works, named};
-use answering::Answers;
-pub(crate) use judged::Judge;
-use judged::Judged;
+use answered::{Answered, Judge, Judged};
 use lab_kit::harness::located_panic;
 use lab_kit::machine::on_all_cores;
 use lab_kit::process::Finished;
+use lab_kit::{Kit, Lab};
 use question_list::Question;
 
 /// Message for a program that was killed, by the grader or by the system.
@@ -40,10 +38,10 @@ pub(crate) const ANSWER: &str = "answer";
 /// Name of the judging program.
 pub(crate) const JUDGE: &str = "judge";
 
-/// Factor for two time limits.
+/// Factor for time limits.
 ///
-/// The solution's limit is a submission's limit times this factor, because no mark depends on the
-/// solution's time.
+/// The limits of the solution and of the judge are a submission's limit times this factor, because
+/// no mark depends on their times.
 ///
 /// A submission's limit is at least the solution's time times this factor, because the machine may
 /// be busy.
@@ -54,12 +52,6 @@ pub(crate) struct Questions {
     judge: Judge,
     solution: PathBuf,
     all: Vec<Asked>,
-}
-
-/// Answers to a question, and the verdict on them.
-struct Answered {
-    answers: Answers,
-    judged: Judged,
 }
 
 struct Asked {
@@ -84,8 +76,16 @@ pub(crate) struct TaskResult {
 }
 
 impl Questions {
-    /// Asks the solution in `folder` all questions, which it must answer correctly.
-    pub(crate) fn of(sandbox: &Sandbox, folder: &Path, judge: Judge, seed: u64) -> Result<Self> {
+    /// Asks the solution in `folder` all questions of a lab, which it must answer correctly.
+    pub(crate) fn of(
+        kit: &Kit,
+        lab: Lab,
+        sandbox: &Sandbox,
+        folder: &Path,
+        seed: u64,
+    ) -> Result<Self> {
+        // The judge is the grader's own program, so a generous limit is safe.
+        let judge = Judge::new(kit, lab, folder, PATIENCE * sandbox.limits.run);
         let all = question_list::read(&judge.program)?;
         let mut questions = Self { judge, solution: folder.to_owned(), all: Vec::new() };
         let asked = on_all_cores(&all, |question| {
@@ -104,11 +104,10 @@ impl Questions {
     /// If an answer is wrong.
     fn ask_solution(&self, sandbox: &Sandbox, question: &Question, seed: u64) -> Result<Judged> {
         let limit = PATIENCE * sandbox.limits.run;
-        let Answered { answers, judged } =
-            self.answered(sandbox, &self.solution, question, seed, limit)?;
+        let Answered { finished, judged } =
+            self.judge.ask(sandbox, &self.solution, question, seed, limit)?;
         let test = &question.test;
-        let complaint = &answers.finished.stderr;
-        ensure!(!judged.broke_off, "the solution fails in {test}: {}", named(complaint));
+        ensure!(!judged.broke_off, "the solution fails in {test}: {}", named(&finished.stderr));
         ensure!(judged.wrong.is_empty(), "the solution is wrong in {test}: {}", judged.wrong);
         Ok(judged)
     }
@@ -159,28 +158,14 @@ impl Questions {
         seed: u64,
     ) -> Result<Answered> {
         let answered = believed(
-            || self.answered(sandbox, folder, question, seed, *limit),
-            |it| it.judged.broke_off && could_end(&it.answers.finished),
+            || self.judge.ask(sandbox, folder, question, seed, *limit),
+            |it| it.judged.broke_off && could_end(&it.finished),
             || self.ask_solution(sandbox, question, seed).map(drop),
         )?;
         if !answered.judged.wrong.is_empty() {
             machine_works(|| self.ask_solution(sandbox, question, seed).map(drop))?;
         }
         Ok(answered)
-    }
-
-    /// Runs a program on a question and judges its answers.
-    fn answered(
-        &self,
-        sandbox: &Sandbox,
-        folder: &Path,
-        question: &Question,
-        seed: u64,
-        limit: Duration,
-    ) -> Result<Answered> {
-        let answers = Answers::of(sandbox, folder, question, seed, limit)?;
-        let judged = self.judge.judge(question, seed, &answers.file())?;
-        Ok(Answered { answers, judged })
     }
 }
 
@@ -195,14 +180,13 @@ struct Marks {
 }
 
 impl Marks {
-    fn add(&mut self, Answered { answers, judged }: Answered, limit: Duration) {
+    fn add(&mut self, Answered { finished, judged }: Answered, limit: Duration) {
         self.asked += judged.asked;
         self.right += judged.right;
-        self.timed_out = answers.finished.status.is_none();
-        let Finished { stdout, stderr, .. } = &answers.finished;
-        self.result.printed += &format!("{stdout}{stderr}");
+        self.timed_out = finished.status.is_none();
+        self.result.printed += &format!("{}{}", finished.stdout, finished.stderr);
         if !judged.wrong.is_empty() && self.result.wrong.is_none() {
-            self.result.wrong = Some(words(&judged, &answers.finished, limit));
+            self.result.wrong = Some(words(&judged, &finished, limit));
         }
     }
 
@@ -226,10 +210,9 @@ fn words(judged: &Judged, finished: &Finished, limit: Duration) -> String {
         None if finished.stdout.len().max(finished.stderr.len()) >= MUCH => PRINTS.into(),
         None => format!("no answer within {} s to: {question}", limit.as_secs()),
         Some(status) if status.signal() == Some(9) => KILLED.into(),
-        Some(_) => located_panic(&finished.stderr).map_or(wrong, |message| first_line(&message)),
+        Some(_) => match located_panic(&finished.stderr) {
+            Some(message) => message.lines().next().unwrap_or_default().chars().take(300).collect(),
+            None => wrong,
+        },
     }
-}
-
-fn first_line(text: &str) -> String {
-    text.lines().next().unwrap_or_default().chars().take(300).collect()
 }

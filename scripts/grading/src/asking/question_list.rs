@@ -43,13 +43,13 @@ mod tests {
 
     #[test]
     fn a_row_is_read() {
-        let row = |task: &str, test: &str, after: &[&str]| {
-            let after = after.iter().map(ToString::to_string).collect();
-            Some(Question { task: task.into(), test: test.into(), after })
-        };
-        let line = "question|task_3_12|forces|3.1, 3.3|What | is asked.";
-        assert_eq!(question(line), row("3.12", "task_3_12::forces", &["3.1", "3.3"]));
-        assert_eq!(question("question|task_1_1|a||x"), row("1.1", "task_1_1::a", &[]));
+        for (line, id, name, needed) in [
+            ("task_3_12|forces|3.1, 3.3|What | is asked.", "3.12", "task_3_12::forces", "3.1 3.3"),
+            ("task_1_1|a||x", "1.1", "task_1_1::a", ""),
+        ] {
+            let Question { task, test, after } = question(&format!("question|{line}")).unwrap();
+            assert_eq!([task, test, after.join(" ")], [id, name, needed]);
+        }
         assert_eq!(question("running 1 test"), None);
     }
 }

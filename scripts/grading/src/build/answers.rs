@@ -42,12 +42,14 @@ fn the_program_that_runs_a_submission_knows_no_answer() {
     cargo.args(["--config", "profile.release.debug=false"]);
     cargo.args(["--package", PROBE, "--target-dir", "target/symbols"]);
     assert!(cargo.status().unwrap().success());
-    let has = |program: &str, word: &str| {
-        let bytes = fs::read(root.join("target/symbols/release").join(program)).unwrap();
-        bytes.windows(word.len()).any(|window| window == word.as_bytes())
-    };
+    let programs = root.join("target/symbols/release");
+    let [judge, answer] = [JUDGE, ANSWER].map(|name| fs::read(programs.join(name)).unwrap());
     for word in KNOWING {
-        assert!(has(JUDGE, word), "the program that judges has no '{word}': look for another word");
-        assert!(!has(ANSWER, word), "the program that runs a submission has '{word}'");
+        assert!(has(&judge, word), "the judging program has no '{word}': look for another word");
+        assert!(!has(&answer, word), "the program that runs a submission has '{word}'");
     }
+}
+
+fn has(program: &[u8], word: &str) -> bool {
+    program.windows(word.len()).any(|window| window == word.as_bytes())
 }

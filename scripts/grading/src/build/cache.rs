@@ -39,13 +39,16 @@ pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
     if fs::read_to_string(kept.join("sources")).is_ok_and(|kept| kept == sources) {
         return Ok(());
     }
-    let unkept = || format!("cannot write {}", kept.display());
+    write(kept, tree, &sources).with_context(|| format!("cannot write {}", kept.display()))
+}
+
+fn write(kept: &Path, tree: &Path, sources: &str) -> Result<()> {
     let folder = kept.parent().unwrap_or(Path::new("."));
-    fs::create_dir_all(folder).with_context(unkept)?;
-    let new = tempfile::tempdir_in(folder).with_context(unkept)?;
-    copy(&tree.join("target"), &new.path().join("target")).with_context(unkept)?;
-    fs::write(new.path().join("sources"), sources).with_context(unkept)?;
-    let old = tempfile::tempdir_in(folder).with_context(unkept)?;
+    fs::create_dir_all(folder)?;
+    let new = tempfile::tempdir_in(folder)?;
+    copy(&tree.join("target"), &new.path().join("target"))?;
+    fs::write(new.path().join("sources"), sources)?;
+    let old = tempfile::tempdir_in(folder)?;
     // Another grading run may write the cache at the same time. Either copy can be kept.
     let _ = fs::rename(kept, old.path().join("old"));
     let _ = fs::rename(new.path(), kept);
@@ -78,51 +81,54 @@ fn sources(tree: &Path) -> Result<String> {
 /// These are the provided code, earlier solutions, and the oracle.
 fn given(tree: &Path) -> Result<Vec<PathBuf>> {
     let labs = tree.join("labs");
-    let mut others = files_below(&tree.join("solutions"))?;
-    others.extend(files_below(&tree.join("tests"))?);
-    let is_given = |path: &PathBuf| {
+    let mut files = files_below(&labs)?;
+    files.retain(|path| {
         let name = path.strip_prefix(&labs).unwrap_or(path).to_string_lossy();
         !name.starts_with("lab") && !name.starts_with("probe")
-    };
-    Ok(files_below(&labs)?.into_iter().filter(is_given).chain(others).collect())
+    });
+    files.extend(files_below(&tree.join("solutions"))?);
+    files.extend(files_below(&tree.join("tests"))?);
+    Ok(files)
 }
 
 #[cfg(test)]
 mod tests {
     use std::fs;
-    use std::path::Path;
+    use std::path::{Path, PathBuf};
     use std::time::SystemTime;
 
     use super::{keep, put_into};
+
+    /// Makes a tree with the files that the cache depends on.
+    fn tree(tree: PathBuf, lock: &str, given: &str) -> PathBuf {
+        fs::create_dir_all(tree.join("labs/common")).unwrap();
+        for (file, text) in [
+            ("Cargo.lock", lock),
+            ("Cargo.toml", "t"),
+            ("rust-toolchain.toml", "r"),
+            ("labs/common/lib.rs", given),
+        ] {
+            fs::write(tree.join(file), text).unwrap();
+        }
+        tree
+    }
+
+    fn is_old(tree: &Path) -> bool {
+        let file = fs::metadata(tree.join("labs/common/lib.rs")).unwrap();
+        file.modified().unwrap() == SystemTime::UNIX_EPOCH
+    }
 
     #[test]
     fn what_was_built_comes_back_as_long_as_it_is_made_of_the_same() {
         let folder = tempfile::tempdir().unwrap();
         let kept = folder.path().join("kept/probe");
-        let tree = |name: &str, lock: &str, given: &str| {
-            let tree = folder.path().join(name);
-            fs::create_dir_all(tree.join("labs/common")).unwrap();
-            for (file, text) in [
-                ("Cargo.lock", lock),
-                ("Cargo.toml", "t"),
-                ("rust-toolchain.toml", "r"),
-                ("labs/common/lib.rs", given),
-            ] {
-                fs::write(tree.join(file), text).unwrap();
-            }
-            tree
-        };
-        let built = tree("built", "1", "g");
+        let built = tree(folder.path().join("built"), "1", "g");
         fs::create_dir_all(built.join("target")).unwrap();
         fs::write(built.join("target/x"), "rlib").unwrap();
         keep(&kept, &built).unwrap();
-        let is_old = |tree: &Path| {
-            let file = fs::metadata(tree.join("labs/common/lib.rs")).unwrap();
-            file.modified().unwrap() == SystemTime::UNIX_EPOCH
-        };
         for (name, lock, given) in [("same", "1", "g"), ("changed", "1", "h"), ("other", "2", "g")]
         {
-            let new = tree(name, lock, given);
+            let new = tree(folder.path().join(name), lock, given);
             put_into(&kept, &new).unwrap();
             let there = fs::read_to_string(new.join("target/x")).is_ok_and(|built| built == "rlib");
             assert_eq!((there, is_old(&new)), (name == "same", name == "same"), "{name}");

@@ -3,23 +3,23 @@
 #[cfg(test)]
 mod answers;
 mod cache;
+mod compile;
 mod programs;
 
 use std::fs::{self, File, Permissions};
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
-use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::time::{Duration, Instant, SystemTime};
 
-use anyhow::{Context, Result, anyhow, bail, ensure};
+use anyhow::{Context, Error, Result, bail};
 use tempfile::TempDir;
 
 use crate::asking;
 use crate::sandbox::faults::{believed, machine_works, named};
-use crate::sandbox::{BUILD_QUOTA, BUILT_FILE, GIVEN_FILE, Sandbox};
+use crate::sandbox::{BUILD_QUOTA, GIVEN_FILE, Sandbox};
+use compile::{Order, clean, compile, is_late, is_of_a_source};
 use lab_keep::handout;
 use lab_kit::files::{read_bytes, write_file};
-use lab_kit::process::run as run_process;
 use lab_kit::rubric;
 use lab_kit::sources::{Sources, of_solution};
 use lab_kit::{Kit, Lab, files_below};
@@ -27,9 +27,6 @@ use programs::{NAMES, Programs};
 
 /// Time limit for building the solution, whose dependencies are compiled too.
 const FIRST: Duration = Duration::from_secs(900);
-
-/// Beginning of the message about a build that exceeded its time limit.
-const LATE: &str = "no build within";
 
 /// Name of the package whose programs call a submission.
 const PROBE: &str = "probe";
@@ -43,21 +40,6 @@ pub(crate) struct Tree {
     programs: Programs,
     /// Sources of the solution. They can be built unless the machine has a fault.
     solution: Sources,
-}
-
-/// Input of a build: sources, names of programs, time limit, and size limit of a file in bytes.
-#[derive(Clone, Copy)]
-struct Order<'a> {
-    sources: &'a Sources,
-    names: &'a [&'a str],
-    limit: Duration,
-    most: u64,
-}
-
-impl<'a> Order<'a> {
-    fn of_submission(sandbox: &Sandbox, sources: &'a Sources, names: &'a [&'a str]) -> Self {
-        Self { sources, names, limit: sandbox.limits.build, most: BUILT_FILE }
-    }
 }
 
 /// Folder of the built programs or, if the build failed, the compiler's errors or the message about
@@ -143,13 +125,17 @@ impl Tree {
         let until = Instant::now() + order.limit;
         let Order { sources, names, .. } = *order;
         self.programs.hide(&root.join(PACKAGE))?;
-        put(root, self.lab, sources, sandbox)?;
+        if let Some(why) = put(root, self.lab, sources, sandbox)? {
+            return Ok(Err(why));
+        }
         if let Some(why) = compile(root, sandbox, order, until, "human")? {
             return Ok(Err(why));
         }
         empty(root, self.lab, sources)?;
         self.programs.show(&root.join(PACKAGE))?;
-        clean(root, &[PROBE], sandbox)?;
+        if let Some(why) = clean(root, &[PROBE], sandbox)? {
+            return Ok(Err(why));
+        }
         // Short messages do not quote the questions, which a student must not read.
         if let Some(why) = compile(root, sandbox, order, until, "short")? {
             let what =
@@ -177,15 +163,17 @@ impl Tree {
     ///
     /// Their compiled dependencies are kept for the next grading run.
     pub(crate) fn reference(&self, kit: &Kit, sandbox: &Sandbox) -> Result<TempDir> {
-        let unbuilt = || format!("the solution of lab {} cannot be built", self.lab);
         let names = &[&NAMES[..], &[asking::JUDGE]].concat();
         let order = Order { sources: &self.solution, names, limit: FIRST, most: GIVEN_FILE };
-        let built = self.build_once(sandbox, &order).with_context(unbuilt)?;
-        let built = built.map_err(|why| anyhow!("{}:\n{why}", unbuilt()))?;
+        let built = self.build_once(sandbox, &order).and_then(|built| built.map_err(Error::msg));
+        let built =
+            built.with_context(|| format!("the solution of lab {} cannot be built", self.lab))?;
         // The judge contains right answers, so no submission may read it.
         fs::set_permissions(built.path().join(asking::JUDGE), Permissions::from_mode(0o700))?;
         // Nothing of the solution remains in the tree.
-        put(self.folder.path(), self.lab, &Sources::new(), sandbox)?;
+        if let Some(why) = put(self.folder.path(), self.lab, &Sources::new(), sandbox)? {
+            bail!("{why}");
+        }
         cache::keep(&cache::of(kit), self.folder.path())?;
         // The oracle is compiled now. Its sources are emptied, so that no submission can include
         // them.
@@ -198,56 +186,6 @@ impl Tree {
     }
 }
 
-/// Compiles the programs in a tree. Returns the compiler's errors; `None` if there are none.
-fn compile(
-    root: &Path,
-    sandbox: &Sandbox,
-    order: &Order<'_>,
-    until: Instant,
-    format: &str,
-) -> Result<Option<String>> {
-    let mut cargo = sandbox.cargo(root, order.most);
-    cargo.args(["build", "--quiet", "--offline", "--release", "--package", PROBE]);
-    cargo.args(order.names.iter().flat_map(|name| ["--bin", *name]));
-    cargo.args(["--message-format", format]);
-    let finished = run_process(&mut cargo, until.saturating_duration_since(Instant::now()))?;
-    Ok(match finished.status {
-        None => Some(format!("{LATE} {} s", order.limit.as_secs())),
-        Some(status) if status.signal() == Some(9) => {
-            Some("its build needed more memory than it may have".into())
-        }
-        Some(status) if status.success() => None,
-        Some(_) if finished.stderr.contains("SIGXFSZ") => Some(format!(
-            "its build made a larger file than the {} MiB that it may make: a constant or a static is too large",
-            order.most >> 20
-        )),
-        Some(_) => Some(finished.stderr),
-    })
-}
-
-/// Whether a failed build is the fault of the sources.
-///
-/// The sources are at fault if the build took too long, or if an error has a location in a source.
-fn is_of_a_source(why: &str) -> bool {
-    is_late(why) || why.lines().any(names_a_place)
-}
-
-/// Whether a build exceeded its time limit, in either pass.
-fn is_late(why: &str) -> bool {
-    why.lines().any(|line| line.starts_with(LATE))
-}
-
-/// Whether a line of the compiler's output is `--> src/lib.rs:3:5` or `src/lib.rs:3:5: error`.
-fn names_a_place(line: &str) -> bool {
-    let is_place = |place: &str| {
-        let mut parts = place.rsplit(':');
-        let mut is_number = || parts.next().is_some_and(|part| part.parse::<u32>().is_ok());
-        is_number() && is_number()
-    };
-    line.trim_start().starts_with("--> ")
-        || line.split_once(": error").is_some_and(|(place, _)| is_place(place))
-}
-
 /// Downloads missing dependencies of a new tree, because a build in the sandbox has no network.
 ///
 /// Listing the dependencies downloads them. If the download fails, the build reports the missing
@@ -257,30 +195,19 @@ fn fetch(root: &Path) {
 }
 
 /// Replaces the previous submission's sources and removes everything that was built from them.
-fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<()> {
+/// Returns why that cannot be removed; `None` if it was removed.
+fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<Option<String>> {
     let name = format!("lab{lab}");
-    clean(root, &[&name, PROBE], sandbox)?;
+    if let Some(why) = clean(root, &[&name, PROBE], sandbox)? {
+        return Ok(Some(why));
+    }
     let folder = root.join("labs").join(name);
     fs::remove_dir_all(folder.join("src"))?;
     fs::create_dir_all(folder.join("src"))?;
     for (path, bytes) in sources {
         write_file(&folder.join(path), bytes)?;
     }
-    Ok(())
-}
-
-/// Removes the compiled files of packages, because `include_bytes!` could read them. Dependencies
-/// stay compiled.
-fn clean(root: &Path, packages: &[&str], sandbox: &Sandbox) -> Result<()> {
-    machine_works(|| {
-        let mut cargo = sandbox.cargo(root, GIVEN_FILE);
-        cargo.args(["clean", "--quiet", "--offline", "--release"]);
-        cargo.args(packages.iter().flat_map(|package| ["--package", *package]));
-        let finished = run_process(&mut cargo, sandbox.limits.build)?;
-        let well = finished.status.is_some_and(|status| status.success());
-        ensure!(well, "what was built before cannot be removed: {}", named(&finished.stderr));
-        Ok(())
-    })
+    Ok(None)
 }
 
 /// Empties source files that were compiled. Their modification times are old, so Cargo does not
@@ -300,8 +227,8 @@ fn strip(root: &Path, lab: Lab) -> Result<()> {
     for entry in fs::read_dir(&tests)? {
         folders.push(entry?.path());
     }
-    let is_package = |path: &Path| path.join("Cargo.toml").is_file();
-    for path in folders.into_iter().filter(|path| !is_package(path)) {
+    // The packages of the tests remain.
+    for path in folders.into_iter().filter(|path| !path.join("Cargo.toml").is_file()) {
         if path.is_dir() {
             fs::remove_dir_all(path)?;
         } else if path.exists() {
@@ -322,26 +249,4 @@ pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
         sources.insert(name, read_bytes(&path)?);
     }
     Ok(sources)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{LATE, is_of_a_source};
-
-    #[test]
-    fn an_error_with_a_place_is_of_a_source() {
-        for (why, own) in [
-            ("error[E0425]: `x`\n  --> src/lib.rs:3:5\n", true),
-            ("it compiles, but not:\nsrc/bin/answer.rs:3:5: error[E0308]: types\n", true),
-            ("thread panicked at write.rs:1967:6:\n   at ./nptl/create.c:442:8\n", false),
-            (&format!("{LATE} 120 s"), true),
-            (&format!("it compiles, but not:\n{LATE} 120 s"), true),
-            ("error: failed to write x: No space left on device (os error 28)", false),
-            ("error: linking with `cc` failed\ncollect2: error: ld returned 1 exit status", false),
-            ("its build needed more memory than it may have", false),
-            ("thread 'rustc' panicked", false),
-        ] {
-            assert_eq!(is_of_a_source(why), own, "{why}");
-        }
-    }
 }

@@ -6,10 +6,9 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 
 use crate::{asking, timing};
-use lab_kit::Facts;
 use lab_kit::files::{read_bytes, write_file};
 use lab_kit::sources::Sources;
-use lab_kit::{Kit, Lab, files_below};
+use lab_kit::{Discs, Facts, Kit, Lab, Workers, files_below};
 
 /// Manifest and sources of the package, by their paths in it.
 #[derive(Clone)]
@@ -21,8 +20,8 @@ pub(super) struct Programs {
 /// Names of the programs of a submission.
 pub(super) const NAMES: [&str; 2] = [asking::ANSWER, timing::PROGRAM];
 
-/// Packages that a lab's tests need but its questions do not.
-const ONLY_TESTS: [&str; 1] = ["insta"];
+/// Package that a lab's tests need but its questions do not.
+const ONLY_TESTS: &str = "insta";
 
 impl Programs {
     /// Collects the programs of a lab, for a package beside the lab's `folder`.
@@ -40,11 +39,11 @@ impl Programs {
             sources.insert(format!("src/bin/{program}.rs"), text.into_bytes());
         }
         let timed = format!("src/bin/{}", timing::PROGRAM);
-        for (to, from) in timing::sources(rubric) {
+        for (to, from) in timed_sources(rubric) {
             sources.insert(format!("{timed}/{to}"), read_bytes(&kit.path(from))?);
         }
         sources.insert(format!("{timed}/scene.rs"), scene(lab, rubric).into_bytes());
-        Ok(Self { manifest: manifest(folder, lab, timing::has_serial(rubric))?, sources })
+        Ok(Self { manifest: manifest(folder, lab, has_serial(rubric))?, sources })
     }
 
     /// Puts empty programs into `package`.
@@ -83,11 +82,11 @@ fn questions(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
 fn scene(lab: Lab, rubric: &Facts) -> String {
     let mut modules = String::new();
     let mut run = String::from("None");
-    for (discs, variants) in timing::programs(rubric) {
+    for (discs, variants) in discs(rubric) {
         modules += &format!("mod {discs};\n");
         run += &format!(".or_else(|| {discs}::run(order, lab{lab}::{variants}, begin))");
     }
-    if timing::has_serial(rubric) {
+    if has_serial(rubric) {
         run = format!(
             "if order.serial {{ soft::run(order, solution2::VARIANTS, begin) }} else {{ {run} }}"
         );
@@ -97,21 +96,44 @@ fn scene(lab: Lab, rubric: &Facts) -> String {
     )
 }
 
+/// Whether a lab's programs run beside the serial program.
+fn has_serial(lab: &Facts) -> bool {
+    lab.scaling.is_some() || lab.has_contest()
+}
+
+/// Returns the kinds of discs that a lab's programs simulate.
+///
+/// Each kind comes with the name of the lab's list of programs.
+fn discs(lab: &Facts) -> Vec<(&'static str, &'static str)> {
+    let own = if lab.discs == Discs::Hard { "hard" } else { "soft" };
+    let hard = lab.programs.get("hard").map(|_| ("hard", "HARD_VARIANTS"));
+    [(own, "VARIANTS")].into_iter().chain(hard).collect()
+}
+
+/// Returns the name of a file in the timed program, and its path in the kit.
+fn timed(to: &str, from: &str) -> (String, String) {
+    (to.to_owned(), format!("tests/timed/{from}"))
+}
+
+/// Returns the files of a lab's timed program: their names, and their paths in the kit.
+fn timed_sources(lab: &Facts) -> Vec<(String, String)> {
+    let team = if lab.workers == Workers::Ranks { "ranks.rs" } else { "alone.rs" };
+    let mut sources = vec![timed("main.rs", "main.rs"), timed("team.rs", team)];
+    let scenes = discs(lab).into_iter().map(|(discs, _)| format!("{discs}.rs"));
+    sources.extend(scenes.map(|scene| timed(&format!("scene/{scene}"), &scene)));
+    sources
+}
+
 /// Writes the manifest.
 ///
 /// The package depends on the lab and on the dependencies of the questions. It also depends on the
 /// lab's dependencies, because functions of the lab take and return their types.
 fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
     let text = fs::read_to_string(folder.join("Cargo.toml"))?;
-    let section = |name: &str| {
-        let (_, rest) = text.split_once(&format!("[{name}]\n"))?;
-        rest.split("\n[").next()
-    };
-    let own = section("dependencies").context("the lab depends on nothing")?;
-    let of_tests = section("dev-dependencies").context("the lab has no tests")?;
-    let is_of_tests = |line: &&str| ONLY_TESTS.iter().any(|name| line.starts_with(name));
+    let own = section(&text, "dependencies").context("the lab depends on nothing")?;
+    let of_tests = section(&text, "dev-dependencies").context("the lab has no tests")?;
     let mut needs: Vec<&str> = own.lines().chain(of_tests.lines()).collect();
-    needs.retain(|line| !is_of_tests(line) && !line.is_empty());
+    needs.retain(|line| !line.starts_with(ONLY_TESTS) && !line.is_empty());
     if serial && !needs.iter().any(|line| line.starts_with("solution2.")) {
         needs.push("solution2.workspace = true");
     }
@@ -120,6 +142,12 @@ fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
          [dependencies]\nlab{lab} = {{ path = \"../lab{lab}\" }}\n{}\n",
         needs.join("\n")
     ))
+}
+
+/// Returns the lines of a section of a manifest.
+fn section<'a>(manifest: &'a str, name: &str) -> Option<&'a str> {
+    let (_, rest) = manifest.split_once(&format!("[{name}]\n"))?;
+    rest.split("\n[").next()
 }
 
 /// Returns the paths of the programs' sources in the kit.
@@ -131,6 +159,6 @@ pub(super) fn files(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     for package in ["tests/oracle", "tests/oracle-mpi"] {
         files.extend(files_below(&kit.path(package))?);
     }
-    files.extend(timing::sources(&kit.facts(lab)?).into_iter().map(|(_, path)| kit.path(path)));
+    files.extend(timed_sources(&kit.facts(lab)?).into_iter().map(|(_, path)| kit.path(path)));
     Ok(files)
 }

@@ -1,84 +1,53 @@
-//! Grades a lab's submissions, several at a time, and continues after an interruption.
+//! Judges a lab's submissions, several at a time, then times them while nothing else runs.
+//!
+//! After an interruption, only the submissions that are left are judged and timed.
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
-use std::fs;
 use std::io::{Write, stderr};
-use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::path::Path;
 use std::sync::Mutex;
 use std::time::Duration;
 
-use anyhow::Result;
+use anyhow::{Result, anyhow};
 use indicatif::{ProgressBar, ProgressStyle};
 use tempfile::TempDir;
 
 use super::grader::{Grader, Reference, hash};
-use super::{Named, Options, finish};
+use super::{Named, Options, summary};
 use crate::build::Tree;
-use crate::record::{self, FORMAT, Record, Status};
-use crate::roster::ClassFile;
+use crate::record::{self, Findings, Status};
 use crate::sandbox::memory_guard::Guard;
-use crate::sandbox::{BUILD_QUOTA, Limits, Sandbox, room};
+use crate::sandbox::{BUILD_QUOTA, Sandbox, room};
+use crate::score::score;
 use crate::timing;
+use crate::timing::contest::ClassContest;
 use lab_kit::escape::line;
 use lab_kit::machine::{cores, on_all_cores};
 use lab_kit::progress::progress;
-use lab_kit::{Kit, Lab, Workers};
-
-/// Grades the submissions of a lab and writes their records into `into`.
-///
-/// A record is written completely or not at all, so a grading run that was interrupted can resume
-/// where it stopped. If every submission has already been judged and timed, nothing is built.
-pub(crate) fn grade(
-    kit: &Kit,
-    lab: Lab,
-    submissions: &[Named],
-    into: &Path,
-    options: &Options,
-) -> Result<ExitCode> {
-    let limits = Limits {
-        run: Duration::from_secs(options.limit),
-        build: Duration::from_secs(options.build_limit),
-        loopback: kit.facts(lab)?.workers == Workers::Ranks,
-    };
-    let sandbox = &Sandbox::find(kit, options.trusted, limits)?;
-    room::make_for_records(into)?;
-    let grader = Grader::new(kit, lab, options, sandbox, into)?;
-    // Report a mistake in `class.toml` before grading, not after it.
-    ClassFile::read(into, &grader.rubric)?;
-    let left = Left::of(&grader, submissions, into, options);
-    if options.seed.is_some() && left.open.iter().any(|(name, _)| !record_of(into, name).exists()) {
-        eprintln!(
-            "--seed: letters name it, so who has read one knows what is asked. Leave it out for a first grading"
-        );
-    }
-    let mut all_timed = true;
-    if !left.open.is_empty() || !left.untimed.is_empty() {
-        all_timed = work(&grader, &left, submissions.len(), into)?;
-    }
-    let ended = finish::finish(&grader, submissions, into)?;
-    println!("Records: {}", into.display());
-    Ok(if all_timed { ended } else { ExitCode::FAILURE })
-}
 
 /// Submissions that are not finished yet.
-struct Left<'a> {
+pub(super) struct Left<'a> {
     /// Submissions whose tasks must be judged.
-    open: Vec<&'a Named>,
+    pub(super) open: Vec<&'a Named>,
     /// Submissions that must be timed.
     untimed: Vec<&'a Named>,
 }
 
 impl<'a> Left<'a> {
-    fn of(grader: &Grader<'_>, all: &'a [Named], into: &Path, options: &Options) -> Self {
+    pub(super) fn of(
+        grader: &Grader<'_>,
+        all: &'a [Named],
+        into: &Path,
+        options: &Options,
+    ) -> Self {
         let rubric = &grader.rubric;
         let has_times = rubric.timed().next().is_some() || rubric.has_contest();
         let times = !options.no_timing && has_times;
         let mut left = Self { open: Vec::new(), untimed: Vec::new() };
         for submission in all {
             let (name, path) = submission;
-            let record = record_of(into, name);
+            let record = record::path(into, name);
             let judged = !options.again && is_judged(grader, path, &record, options.seed);
             if !judged {
                 left.open.push(submission);
@@ -89,15 +58,15 @@ impl<'a> Left<'a> {
         }
         left
     }
-}
 
-/// Returns the path of a submission's record.
-fn record_of(into: &Path, name: &str) -> PathBuf {
-    into.join(format!("{name}.json"))
+    /// Whether every submission is finished.
+    pub(super) fn is_empty(&self) -> bool {
+        self.open.is_empty() && self.untimed.is_empty()
+    }
 }
 
 /// Builds, judges and times the remaining submissions. Returns whether all could be timed.
-fn work(grader: &Grader<'_>, left: &Left<'_>, all: usize, into: &Path) -> Result<bool> {
+pub(super) fn work(grader: &Grader<'_>, left: &Left<'_>, all: usize, into: &Path) -> Result<bool> {
     let mut jobs = cores().min(left.open.len()).max(1);
     let _guard = Guard::set(jobs);
     eprintln!("Building the solution of lab {}, to compare with", grader.lab);
@@ -105,7 +74,12 @@ fn work(grader: &Grader<'_>, left: &Left<'_>, all: usize, into: &Path) -> Result
     let clock = progress(0).with_style(ProgressStyle::with_template("{spinner} {elapsed}")?);
     clock.enable_steady_tick(Duration::from_secs(1));
     let first = Tree::lay(grader.kit, grader.lab, grader.sandbox)?;
-    let reference = Reference::build(grader, &first, !left.open.is_empty())?;
+    let programs = first.reference(grader.kit, grader.sandbox)?;
+    let mut questions = None;
+    if !left.open.is_empty() {
+        questions = Some(grader.questions(programs.path())?);
+    }
+    let reference = Reference { programs, questions };
     clock.finish_and_clear();
     jobs = jobs.min(fitting(grader.sandbox, &first)?);
     let mut trees = vec![first];
@@ -117,7 +91,7 @@ fn work(grader: &Grader<'_>, left: &Left<'_>, all: usize, into: &Path) -> Result
     let programs = judge(grader, &reference, &trees, &left.open, into, &bar)?;
     bar.finish_and_clear();
     let tree = taken(&trees);
-    finish::time(grader, &reference, &tree, &left.untimed, into, programs)
+    time(grader, &reference, &tree, &left.untimed, into, programs)
 }
 
 /// Returns the number of trees that fit on the disk, including `first`.
@@ -140,15 +114,15 @@ fn judge(
     into: &Path,
     bar: &ProgressBar,
 ) -> Result<BTreeMap<String, TempDir>> {
-    let work = |(name, path): &&Named| -> Result<Option<(String, TempDir)>> {
+    let programs = on_all_cores(open, |submission| {
         let tree = taken(trees);
-        let (record, program) = grader.grade(&tree, reference, name, path);
+        let (record, program) = grader.grade(&tree, reference, submission);
         trees.lock().expect("pushing does not panic").push(tree);
         record.write(into)?;
-        done(bar, name, finish::summary(&record));
-        Ok(program.map(|program| (name.clone(), program)))
-    };
-    on_all_cores(open, work).into_iter().filter_map(Result::transpose).collect()
+        done(bar, &record.found.name, summary::of_tasks(&record));
+        Ok(program.map(|program| (record.found.name, program)))
+    });
+    programs.into_iter().filter_map(Result::transpose).collect()
 }
 
 /// Takes one of the trees. A tree is always free, because there are as many trees as workers.
@@ -156,8 +130,80 @@ fn taken(trees: &Mutex<Vec<Tree>>) -> Tree {
     trees.lock().expect("popping does not panic").pop().expect("a tree for each worker")
 }
 
+/// Times one submission after another. Returns whether all could be timed.
+///
+/// `programs` contains the programs of submissions that were judged just now. The programs of other
+/// submissions are built again in `tree`.
+fn time(
+    grader: &Grader<'_>,
+    reference: &Reference,
+    tree: &Tree,
+    untimed: &[&Named],
+    into: &Path,
+    mut programs: BTreeMap<String, TempDir>,
+) -> Result<bool> {
+    let mut contest = None;
+    let bar = bar("times", untimed.len(), 0);
+    let mut all = true;
+    for (name, path) in untimed {
+        let mut record = record::read(&record::path(into, name))?;
+        let program = programs.remove(name);
+        let program = match program {
+            None if record.found.status == Status::Graded => build(grader, tree, path).map(Some),
+            program => Ok(program),
+        };
+        let taken = program.and_then(|program| {
+            time_one(grader, reference, &mut contest, program, &mut record.found)
+        });
+        if taken.is_err() {
+            // The next grading run times this submission again.
+            (record.found.timed, record.found.contest) = (false, None);
+            record.found.runs.clear();
+            all = false;
+        }
+        score(&mut record, &grader.rubric)?;
+        record.write(into)?;
+        done(
+            &bar,
+            name,
+            taken.map_or_else(|error| format!("{error:#}"), |()| summary::of_times(&record)),
+        );
+    }
+    bar.finish_and_clear();
+    Ok(all)
+}
+
+/// Times the programs of a submission; `None` if it has no programs. If the submission is the class's
+/// first entry in a contest, the function also draws the scenes of the `contest`.
+fn time_one(
+    grader: &Grader<'_>,
+    reference: &Reference,
+    contest: &mut Option<ClassContest>,
+    program: Option<TempDir>,
+    found: &mut Findings,
+) -> Result<()> {
+    found.timed = true;
+    let Some(own) = program else { return Ok(()) };
+    let pair = reference.pair(grader.sandbox, &own);
+    if !grader.rubric.has_contest() {
+        return timing::time(pair, found, &grader.rubric);
+    }
+    let contest = match contest.take() {
+        Some(drawn) => contest.insert(drawn),
+        None => contest.insert(ClassContest::draw()?),
+    };
+    contest.enter(pair, found)
+}
+
+/// Builds the programs of a submission that was graded in an earlier run.
+fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<TempDir> {
+    let submission = grader.take(path)?;
+    let built = tree.build(grader.sandbox, &submission.files)?;
+    built.map_err(|why| anyhow!("it was graded, and cannot be built now: {why}"))
+}
+
 /// Makes a progress bar for `of` submissions. The first `done` of them are finished already.
-pub(crate) fn bar(what: &'static str, of: usize, done: usize) -> ProgressBar {
+fn bar(what: &'static str, of: usize, done: usize) -> ProgressBar {
     let bar = progress(of as u64).with_position(done as u64).with_message(what);
     bar.tick();
     bar
@@ -165,7 +211,7 @@ pub(crate) fn bar(what: &'static str, of: usize, done: usize) -> ProgressBar {
 
 /// Advances the bar by one submission. Without a terminal, it prints a line with the result
 /// instead.
-pub(crate) fn done(bar: &ProgressBar, name: &str, outcome: impl Display) {
+fn done(bar: &ProgressBar, name: &str, outcome: impl Display) {
     // The lock is held while the line is written, so lines appear in the order of their numbers.
     let mut lines = stderr().lock();
     bar.inc(1);
@@ -185,19 +231,16 @@ fn is_timed(grader: &Grader<'_>, record: &Path) -> bool {
 
 /// Whether judging this submission again would give the same record.
 fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>) -> bool {
-    let record =
-        fs::read(record).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
-    let Some(record) = record else { return false };
+    let Ok(record) = record::read(record) else { return false };
     let same = match grader.take(path) {
         Err(error) => {
             record.found.status == Status::Unreadable
-                && record.found.message == grader.message_of(&error, path)
+                && record.found.message == grader.message(&format!("{error:#}"), path)
         }
         Ok(submission) if submission.files.is_empty() => record.found.status == Status::Empty,
         Ok(submission) => record.found.hash == hash(&submission.files),
     };
-    same && record.found.format == FORMAT
-        && record.found.status != Status::Failed
+    same && record.found.status != Status::Failed
         && grader.rubric.tasks.keys().all(|id| record.tasks.iter().any(|task| task.id == *id))
         && record.found.grader == grader.hash
         && record.found.sandboxed == grader.sandbox.keeps

@@ -7,13 +7,13 @@ use std::process::Command;
 use anyhow::{Context, Result};
 use tempfile::TempDir;
 
-use super::Options;
-use crate::asking::{JUDGE, Judge, Questions};
+use super::{Named, Options};
+use crate::asking::{Questions, TaskResult};
 use crate::build::{Tree, graded_by};
 use crate::record::{FORMAT, Findings, Marked, Record, Status, Task};
 use crate::sandbox::Sandbox;
 use crate::submission::{self, Submission, forbidden};
-use crate::timing::whole_program;
+use crate::timing::{Pair, whole_program};
 use lab_kit::Facts;
 use lab_kit::escape::{cut, plain};
 use lab_kit::files::{digest, write_file};
@@ -74,22 +74,24 @@ impl<'a> Grader<'a> {
         self.seed.unwrap_or_else(|| RandomState::new().hash_one(()))
     }
 
-    /// Formats an error about the submission at `path` for its record.
-    pub(crate) fn message_of(&self, error: &anyhow::Error, path: &Path) -> String {
-        cut(&self.shown(&format!("{error:#}"), path), MESSAGE_LENGTH)
+    /// Asks the solution in `folder` all questions.
+    pub(crate) fn questions(&self, folder: &Path) -> Result<Questions> {
+        Questions::of(self.kit, self.lab, self.sandbox, folder, self.seed())
     }
 
-    /// Removes the names of this machine's folders from a text that students will read.
-    fn shown(&self, text: &str, path: &Path) -> String {
+    /// Shortens a message about the submission at `path`, and removes the names of this machine's
+    /// folders, because students will read it.
+    pub(crate) fn message(&self, text: &str, path: &Path) -> String {
         let class = path.parent().unwrap_or(path);
         let own = self.sandbox.folders().into_iter().chain([self.kit.root(), class]);
         // The longest folder comes first, because a folder may be inside another.
         let mut folders: Vec<String> = own.map(|folder| folder.display().to_string()).collect();
         folders.sort_by_key(|folder| std::cmp::Reverse(folder.len()));
         folders.retain(|folder| folder.len() > 1 && folder.starts_with('/'));
-        folders.iter().fold(text.to_owned(), |text, folder| {
+        let text = folders.iter().fold(text.to_owned(), |text, folder| {
             text.replace(&format!("{folder}/"), "").replace(folder, "")
-        })
+        });
+        cut(&text, MESSAGE_LENGTH)
     }
 
     /// Makes the record of a submission that has not been read yet.
@@ -105,7 +107,8 @@ impl<'a> Grader<'a> {
             sandboxed: self.sandbox.keeps,
             ..Findings::default()
         };
-        let tasks = self.rubric.tasks.keys().map(|id| Task::unasked(id)).collect();
+        let ids = self.rubric.tasks.keys().cloned();
+        let tasks = ids.map(|id| Task { id, ..Task::default() }).collect();
         let out_of = self.rubric.tasks.values().map(|task| task.points).sum();
         Record { found, tasks, marked: Marked { out_of, ..Marked::default() } }
     }
@@ -118,82 +121,75 @@ impl<'a> Grader<'a> {
         &self,
         tree: &Tree,
         reference: &Reference,
-        name: &str,
-        path: &Path,
+        (name, path): &Named,
     ) -> (Record, Option<TempDir>) {
-        self.try_to_grade(tree, reference, name, path).unwrap_or_else(|error| {
-            let message = format!("{error:#}");
-            (self.ended(self.blank(name), Status::Failed, &message, path), None)
-        })
+        let mut record = self.blank(name);
+        let (status, message) = match self.try_to_grade(&mut record, tree, reference, path) {
+            Ok(Ok(folder)) => return (record, Some(folder)),
+            Ok(Err(end)) => end,
+            Err(error) => {
+                record = self.blank(name);
+                (Status::Failed, format!("{error:#}"))
+            }
+        };
+        record.found.status = status;
+        record.found.message = self.message(&message, path);
+        (record, None)
     }
 
+    /// Returns the programs or, if there are none, the stage that grading reached and the reason.
     fn try_to_grade(
         &self,
+        record: &mut Record,
         tree: &Tree,
         reference: &Reference,
-        name: &str,
         path: &Path,
-    ) -> Result<(Record, Option<TempDir>)> {
-        let mut record = self.blank(name);
+    ) -> Result<Result<TempDir, (Status, String)>> {
         let submission = match self.take(path) {
             Ok(submission) => submission,
             // If the system cannot read a submission, its contents may still be right.
             Err(error) if is_of_the_system(&error) => return Err(error),
-            Err(error) => {
-                let message = format!("{error:#}");
-                return Ok((self.ended(record, Status::Unreadable, &message, path), None));
-            }
+            Err(error) => return Ok(Err((Status::Unreadable, format!("{error:#}")))),
         };
-        let found = &mut record.found;
+        let Record { found, tasks, .. } = record;
         found.left_out = submission.left_out;
         found.changed = submission.changed;
         if submission.files.is_empty() {
-            let message = submission::nothing(self.lab, &found.left_out);
-            return Ok((self.ended(record, Status::Empty, &message, path), None));
+            return Ok(Err((Status::Empty, submission::nothing(self.lab, &found.left_out))));
         }
         found.hash = hash(&submission.files);
         found.files =
             submission.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
         if let Some(why) = forbidden::find(&submission.files) {
-            return Ok((self.ended(record, Status::Refused, &why, path), None));
+            return Ok(Err((Status::Refused, why)));
         }
         let folder = match tree.build(self.sandbox, &submission.files)? {
             Ok(folder) => folder,
-            Err(why) => return Ok((self.ended(record, Status::NotBuilt, &why, path), None)),
+            Err(why) => return Ok(Err((Status::NotBuilt, why))),
         };
-        self.ask(reference, folder.path(), &mut record, path)?;
-        let folders = (folder.path(), reference.programs.path());
-        let Record { found, tasks, .. } = &mut record;
-        whole_program::check(self.sandbox, folders, &self.rubric, found.seed, tasks)?;
-        Ok((record, Some(folder)))
+        let questions = reference.questions.as_ref().context("the solution was not asked")?;
+        let ids = tasks.iter().map(|task| task.id.as_str());
+        let results = questions.ask(self.sandbox, folder.path(), ids, found.seed)?;
+        self.write_results(results, tasks, &found.name, path)?;
+        let pair = reference.pair(self.sandbox, &folder);
+        whole_program::check(pair, &self.rubric, found.seed, tasks)?;
+        Ok(Ok(folder))
     }
 
-    /// Writes into a record why its submission has no results.
-    fn ended(&self, mut record: Record, status: Status, message: &str, path: &Path) -> Record {
-        record.found.status = status;
-        record.found.message = cut(&self.shown(message, path), MESSAGE_LENGTH);
-        record
-    }
-
-    /// Asks the programs in `folder` all questions, and writes the results into the record's tasks.
-    fn ask(
+    /// Writes the results of asking into the tasks of submission `name`, and the output into files.
+    fn write_results(
         &self,
-        reference: &Reference,
-        folder: &Path,
-        record: &mut Record,
+        results: Vec<TaskResult>,
+        tasks: &mut [Task],
+        name: &str,
         path: &Path,
     ) -> Result<()> {
-        let Record { found, tasks, .. } = record;
-        let ids = tasks.iter().map(|task| task.id.as_str());
-        let questions = reference.questions.as_ref().context("the solution was not asked")?;
-        let results = questions.ask(self.sandbox, folder, ids, found.seed)?;
         for (task, result) in tasks.iter_mut().zip(results) {
             task.passed = result.wrong.is_none();
             task.share = result.share;
-            task.message =
-                cut(&self.shown(&result.wrong.unwrap_or_default(), path), MESSAGE_LENGTH);
+            task.message = self.message(&result.wrong.unwrap_or_default(), path);
             if !result.printed.trim().is_empty() {
-                let path = self.printed.join(&found.name).join(format!("{}.txt", task.id));
+                let path = self.printed.join(name).join(format!("{}.txt", task.id));
                 write_file(&path, cut(&plain(&result.printed), PRINTED))?;
             }
         }
@@ -205,29 +201,20 @@ impl<'a> Grader<'a> {
 pub(crate) struct Reference {
     pub(crate) programs: TempDir,
     /// The lab's questions; `None` if no answers are judged.
-    questions: Option<Questions>,
+    pub(crate) questions: Option<Questions>,
 }
 
 impl Reference {
-    /// Builds the solution, and asks it all questions if answers are to be `judged`.
-    pub(crate) fn build(grader: &Grader<'_>, tree: &Tree, judged: bool) -> Result<Self> {
-        let Grader { kit, lab, sandbox, .. } = grader;
-        let programs = tree.reference(kit, sandbox)?;
-        if !judged {
-            return Ok(Self { programs, questions: None });
-        }
-        let folder = programs.path();
-        // The judge is the grader's own program, so a generous limit is safe.
-        let judge = Judge::new(kit, *lab, folder.join(JUDGE), 10 * sandbox.limits.run);
-        let questions = Some(Questions::of(sandbox, folder, judge, grader.seed())?);
-        Ok(Self { programs, questions })
+    /// Returns a submission's programs beside the solution's.
+    pub(crate) fn pair<'a>(&'a self, sandbox: &'a Sandbox, own: &'a TempDir) -> Pair<'a> {
+        Pair { sandbox, own: own.path(), solution: self.programs.path() }
     }
 }
 
 /// Whether the system refused an operation, such as reading a file.
 fn is_of_the_system(error: &anyhow::Error) -> bool {
-    let refused = |cause: &std::io::Error| cause.raw_os_error().is_some();
-    error.chain().any(|cause| cause.downcast_ref().is_some_and(refused))
+    let mut causes = error.chain().filter_map(|cause| cause.downcast_ref::<std::io::Error>());
+    causes.any(|cause| cause.raw_os_error().is_some())
 }
 
 /// Returns the SHA-256 of sources and their paths.

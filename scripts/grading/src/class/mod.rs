@@ -1,27 +1,29 @@
 //! `cargo lab grade`: grades a class by running its programs.
 //!
 //! [`grader`] judges the tasks of one submission. [`batch`] judges all submissions, several at a
-//! time, and continues after an interruption. Then [`finish`] times the submissions while nothing
-//! else runs, and writes the pages.
+//! time, and then times them while nothing else runs. It continues after an interruption.
+//! [`summary`] contains the lines that are printed at the end.
 
 mod batch;
-mod finish;
 mod grader;
+mod summary;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Duration;
 
 use anyhow::{Result, ensure};
 use clap::Args;
 
-use crate::record;
-use crate::roster;
-use crate::submission;
+use crate::roster::late::file_time;
+use crate::roster::{self, ClassFile};
+use crate::sandbox::{Limits, Sandbox, room};
 use crate::submission::names::{composed, name, named};
+use crate::{record, report, submission};
+use batch::{Left, work};
+use grader::Grader;
 use lab_kit::process::kill_all_on_interrupt;
-use lab_kit::rubric;
-use lab_kit::system;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, Workers, rubric, system};
 
 /// A submission: its name and its path.
 type Named = (String, PathBuf);
@@ -79,10 +81,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 
 /// Lists the submissions at the paths of the command line, with their names.
 fn chosen(kit: &Kit, options: &Options) -> Result<Vec<Named>> {
-    let mut submissions = Vec::new();
-    for path in &options.paths {
-        submissions.extend(submission::list(kit, path)?);
-    }
+    let mut submissions = submission::list_all(kit, &options.paths)?;
     submissions.retain(|path| {
         options.only.as_ref().is_none_or(|only| name(path).contains(&composed(only)))
     });
@@ -129,7 +128,10 @@ fn grade_all_labs(kit: &Kit, submissions: &[Named], options: &Options) -> Result
     Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// Grades a lab with the files about the class that are beside the submissions.
+/// Grades the submissions of a lab. Writes their records and the pages of the class into `into`.
+///
+/// A record is written completely or not at all, so a grading run that was interrupted can resume
+/// where it stopped. If every submission has already been judged and timed, nothing is built.
 fn grade(
     kit: &Kit,
     lab: Lab,
@@ -144,5 +146,50 @@ fn grade(
             roster::link(&path, into)?;
         }
     }
-    batch::grade(kit, lab, submissions, into, options)
+    let limits = Limits {
+        run: Duration::from_secs(options.limit),
+        build: Duration::from_secs(options.build_limit),
+        loopback: kit.facts(lab)?.workers == Workers::Ranks,
+    };
+    let sandbox = &Sandbox::find(kit, options.trusted, limits)?;
+    room::make_for_records(into)?;
+    let grader = Grader::new(kit, lab, options, sandbox, into)?;
+    // Report a mistake in `class.toml` before grading, not after it.
+    ClassFile::read(into, &grader.rubric)?;
+    let left = Left::of(&grader, submissions, into, options);
+    if options.seed.is_some()
+        && left.open.iter().any(|(name, _)| !record::path(into, name).exists())
+    {
+        eprintln!(
+            "--seed: letters name it, so who has read one knows what is asked. Leave it out for a first grading"
+        );
+    }
+    let all_timed = left.is_empty() || work(&grader, &left, submissions.len(), into)?;
+    let ended = finish(&grader, submissions, into)?;
+    println!("Records: {}", into.display());
+    Ok(if all_timed { ended } else { ExitCode::FAILURE })
+}
+
+/// Computes points, writes the pages, and prints a line for each submission.
+///
+/// Returns failure as [`summary::print_submissions`] does.
+fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<ExitCode> {
+    let mut records = record::read_all(into)?;
+    for (name, path) in submissions {
+        if let Some(record) = records.iter_mut().find(|record| record.found.name == *name) {
+            record.marked.handed_in = file_time(path, grader.lab);
+        }
+    }
+    let class = ClassFile::read(into, &grader.rubric)?;
+    let attendance = class.mark(&mut records, &grader.rubric)?;
+    records.iter().try_for_each(|record| record.write(into))?;
+    let pages = report::write(grader.kit, grader.lab, &records, (&class, &attendance), into)?;
+    let ended = summary::print_submissions(grader, submissions, &records)?;
+    attendance.say(&records);
+    summary::print_about_times(&class, submissions);
+    if let Some(ungraded) = &grader.rubric.ungraded {
+        println!("Not graded: {ungraded}");
+    }
+    pages.iter().for_each(|page| println!("{page}"));
+    Ok(ended)
 }

@@ -1,23 +1,20 @@
 //! The record of one graded submission.
 
 mod by_hand;
+mod stored;
 mod times;
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 
 use lab_kit::Lab;
 use lab_kit::answers::RegionId;
-use lab_kit::escape::line;
-use lab_kit::files::{read_bytes, write_file};
 use lab_measure::commands::contest::Entry;
 
 pub(crate) use by_hand::{Attempt, Decision, Lateness};
+pub(crate) use stored::{expect_lab, path, read, read_all, sort};
 pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 
 /// Number of the format of records. A record with a different number is refused.
@@ -137,7 +134,7 @@ pub(crate) struct LeftOut {
 }
 
 /// Result of a task. It depends only on the answers to the task's questions.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Task {
     /// Number of the task, such as `1.3`.
     pub(crate) id: String,
@@ -154,85 +151,12 @@ pub(crate) struct Task {
     pub(crate) out_of: f64,
 }
 
-impl Task {
-    /// Makes the result of a task that was not judged. The rubric sets its points later.
-    pub(crate) fn unasked(id: &str) -> Self {
-        let id = id.to_owned();
-        let message = String::new();
-        Self { id, passed: false, share: 0.0, message, points: 0.0, out_of: 0.0 }
-    }
-}
-
 /// Parses a task's number, for sorting; `None` if the text is not the number of a task.
 pub(crate) fn number(id: &str) -> Option<lab_kit::answers::Task> {
     id.parse::<RegionId>().ok().map(|id| id.task)
 }
 
-/// Reads a record from a file.
-pub(crate) fn read(path: &Path) -> Result<Record> {
-    let record: Record = serde_json::from_slice(&read_bytes(path)?)
-        .with_context(|| format!("{} is no record", path.display()))?;
-    ensure!(record.found.format == FORMAT, "{} is a record of another form", path.display());
-    // The record's name must be the name of its file. Otherwise the name could be a path to any
-    // folder, and the record would be written there.
-    let own = path.file_name().is_some_and(|name| *name == *format!("{}.json", record.found.name));
-    ensure!(
-        own,
-        "{} is the record of '{}': name it after that",
-        path.display(),
-        line(&record.found.name)
-    );
-    Ok(record)
-}
-
-/// Reads the records in a folder, sorted by name.
-pub(crate) fn read_all(folder: &Path) -> Result<Vec<Record>> {
-    let mut records =
-        files(folder)?.iter().map(|path| read(path)).collect::<Result<Vec<Record>>>()?;
-    sort(&mut records);
-    Ok(records)
-}
-
-/// Checks that records of a lab can be written into a folder.
-///
-/// # Errors
-/// If the folder contains records of a different lab.
-pub(crate) fn expect_lab(folder: &Path, lab: Lab) -> Result<()> {
-    if !folder.is_dir() {
-        return Ok(());
-    }
-    // Records of a different format are skipped, because their submissions are graded again.
-    for record in files(folder)?.iter().filter_map(|path| read(path).ok()) {
-        let folder = folder.display();
-        let other = record.found.lab;
-        ensure!(other == lab, "{folder} holds records of lab {other}: name another folder");
-    }
-    Ok(())
-}
-
-fn files(folder: &Path) -> Result<Vec<PathBuf>> {
-    let unread = || format!("cannot read {}", folder.display());
-    let entries = fs::read_dir(folder).with_context(unread)?;
-    let mut files = entries
-        .map(|entry| Ok(entry.with_context(unread)?.path()))
-        .collect::<Result<Vec<PathBuf>>>()?;
-    files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
-    Ok(files)
-}
-
-/// Sorts records by their names.
-pub(crate) fn sort(records: &mut [Record]) {
-    records
-        .sort_by_cached_key(|record| (record.found.name.to_lowercase(), record.found.name.clone()));
-}
-
 impl Record {
-    /// Writes the record into a folder, under its name.
-    pub(crate) fn write(&self, folder: &Path) -> Result<()> {
-        let text = serde_json::to_string_pretty(self)?;
-        write_file(&folder.join(format!("{}.json", self.found.name)), &text)
-    }
-
     /// Returns the record as a page shows it: under its pseudonym, or else under its student's
     /// name.
     pub(crate) fn shown(&self) -> Self {
@@ -267,10 +191,8 @@ impl Record {
 /// Returns the maximum number of points in a class. The points of timed measures without a grade
 /// are included.
 pub(crate) fn scale(records: &[Record]) -> f64 {
-    let mut most: f64 = 0.0;
-    for record in records {
-        most = most.max(record.worth(|measure| measure.verdict != Verdict::NotTimed));
-    }
+    let worth = records.iter().map(|it| it.worth(|one| one.verdict != Verdict::NotTimed));
+    let most = worth.fold(0.0, f64::max);
     if most > 0.0 { most } else { 1.0 }
 }
 
@@ -312,18 +234,7 @@ impl Record {
 
 #[cfg(test)]
 mod tests {
-    use super::{Record, expect_lab, read_all};
-
-    #[test]
-    fn a_folder_holds_the_records_of_one_lab() {
-        let folder = tempfile::tempdir().unwrap();
-        let (folder, [one, two]) = (folder.path(), ["1", "2"].map(|lab| lab.parse().unwrap()));
-        expect_lab(&folder.join("none"), two).unwrap();
-        Record::sample().write(folder).unwrap();
-        expect_lab(folder, one).unwrap();
-        let error = expect_lab(folder, two).unwrap_err().to_string();
-        assert!(error.ends_with("holds records of lab 1: name another folder"), "{error}");
-    }
+    use super::Record;
 
     #[test]
     fn the_fields_of_all_parts_are_side_by_side_in_the_file() {
@@ -334,21 +245,5 @@ mod tests {
         }
         assert_eq!(file.as_object().unwrap().len(), 26);
         assert_eq!(serde_json::from_value::<Record>(file).unwrap(), record);
-    }
-
-    #[test]
-    fn a_record_is_written_where_it_was_read() {
-        let folder = tempfile::tempdir().unwrap();
-        let folder = folder.path();
-        Record::sample().write(folder).unwrap();
-        let text = std::fs::read_to_string(folder.join("ada.json")).unwrap();
-        let elsewhere = text.replace("\"name\": \"ada\"", "\"name\": \"../ada\"");
-        assert_ne!(text, elsewhere);
-        std::fs::write(folder.join("ada.json"), elsewhere).unwrap();
-        let error = read_all(folder).unwrap_err().to_string();
-        assert!(
-            error.ends_with("ada.json is the record of '../ada': name it after that"),
-            "{error}"
-        );
     }
 }

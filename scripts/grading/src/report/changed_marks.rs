@@ -3,7 +3,7 @@
 use similar::{ChangeTag, TextDiff};
 
 use super::{Words, letter, points};
-use crate::record::Record;
+use crate::record::{Marked, Record};
 use lab_kit::escape::line;
 
 /// Describes the differences between two records; `None` if no mark and no result of a task
@@ -11,22 +11,9 @@ use lab_kit::escape::line;
 ///
 /// The description contains the points before and after, and the changed lines of the letter.
 pub(crate) fn changes(before: &Record, after: &Record) -> Option<String> {
-    let measures = |record: &Record| -> Vec<_> {
-        let all = record.marked.measures.iter();
-        all.map(|measure| (measure.kind, measure.verdict, measure.points, measure.out_of)).collect()
-    };
-    let marks = |record: &Record| {
-        (record.found.status, record.marked.attempt, record.marked.points, record.marked.out_of)
-    };
-    if marks(before) == marks(after)
-        && before.tasks == after.tasks
-        && measures(before) == measures(after)
-    {
+    if marks(before) == marks(after) && before.tasks == after.tasks {
         return None;
     }
-    let given = |record: &Record| {
-        format!("{} of {}", points(record.marked.points), points(record.marked.out_of))
-    };
     let mut out =
         format!("{}: {}, before {}", line(&after.found.name), given(after), given(before));
     let [old, new] = [before, after].map(text);
@@ -36,6 +23,17 @@ pub(crate) fn changes(before: &Record, after: &Record) -> Option<String> {
         }
     }
     Some(out)
+}
+
+/// Returns the parts of a record whose differences count, in addition to its tasks.
+fn marks(record: &Record) -> impl PartialEq {
+    let Marked { attempt, points, out_of, measures, .. } = &record.marked;
+    let measures = measures.iter().map(|it| (it.kind, it.verdict, it.points, it.out_of));
+    (record.found.status, *attempt, *points, *out_of, measures.collect::<Vec<_>>())
+}
+
+fn given(record: &Record) -> String {
+    format!("{} of {}", points(record.marked.points), points(record.marked.out_of))
 }
 
 /// Returns the letter to the student, with the files and programs that the marks depend on.

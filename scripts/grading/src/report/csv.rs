@@ -69,15 +69,13 @@ mod tests {
     use super::csv;
     use crate::record::{Decision, Record, Status};
 
+    fn decision(task: Option<&str>, points: Option<f64>, days: Option<u32>) -> Decision {
+        let task = task.map(Into::into);
+        Decision { student: "ada".into(), task, points, days, reason: "r".into() }
+    }
+
     #[test]
     fn what_was_given_by_hand_is_named() {
-        let decision = |task: Option<&str>, points, days| Decision {
-            student: "ada".into(),
-            task: task.map(Into::into),
-            points,
-            days,
-            reason: "r".into(),
-        };
         let mut record = Record::sample();
         record.marked.by_hand = vec![
             decision(None, None, Some(0)),

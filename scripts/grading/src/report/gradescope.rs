@@ -9,7 +9,6 @@ use serde_json::{Value, json};
 use super::{Words, letter, sentences};
 use crate::record::Record;
 use lab_kit::escape::line;
-use lab_measure::clock::Span;
 use lab_measure::commands::contest::{Entry, unranked};
 
 /// Converts a record for Gradescope: a test for each task and each measure.
@@ -65,10 +64,10 @@ fn leaderboard(entry: &Entry) -> Value {
         return json!([]);
     }
     let numbers = [("time", entry.time), ("error", entry.error)].into_iter();
-    let row = |(name, span): (&str, Option<Span>)| {
+    let rows = numbers.filter_map(|(name, span)| {
         Some(json!({ "name": name, "value": span?.median, "order": "asc" }))
-    };
-    numbers.filter_map(row).collect()
+    });
+    rows.collect()
 }
 
 #[cfg(test)]
@@ -78,7 +77,7 @@ mod tests {
     use oracle::contest::Kind;
     use serde_json::{Value, json};
 
-    use super::{Entry, results};
+    use super::results;
     use crate::record::{Record, Status, Verdict};
     use crate::report::Words;
 
@@ -117,30 +116,29 @@ mod tests {
         assert_eq!(tests[2][1], 0.0);
     }
 
+    /// Returns the leaderboard and the letter of an entry with this error.
+    fn shown(error: f64) -> (String, String) {
+        let round = json!([{ "time": 0.5, "error": error }]);
+        let kinds = Kind::ALL.map(|kind| (kind.name(), round.clone()));
+        let entry = json!({
+            "program": "lab14:entry", "kinds": BTreeMap::from(kinds), "instructions": null,
+            "time": { "min": 0.5, "median": 0.5 }, "error": { "min": error, "median": error },
+            "faults": [],
+        });
+        let mut record = Record::sample();
+        record.found.contest = Some(serde_json::from_value(entry).unwrap());
+        let results = results(&record, &Words::default());
+        (results["leaderboard"].to_string(), results["output"].to_string())
+    }
+
     #[test]
     fn the_leaderboard_lists_only_ranked_entries() {
-        let entry = |error: f64| -> Entry {
-            let round = json!([{ "time": 0.5, "error": error }]);
-            let kinds = Kind::ALL.map(|kind| (kind.name(), round.clone()));
-            let span = |value: f64| json!({ "min": value, "median": value });
-            serde_json::from_value(json!({
-                "program": "lab14:entry", "kinds": BTreeMap::from(kinds), "instructions": null,
-                "time": span(0.5), "error": span(error), "faults": [],
-            }))
-            .unwrap()
-        };
-        let mut record = Record::sample();
-        let mut shown = |entry| {
-            record.found.contest = Some(entry);
-            let results = results(&record, &Words::default());
-            (results["leaderboard"].to_string(), results["output"].to_string())
-        };
-        let (rows, letter) = shown(entry(1.0));
+        let (rows, letter) = shown(1.0);
         let time = r#"{"name":"time","order":"asc","value":0.5}"#;
         let error = r#"{"name":"error","order":"asc","value":1.0}"#;
         assert_eq!(rows, format!("[{time},{error}]"));
         assert!(!letter.contains("not ranked"), "{letter}");
-        let (rows, letter) = shown(entry(2.0));
+        let (rows, letter) = shown(2.0);
         assert_eq!(rows, "[]");
         assert!(letter.contains("not ranked: official: the error is above 1.05."), "{letter}");
     }

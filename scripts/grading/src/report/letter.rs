@@ -212,14 +212,15 @@ mod tests {
         assert!(text.contains("could not be graded yet") && !text.contains("/home"), "{text}");
     }
 
+    fn begins(record: &Record) -> String {
+        let text = letter(record, &Words::default());
+        text.lines().nth(2).unwrap().replace("**ada**: ", "")
+    }
+
     #[test]
     fn what_is_no_mark_is_not_said_as_one() {
         let mut record = Record::sample();
         record.marked.late = Some(Lateness { days: 2, lost: 0.2 });
-        let begins = |record: &Record| {
-            let text = letter(record, &Words::default());
-            text.lines().nth(2).unwrap().replace("**ada**: ", "")
-        };
         record.marked.attempt = Attempt::Another;
         let sentences = begins(&record);
         assert!(

@@ -20,6 +20,7 @@ use crate::roster::{Attendance, ClassFile};
 use lab_kit::files::write_file;
 use lab_kit::hints;
 use lab_kit::{Facts, Kit, Lab};
+use lab_measure::commands::contest::publish;
 
 /// Texts that a report needs in addition to a record.
 #[derive(Default)]
@@ -39,14 +40,15 @@ struct Words {
 /// Writes all reports into `folder`.
 ///
 /// These are `index.html`, `class.csv`, `feedback/NAME.md` and `gradescope/NAME.json`. A roster
-/// adds `marks.csv`, and an export from Moodle adds `moodle-feedback.zip`.
+/// adds `marks.csv`, and an export from Moodle adds `moodle-feedback.zip`. Entries of a contest add
+/// the folder `contest`. Returns a line for each page: what it shows, and its path.
 pub(crate) fn write(
     kit: &Kit,
     lab: Lab,
     records: &[Record],
     (class, attendance): (&ClassFile, &Attendance),
     folder: &Path,
-) -> Result<()> {
+) -> Result<Vec<String>> {
     let words = Words { full: scale(records), ..Words::of(kit, lab)? };
     let shown = shown(records);
     let mut to_see_to = attendance.words(records);
@@ -75,7 +77,16 @@ pub(crate) fn write(
     if let Some(archive) = moodle::archive(&letters)? {
         write_file(&folder.join("moodle-feedback.zip"), archive)?;
     }
-    Ok(())
+    let mut pages = vec![format!("The class: {}", folder.join("index.html").display())];
+    let entries = records.iter().filter_map(|record| {
+        Some((record.found.name.clone(), vec![record.found.contest.clone()?]))
+    });
+    let entries: Vec<_> = entries.collect();
+    if !entries.is_empty() {
+        let page = publish(kit, entries, &folder.join("contest"))?;
+        pages.push(format!("The contest: {}", page.display()));
+    }
+    Ok(pages)
 }
 
 /// Returns the records as a page shows them. If several records have the same name, the names of

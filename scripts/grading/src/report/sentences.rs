@@ -51,10 +51,10 @@ pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
 
 /// Returns sentences about the speed of the submission's programs.
 pub(crate) fn speed(record: &Record, words: &Words) -> Vec<String> {
-    let own = |run: &&Run| run.whose == Whose::Own && run.steps > 0;
+    let own = record.found.runs.iter().filter(|run| run.whose == Whose::Own && run.steps > 0);
     // One run of each variant is enough: the largest scene with the most threads.
     let mut chosen: BTreeMap<&str, &Run> = BTreeMap::new();
-    for run in record.found.runs.iter().filter(own).filter(|run| run.outcome == Outcome::Timed) {
+    for run in own.filter(|run| run.outcome == Outcome::Timed) {
         let largest = chosen.entry(&run.variant).or_insert(run);
         if (largest.n, largest.workers) < (run.n, run.workers) {
             *largest = run;
@@ -90,24 +90,16 @@ fn sentences(record: &Record, run: &Run, words: &Words) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::speed;
-    use crate::record::{Outcome, Record, Run, Whose};
+    use crate::record::{Record, Run, Whose};
     use crate::report::Words;
 
     #[test]
     fn the_largest_run_is_told() {
         let mut record = Record::sample();
-        let own = |n: usize, workers: usize| Run {
-            whose: Whose::Own,
-            variant: "queues".into(),
-            n,
-            workers,
-            steps: 50,
-            seconds: vec![0.2; 5],
-            processors: Some(1.1),
-            outcome: Outcome::Timed,
-            message: String::new(),
-        };
-        record.found.runs = vec![own(1000, 1), own(100_000, 2), own(100_000, 1)];
+        for (n, workers) in [(1000, 1), (100_000, 2), (100_000, 1)] {
+            let run = Run::planned(Whose::Own, "queues", n, workers, 50);
+            record.found.runs.push(Run { seconds: vec![0.2; 5], processors: Some(1.1), ..run });
+        }
         let remarks = speed(&record, &Words::default());
         assert_eq!(
             remarks[0],

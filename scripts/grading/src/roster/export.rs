@@ -89,13 +89,13 @@ impl HandIn {
 
 impl Member {
     fn of(submitter: &Yaml) -> Self {
-        let field = |name: &str| match &submitter[name] {
+        let fields = [":email", ":sid", ":name"].map(|field| match &submitter[field] {
             Yaml::String(text) => text.clone(),
             Yaml::Integer(number) => number.to_string(),
             _ => String::new(),
-        };
-        let name = field(":name");
-        let mut keys = vec![field(":email"), field(":sid"), name.clone()];
+        });
+        let name = fields[2].clone();
+        let mut keys = Vec::from(fields);
         keys.retain(|key| !key.is_empty());
         Self { name, keys }
     }
@@ -105,10 +105,8 @@ impl Member {
 fn time(text: &str) -> Result<Timestamp> {
     let parts: Vec<&str> = text.split_whitespace().collect();
     let [day, rest @ ..] = &parts[..] else { return Ok(text.parse()?) };
-    let time: Timestamp = format!("{day}T{}", rest.concat())
-        .parse()
-        .with_context(|| format!("'{text}' is no time such as 2026-11-20 21:59:03 Z"))?;
-    Ok(time)
+    let time = format!("{day}T{}", rest.concat()).parse();
+    time.with_context(|| format!("'{text}' is no time such as 2026-11-20 21:59:03 Z"))
 }
 
 #[cfg(test)]

@@ -4,83 +4,13 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use super::export::{Export, Member};
+use super::FILE;
+use super::attendance::{Attempts, Attendance};
+use super::export::{Export, HandIn};
 use super::students::{Roster, Student, key};
 use crate::record::{Attempt, Record};
 use crate::submission::names::{bare, composed};
 use lab_kit::escape::line;
-
-/// Rule that determines which submission counts if a student has several submissions.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum Attempts {
-    /// The latest submission counts.
-    Latest,
-    /// The submission with the most points counts.
-    Best,
-}
-
-/// Students with and without submissions, and submissions without a student.
-#[derive(Debug, Default, PartialEq, Eq)]
-pub(crate) struct Attendance {
-    /// Index of the submission that counts, by the student's row in the roster.
-    pub(crate) present: BTreeMap<usize, usize>,
-    /// Names of students without a submission.
-    pub(crate) absent: Vec<String>,
-    /// Students with several submissions: name, the submission that counts, and all submissions.
-    pub(crate) twice: Vec<(String, Option<usize>, Vec<usize>)>,
-    /// Rule that determines which submission counts; `None` if no submission counts without a
-    /// decision.
-    pub(crate) attempts: Option<Attempts>,
-    /// Submissions whose student is not in the roster.
-    pub(crate) strangers: Vec<usize>,
-    /// Submissions that contain nothing to mark, and whose students have no other submission that
-    /// counts.
-    pub(crate) unmarked: Vec<usize>,
-}
-
-impl Attendance {
-    /// Returns the matters that an instructor must attend to.
-    ///
-    /// Each is a sentence, with the students or submissions concerned.
-    pub(crate) fn words(&self, records: &[Record]) -> Vec<(&'static str, Vec<String>)> {
-        let name = |at: &usize| records[*at].found.name.clone();
-        let twice = self.twice.iter().map(|(student, counts, own)| {
-            let others = own.iter().filter(|at| Some(**at) != *counts).map(name);
-            let others = others.collect::<Vec<_>>().join(", ");
-            match counts {
-                Some(counts) => format!("{student} ({}, not {others})", name(counts)),
-                None => format!("{student} ({others})"),
-            }
-        });
-        let all = [
-            ("Handed in nothing", self.absent.clone()),
-            (
-                match self.attempts {
-                    None => "Handed in more than once, and has no mark until one is left",
-                    Some(Attempts::Latest) => {
-                        "Handed in more than once: the latest that has a mark counts"
-                    }
-                    Some(Attempts::Best) => "Handed in more than once: the best counts",
-                },
-                twice.collect(),
-            ),
-            (
-                "Could not be read, graded or found, and has no mark until it can",
-                self.unmarked.iter().map(name).collect(),
-            ),
-            ("Belongs to no one student of the roster", self.strangers.iter().map(name).collect()),
-        ];
-        all.into_iter().filter(|(_, who)| !who.is_empty()).collect()
-    }
-
-    /// Prints the matters for the instructor to stdout.
-    pub(crate) fn say(&self, records: &[Record]) {
-        for (what, who) in self.words(records) {
-            println!("{what}: {}", line(&who.join("; ")));
-        }
-    }
-}
 
 /// Owners of a submission, as an instructor writes them.
 #[derive(Debug, Deserialize)]
@@ -118,15 +48,15 @@ impl<'a> Join<'a> {
         records: &[Record],
     ) -> Self {
         let students = roster.map_or(&[][..], |roster| &roster.students);
-        let whose = records.iter().map(|record| match names.get(&composed(&record.found.name)) {
-            Some(members) => {
+        let whose = records.iter().map(|Record { found, .. }| {
+            if let Some(members) = names.get(&composed(&found.name)) {
                 members.names().iter().filter_map(|student| the_one(students, student)).collect()
+            } else if let Some(HandIn { members, .. }) = export.of(&found.name) {
+                let keys = members.iter().map(|member| &member.keys);
+                keys.filter_map(|keys| keys.iter().find_map(|key| the_one(students, key))).collect()
+            } else {
+                by_parts(students, &found.name).into_iter().collect()
             }
-            None if export.of(&record.found.name).is_some() => {
-                let members = export.of(&record.found.name).into_iter().flat_map(|it| &it.members);
-                members.filter_map(|member| the_member(students, member)).collect()
-            }
-            None => by_parts(students, &record.found.name).into_iter().collect(),
         });
         Self { students, whose: whose.collect() }
     }
@@ -137,9 +67,9 @@ impl<'a> Join<'a> {
         names: &BTreeMap<String, Members>,
         records: &[Record],
     ) -> Vec<String> {
-        let called =
-            |name: &String| records.iter().any(|record| composed(&record.found.name) == *name);
-        let submissions = names.keys().filter(|name| !called(name));
+        let called: Vec<String> =
+            records.iter().map(|record| composed(&record.found.name)).collect();
+        let submissions = names.keys().filter(|name| !called.contains(name));
         let submissions = submissions.map(|name| format!("no submission is called '{name}'"));
         let students = names.values().flat_map(Members::names);
         let unknown = students.filter(|student| the_one(self.students, student).is_none());
@@ -149,15 +79,25 @@ impl<'a> Join<'a> {
     }
 
     /// Finds the submission that has the name, the student or the pseudonym `who`.
-    pub(super) fn find(&self, who: &str, records: &[Record]) -> Option<usize> {
+    fn find(&self, who: &str, records: &[Record]) -> Option<usize> {
         let name = composed(who);
-        let called = |record: &Record| {
+        let called = records.iter().position(|record| {
             composed(&record.found.name) == name || record.marked.pseudonym.as_deref() == Some(who)
-        };
-        records.iter().position(called).or_else(|| {
+        });
+        called.or_else(|| {
             let student = the_one(self.students, who)?;
             self.whose.iter().position(|whose| whose.contains(&student))
         })
+    }
+
+    /// Finds the submission as [`Join::find`] does. If there is none, a message names the entry
+    /// `what` of `class.toml`.
+    pub(super) fn expect(&self, who: &str, records: &[Record], what: &str) -> Option<usize> {
+        let found = self.find(who, records);
+        if found.is_none() {
+            eprintln!("{FILE}: {what}: no submission belongs to '{}'", line(who));
+        }
+        found
     }
 
     /// Returns the names of a submission's students; `None` if no student of the roster handed it
@@ -179,7 +119,6 @@ impl<'a> Join<'a> {
             let own = submissions.clone().filter(|at| self.whose[*at].contains(&number));
             let own: Vec<usize> = own.collect();
             let mut marked = own.iter().copied().filter(|at| records[*at].has_mark());
-            let points = |at: &usize| records[*at].marked.points;
             let counts = match (own.len(), attempts) {
                 (0, _) => {
                     all.absent.push(self.called(student));
@@ -190,17 +129,18 @@ impl<'a> Join<'a> {
                 (_, Some(Attempts::Latest)) => {
                     marked.max_by_key(|at| records[*at].marked.handed_in)
                 }
-                (_, Some(Attempts::Best)) => marked.max_by(|a, b| points(a).total_cmp(&points(b))),
+                (_, Some(Attempts::Best)) => marked
+                    .max_by(|a, b| records[*a].marked.points.total_cmp(&records[*b].marked.points)),
             };
             all.present.extend(counts.map(|at| (student.row, at)));
             if own.len() > 1 {
                 all.twice.push((self.called(student), counts, own));
             }
         }
-        let unmarked = |at: &usize| {
+        let unmarked = submissions.filter(|at| {
             !records[*at].has_mark() && self.attempt(*at, &all, records) != Attempt::Another
-        };
-        all.unmarked = submissions.filter(unmarked).collect();
+        });
+        all.unmarked = unmarked.collect();
         all
     }
 
@@ -228,17 +168,13 @@ impl<'a> Join<'a> {
     }
 }
 
-/// Finds the roster entry of a student who is listed in Gradescope's file.
-fn the_member(students: &[Student], member: &Member) -> Option<usize> {
-    member.keys.iter().find_map(|key| the_one(students, key))
-}
-
 /// Finds the only student with that name; `None` if there is no such student, or more than one.
 fn the_one(students: &[Student], name: &str) -> Option<usize> {
-    match all_named(students, name)[..] {
-        [student] => Some(student),
-        _ => None,
-    }
+    only(&all_named(students, name))
+}
+
+fn only(students: &[usize]) -> Option<usize> {
+    if let [student] = students { Some(*student) } else { None }
 }
 
 fn all_named(students: &[Student], name: &str) -> Vec<usize> {
@@ -267,8 +203,5 @@ fn by_parts(students: &[Student], name: &str) -> Option<usize> {
             return None;
         }
     }
-    match meant[..] {
-        [student] => Some(student),
-        _ => None,
-    }
+    only(&meant)
 }

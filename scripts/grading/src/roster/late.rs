@@ -30,8 +30,7 @@ pub(super) struct Late {
     /// Penalty for each day that has begun, in per cent of the points.
     penalty: f64,
     /// Number of days after which a submission gets no points; unlimited if the entry is missing.
-    #[serde(default = "no_end")]
-    days: u32,
+    days: Option<u32>,
     /// Path of a CSV file with students and hand-in times. Without it, the modification times of
     /// the submitted files count.
     times: Option<PathBuf>,
@@ -41,10 +40,6 @@ pub(super) struct Late {
     /// Deadline in the course's time zone.
     #[serde(skip)]
     due: Option<ZonedDateTime>,
-}
-
-fn no_end() -> u32 {
-    u32::MAX
 }
 
 impl Late {
@@ -83,7 +78,8 @@ impl Late {
     pub(super) fn lateness(&self, time: Option<Timestamp>, days: Option<u32>) -> Option<Lateness> {
         let begun = time.zip(self.due.as_ref()).map_or(0, |(time, due)| self.begun(time, due));
         let days = days.unwrap_or(begun);
-        let lost = if days > self.days { 1.0 } else { 0.01 * self.penalty * f64::from(days) };
+        let is_over = self.days.is_some_and(|most| days > most);
+        let lost = if is_over { 1.0 } else { 0.01 * self.penalty * f64::from(days) };
         (days > 0).then(|| Lateness { days, lost: lost.min(1.0) })
     }
 
@@ -116,12 +112,14 @@ fn listed(path: &Path, zone: &TimeZone) -> Result<Vec<(String, Timestamp)>> {
         path.display(),
         header.len()
     );
-    let row = |(line, row): &(u64, csv::StringRecord)| {
-        let location = || format!("{}, line {line}, column {}", path.display(), &header[1]);
+    let mut times = Vec::new();
+    for (line, row) in rows {
         let time = row[1].parse::<Moment>().map_err(Error::msg).and_then(|time| time.at(zone));
-        Ok((row[0].to_owned(), time.with_context(location)?.timestamp()))
-    };
-    rows.iter().map(row).collect()
+        let time = time
+            .with_context(|| format!("{}, line {line}, column {}", path.display(), &header[1]))?;
+        times.push((row[0].to_owned(), time.timestamp()));
+    }
+    Ok(times)
 }
 
 /// A time as a person writes it.

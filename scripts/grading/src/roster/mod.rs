@@ -1,11 +1,12 @@
 //! `class.toml` in the folder of records: an instructor's information about a class.
 //!
 //! The file contains the students ([`students`]), the penalties for lateness ([`late`]), and a
-//! person's decisions ([`Decision`]). [`join`] assigns submissions to students, and [`marks`]
-//! writes the students with their marks. [`ClassFile::tell`] writes this information into the
-//! records. Points are computed only from the records, so marks can be recomputed without losing
-//! this information.
+//! person's decisions ([`Decision`]). [`join`] assigns submissions to students, [`attendance`]
+//! lists who handed in, and [`marks`] writes the students with their marks. [`ClassFile::tell`]
+//! writes this information into the records. Points are computed only from the records, so marks
+//! can be recomputed without losing this information.
 
+mod attendance;
 pub(crate) mod export;
 mod join;
 pub(crate) mod late;
@@ -25,9 +26,10 @@ use serde::Deserialize;
 use crate::record::{Decision, Record, scale};
 use crate::score::score;
 use crate::submission::names::composed;
+use attendance::Attempts;
+pub(crate) use attendance::Attendance;
 use export::Export;
-pub(crate) use join::Attendance;
-use join::{Attempts, Join, Members};
+use join::{Join, Members};
 use lab_kit::Facts;
 use lab_kit::escape::line;
 use late::Late;
@@ -139,22 +141,15 @@ impl ClassFile {
         for complaint in join.wrong(&self.names, records) {
             eprintln!("{FILE}: names: {}", line(&complaint));
         }
-        let find = |who: &str, what: &str| {
-            let found = join.find(who, records);
-            if found.is_none() {
-                eprintln!("{FILE}: {what}: no submission belongs to '{}'", line(who));
-            }
-            found
-        };
         let mut decided = vec![Vec::new(); records.len()];
         for (number, one) in (1..).zip(&self.overrides) {
-            if let Some(at) = find(&one.student, &format!("override {number}")) {
+            if let Some(at) = join.expect(&one.student, records, &format!("override {number}")) {
                 decided[at].push(one);
             }
         }
         let mut times = vec![None; records.len()];
         for (who, time) in self.late.iter().flat_map(Late::listed) {
-            if let Some(at) = find(who, "times") {
+            if let Some(at) = join.expect(who, records, "times") {
                 times[at] = Some(time);
             }
         }

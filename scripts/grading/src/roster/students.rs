@@ -53,6 +53,16 @@ pub(super) enum Form {
     Classroom,
 }
 
+/// Columns by which the form of a file is known. The first column identifies a student. The first
+/// form whose columns are present is used.
+const FORMS: [(Form, &[&str]); 5] = [
+    (Form::Canvas, &["ID", "Student"]),
+    (Form::Worksheet, &["Identifier", "Full name", "Grade"]),
+    (Form::Gradebook, &["Email address", "First name"]),
+    (Form::Gradescope, &["Email", "First Name", "Last Name", "SID"]),
+    (Form::Classroom, &["username", "first_name", "last_name"]),
+];
+
 /// The students of a class.
 #[derive(Debug)]
 pub(super) struct Roster {
@@ -77,38 +87,22 @@ pub(super) struct Student {
 impl Roster {
     pub(super) fn read(path: &Path) -> Result<Self> {
         let (header, rows) = table(path)?;
-        let has = |names: &[&str]| names.iter().all(|name| column(&header, name).is_some());
-        let form = if has(&["Student", "ID"]) {
-            Form::Canvas
-        } else if has(&["Identifier", "Full name", "Grade"]) {
-            Form::Worksheet
-        } else if has(&["First name", "Email address"]) {
-            Form::Gradebook
-        } else if has(&["First Name", "Last Name", "SID", "Email"]) {
-            Form::Gradescope
-        } else if has(&["username", "first_name", "last_name"]) {
-            Form::Classroom
-        } else {
-            bail!(
+        let mut forms = FORMS.iter();
+        let form = forms.find(|(_, names)| names.iter().all(|it| column(&header, it).is_some()));
+        let (form, columns) = *form.with_context(|| {
+            format!(
                 "{}, line 1: there are neither Canvas's columns (Student, ID) nor Moodle's \
                  (Identifier, Full name, Grade; or First name, Last name, Email address), Gradescope's \
                  (First Name, Last Name, SID, Email) or Classroom 50's (username, first_name, last_name)",
                 path.display()
-            );
-        };
+            )
+        })?;
         let mut roster = Self { path: path.to_owned(), form, header, rows, students: Vec::new() };
-        roster.students = roster.read_students()?;
+        roster.students = roster.read_students(columns[0])?;
         Ok(roster)
     }
 
-    fn read_students(&self) -> Result<Vec<Student>> {
-        let id = match self.form {
-            Form::Canvas => "ID",
-            Form::Worksheet => "Identifier",
-            Form::Gradebook => "Email address",
-            Form::Gradescope => "Email",
-            Form::Classroom => "username",
-        };
+    fn read_students(&self, id: &str) -> Result<Vec<Student>> {
         let mut seen = BTreeMap::new();
         let mut students = Vec::new();
         for (row, (line, cells)) in self.rows.iter().enumerate() {

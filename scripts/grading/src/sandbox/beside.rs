@@ -96,17 +96,16 @@ mod tests {
         let mut command = sandbox.shell(folder.path());
         let script = "i=0; while [ $i -lt 5000 ]; do : > /dev/shm/$i; i=$((i + 1)); done; sleep 60";
         let started = start(command.args(["-c", script]).stdin(Stdio::null())).unwrap();
-        let of_youngest = || {
-            let all = all();
-            family(&all, started.child.id()).last().map_or(0, |(number, _)| held(number))
-        };
         // The program takes a moment to make the files.
+        let mut bytes = 0;
         for _ in 0..600 {
-            if of_youngest() >= 5000 * FILE {
+            let all = all();
+            bytes = family(&all, started.child.id()).last().map_or(0, |(number, _)| held(number));
+            if bytes >= 5000 * FILE {
                 return;
             }
             sleep(Duration::from_millis(50));
         }
-        panic!("only {} bytes are counted", of_youngest());
+        panic!("only {bytes} bytes are counted");
     }
 }

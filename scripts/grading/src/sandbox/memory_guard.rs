@@ -41,17 +41,22 @@ impl Guard {
         let over = Arc::new(AtomicBool::new(false));
         let total = memory("MemTotal:");
         let limit = total.map(|total| (total / 2 / jobs as u64).min(MEMORY_IN_ALL));
-        let watched = Arc::clone(&over);
-        let watch = move |limit| {
-            while !watched.load(Ordering::Relaxed) {
-                if may_be_held(total, memory("MemAvailable:"), limit) {
-                    end_the_greedy(&all(), std::process::id(), limit);
-                }
-                thread::sleep(GLANCE);
-            }
-        };
         // If the system does not report its memory, only the limits for each process apply.
-        Self { over, watcher: limit.map(|limit| thread::spawn(move || watch(limit))) }
+        let watcher = limit.map(|limit| {
+            let over = Arc::clone(&over);
+            thread::spawn(move || watch(&over, total, limit))
+        });
+        Self { over, watcher }
+    }
+}
+
+/// Kills programs that hold more than `limit` bytes, until the watch is `over`.
+fn watch(over: &AtomicBool, total: Option<u64>, limit: u64) {
+    while !over.load(Ordering::Relaxed) {
+        if may_be_held(total, memory("MemAvailable:"), limit) {
+            end_the_greedy(&all(), std::process::id(), limit);
+        }
+        thread::sleep(GLANCE);
     }
 }
 
@@ -103,11 +108,12 @@ fn memory(which: &str) -> Option<u64> {
 
 #[cfg(all(test, target_os = "linux"))]
 mod tests {
+    use std::collections::BTreeMap;
     use std::os::unix::process::{CommandExt, ExitStatusExt};
     use std::process::{Command, Stdio};
     use std::thread;
 
-    use super::{GLANCE, all, end_the_greedy, may_be_held, memory};
+    use super::{GLANCE, Process, all, end_the_greedy, may_be_held, memory};
 
     #[test]
     fn nobody_is_looked_at_while_memory_is_left() {
@@ -117,6 +123,13 @@ mod tests {
         assert!(memory("MemAvailable:").unwrap() <= memory("MemTotal:").unwrap());
     }
 
+    /// Returns a process and its own children, because the children of other tests must survive.
+    fn with_children(number: u32) -> BTreeMap<u32, Process> {
+        let mut all = all();
+        all.retain(|it, process| *it == number || process.parent == number);
+        all
+    }
+
     #[test]
     fn who_holds_too_much_is_ended() {
         let mut command = Command::new("sh");
@@ -124,19 +137,12 @@ mod tests {
         let mut child = command.spawn().unwrap();
         let own = std::process::id();
         let number = child.id();
-        // The child processes of other tests must survive, so only this test's child and that
-        // child's own children are checked.
-        let offered = || {
-            let mut all = all();
-            all.retain(|it, process| *it == number || process.parent == number);
-            all
-        };
-        end_the_greedy(&offered(), own, u64::MAX);
+        end_the_greedy(&with_children(number), own, u64::MAX);
         assert!(child.try_wait().unwrap().is_none(), "it holds little");
         // The system may not report any memory of a process that has just started, so several
         // checks are needed.
         for _ in 0..50 {
-            end_the_greedy(&offered(), own, 0);
+            end_the_greedy(&with_children(number), own, 0);
             thread::sleep(GLANCE / 10);
         }
         assert_eq!(child.wait().unwrap().signal(), Some(9));

@@ -16,12 +16,13 @@ const OWN: &str = "chown -R \"$1:$1\" \"$2\" && shift 2 && exec \"$@\"";
 
 /// Whether the user nobody can run the compiler in `sysroot` and read the sources in `cargo_home`.
 pub(super) fn can_build(sysroot: &Path, cargo_home: &Path) -> bool {
-    let well = |command: &mut Command| {
-        command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|it| it.success())
-    };
     getuid().is_root()
-        && well(nobody().arg(sysroot.join("bin/rustc")).arg("--version"))
-        && well(nobody().args(["test", "-x"]).arg(cargo_home.join("registry")))
+        && succeeds(nobody().arg(sysroot.join("bin/rustc")).arg("--version"))
+        && succeeds(nobody().args(["test", "-x"]).arg(cargo_home.join("registry")))
+}
+
+fn succeeds(command: &mut Command) -> bool {
+    command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|it| it.success())
 }
 
 /// Returns a command that runs a program of a submission as nobody.

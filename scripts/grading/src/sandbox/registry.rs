@@ -39,21 +39,20 @@ pub(super) struct Registry {
 impl Registry {
     /// Makes the folder in `scratch` from the user's own `cargo_home`.
     pub(super) fn of(cargo_home: &Path, scratch: &Path) -> Result<Self> {
-        let home = scratch.join("cargo");
-        let make = || -> Result<Vec<PathBuf>> {
-            fs::create_dir_all(&home)?;
-            for part in ["registry", "git"] {
-                symlink(cargo_home.join(part), home.join(part))?;
-            }
-            // Cargo prefers the name without an extension.
-            let files = ["config", "config.toml"].map(|name| cargo_home.join(name));
-            let text = files.iter().find_map(|file| fs::read_to_string(file).ok());
-            let (text, folders) = reduced(&text.unwrap_or_default(), cargo_home)?;
-            fs::write(home.join("config.toml"), text)?;
-            Ok(folders)
-        };
-        let unmade = || format!("cannot take over the settings of {}", cargo_home.display());
-        let folders = make().with_context(unmade)?;
+        Self::make(cargo_home, scratch.join("cargo"))
+            .with_context(|| format!("cannot take over the settings of {}", cargo_home.display()))
+    }
+
+    fn make(cargo_home: &Path, home: PathBuf) -> Result<Self> {
+        fs::create_dir_all(&home)?;
+        for part in ["registry", "git"] {
+            symlink(cargo_home.join(part), home.join(part))?;
+        }
+        // Cargo prefers the name without an extension.
+        let files = ["config", "config.toml"].map(|name| cargo_home.join(name));
+        let text = files.iter().find_map(|file| fs::read_to_string(file).ok());
+        let (text, folders) = reduced(&text.unwrap_or_default(), cargo_home)?;
+        fs::write(home.join("config.toml"), text)?;
         Ok(Self { home, folders })
     }
 

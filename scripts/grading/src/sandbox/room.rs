@@ -20,9 +20,8 @@ pub(crate) fn free(folder: &Path) -> Result<u64> {
 /// # Errors
 /// If the folder cannot be written or has too little space.
 pub(crate) fn make_for_records(folder: &Path) -> Result<()> {
-    let unwritten = || format!("cannot write in {}", folder.display());
-    fs::create_dir_all(folder).with_context(unwritten)?;
-    tempfile::tempfile_in(folder).with_context(unwritten)?;
+    let written = fs::create_dir_all(folder).and_then(|()| tempfile::tempfile_in(folder));
+    written.with_context(|| format!("cannot write in {}", folder.display()))?;
     expect(folder, RECORDS)
 }
 

@@ -6,6 +6,7 @@
 //! unless it was just made and is empty.
 
 use std::fs::{self, File, Permissions};
+use std::io;
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
 use std::path::Path;
 
@@ -27,12 +28,14 @@ impl Scratch {
     /// Makes a folder in `parent` and removes the folders of ended processes there.
     pub(crate) fn below(parent: &Path) -> Result<Self> {
         remove_left(parent);
-        let unmade = || format!("cannot make a folder in {}", parent.display());
-        let folder = Builder::new().prefix(PREFIX).tempdir_in(parent).with_context(unmade)?;
-        let lock = File::open(folder.path()).with_context(unmade)?;
-        lock.lock().with_context(unmade)?;
+        Self::make(parent).with_context(|| format!("cannot make a folder in {}", parent.display()))
+    }
+
+    fn make(parent: &Path) -> io::Result<Self> {
         // Programs run as nobody and must reach their own folder.
-        fs::set_permissions(folder.path(), Permissions::from_mode(0o711)).with_context(unmade)?;
+        let folder = open_folder(PREFIX, parent, 0o711)?;
+        let lock = File::open(folder.path())?;
+        lock.lock()?;
         Ok(Self { folder, _lock: lock })
     }
 
@@ -43,11 +46,16 @@ impl Scratch {
 
     /// Makes a folder that every user can read, inside this folder.
     pub(crate) fn folder(&self) -> Result<TempDir> {
-        let unmade = || format!("cannot make a folder in {}", self.folder.path().display());
-        let folder = tempfile::tempdir_in(self.folder.path()).with_context(unmade)?;
-        fs::set_permissions(folder.path(), Permissions::from_mode(0o755)).with_context(unmade)?;
-        Ok(folder)
+        open_folder(".tmp", self.path(), 0o755)
+            .with_context(|| format!("cannot make a folder in {}", self.path().display()))
     }
+}
+
+/// Makes a folder with these permissions, whatever the user's umask is.
+fn open_folder(prefix: &str, parent: &Path, permissions: u32) -> io::Result<TempDir> {
+    let folder = Builder::new().prefix(prefix).tempdir_in(parent)?;
+    fs::set_permissions(folder.path(), Permissions::from_mode(permissions))?;
+    Ok(folder)
 }
 
 /// Removes folders in `parent` that killed grading runs of this user left behind. A folder that
@@ -59,8 +67,9 @@ fn remove_left(parent: &Path) {
             .is_ok_and(|found| found.is_dir() && found.uid() == getuid().as_raw());
         let ours = entry.file_name().to_string_lossy().starts_with(PREFIX) && own;
         let Some(lock) = ours.then(|| File::open(&path).ok()).flatten() else { continue };
-        let is_new = || fs::read_dir(&path).is_ok_and(|mut all| all.next().is_none());
-        if lock.try_lock().is_ok() && !is_new() {
+        let is_free = lock.try_lock().is_ok();
+        let is_new = fs::read_dir(&path).is_ok_and(|mut all| all.next().is_none());
+        if is_free && !is_new {
             let _ = fs::remove_dir_all(path);
         }
     }

@@ -10,7 +10,7 @@ use bzip2::read::MultiBzDecoder;
 use flate2::read::GzDecoder;
 use lzma_rust2::XzReader;
 
-use super::HandedIn;
+use super::handed_in::HandedIn;
 
 /// Maximal number of bytes read from an archive. Skipped entries count too, because they also take
 /// time.
@@ -27,30 +27,16 @@ const HEAD: u64 = 512;
 /// Maximal number of nested layers of compression. A browser may add a layer.
 const TIMES: usize = 3;
 
+/// First bytes of files that are compressed by gzip, bzip2 and xz, and of a zip.
+const GZIP: &[u8] = &[0x1f, 0x8b];
+const BZIP2: &[u8] = b"BZh";
+const XZ: &[u8] = b"\xfd7zXZ\0";
+const ZIP: &[u8] = b"PK";
+
 /// Whether a file that begins with `head` is an archive. Its name does not matter, because browsers
 /// and platforms rename files.
 pub(super) fn is_archive(head: &[u8]) -> bool {
-    is_compressed(head) || is_zip(head) || is_tar(head)
-}
-
-fn is_compressed(head: &[u8]) -> bool {
-    is_gzip(head) || is_bzip2(head) || is_xz(head)
-}
-
-fn is_gzip(head: &[u8]) -> bool {
-    head.starts_with(&[0x1f, 0x8b])
-}
-
-fn is_bzip2(head: &[u8]) -> bool {
-    head.starts_with(b"BZh")
-}
-
-fn is_xz(head: &[u8]) -> bool {
-    head.starts_with(b"\xfd7zXZ\0")
-}
-
-fn is_zip(head: &[u8]) -> bool {
-    head.starts_with(b"PK")
+    [GZIP, BZIP2, XZ, ZIP].iter().any(|begin| head.starts_with(begin)) || is_tar(head)
 }
 
 /// Whether a file is a tar. An old tar has no magic number, but a checksum of its first block.
@@ -87,14 +73,14 @@ fn unpack_layers(packed: impl Read) -> Result<HandedIn> {
         let head = head(&mut packed)?;
         let begins = head.clone();
         let rewound = Cursor::new(head).chain(packed);
-        if is_zip(&begins) {
+        if begins.starts_with(ZIP) {
             return zip(rewound);
         }
-        packed = if is_gzip(&begins) {
+        packed = if begins.starts_with(GZIP) {
             Box::new(GzDecoder::new(rewound))
-        } else if is_bzip2(&begins) {
+        } else if begins.starts_with(BZIP2) {
             Box::new(MultiBzDecoder::new(rewound))
-        } else if is_xz(&begins) {
+        } else if begins.starts_with(XZ) {
             Box::new(XzReader::new(rewound, true))
         } else {
             return tar(rewound);

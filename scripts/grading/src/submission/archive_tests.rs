@@ -92,30 +92,31 @@ fn renamed(name: &[u8; 2]) -> Vec<u8> {
     bytes
 }
 
-/// Makes a tar with one entry. The function `header` can change the entry's header freely.
-fn tar_of(header: impl FnOnce(&mut tar::Header), bytes: &[u8]) -> Vec<u8> {
+/// Makes a tar with one empty entry. The function `header` can change the entry's header freely.
+fn tar_of(header: impl FnOnce(&mut tar::Header)) -> Vec<u8> {
     let mut of_one = tar::Header::new_gnu();
     of_one.set_path("labs/lab1/src/lib.rs").unwrap();
-    of_one.set_size(bytes.len() as u64);
+    of_one.set_size(0);
     header(&mut of_one);
     of_one.set_cksum();
     let mut packed = GzEncoder::new(Vec::new(), Compression::fast());
     packed.write_all(of_one.as_bytes()).unwrap();
-    packed.write_all(bytes).unwrap();
     packed.finish().unwrap()
+}
+
+fn add_odd(zip: &mut ZipWriter<Cursor<Vec<u8>>>) {
+    for path in ["labs/lab1/build.rs", "labs/lab1/src/../../../../escaped.rs"] {
+        zip.start_file(path, PLAIN).unwrap();
+    }
+    zip.add_symlink("labs/lab1/src/link.rs", "/etc/passwd", PLAIN).unwrap();
+}
+
+fn add_macos(zip: &mut ZipWriter<Cursor<Vec<u8>>>) {
+    zip.start_file("__MACOSX/labs/lab1/src/._lib.rs", PLAIN).unwrap();
 }
 
 #[test]
 fn what_does_not_belong_is_left_out_with_its_reason() {
-    let odd = |zip: &mut ZipWriter<_>| {
-        for path in ["labs/lab1/build.rs", "labs/lab1/src/../../../../escaped.rs"] {
-            zip.start_file(path, PLAIN).unwrap();
-        }
-        zip.add_symlink("labs/lab1/src/link.rs", "/etc/passwd", PLAIN).unwrap();
-    };
-    let macos = |zip: &mut ZipWriter<_>| {
-        zip.start_file("__MACOSX/labs/lab1/src/._lib.rs", PLAIN).unwrap();
-    };
     let long = ["a".repeat(300), "a/".repeat(2100), "a".repeat(8 << 20)];
     let long = long.map(|name| format!("src/{name}.rs"));
     let elsewhere = "grading has its own";
@@ -125,11 +126,11 @@ fn what_does_not_belong_is_left_out_with_its_reason() {
     let cases: [(Archive, &[&str]); 12] = [
         (("a.tar.gz", tar(&own())), &[]),
         (("a.zip", zip(&own(), |_| ())), &[]),
-        (("mac.zip", zip(&own(), macos)), &[]),
+        (("mac.zip", zip(&own(), add_macos)), &[]),
         (("a.tar", plain_tar(&own())), &[]),
         (("built.tar.gz", built()), &[elsewhere]),
         (
-            ("odd.zip", zip(&own(), odd)),
+            ("odd.zip", zip(&own(), add_odd)),
             &[elsewhere, "leads out of the submission", "no plain file"],
         ),
         (("long.tar.gz", tar(&own_and(&long))), &[unfit; 3]),
@@ -155,37 +156,33 @@ fn what_does_not_belong_is_left_out_with_its_reason() {
 
 #[test]
 fn a_link_instead_of_a_source_is_not_followed() {
-    let link = |header: &mut tar::Header| {
+    let link = tar_of(|header| {
         header.set_entry_type(tar::EntryType::Symlink);
         header.set_link_name(Kit::find().unwrap().path("solutions/lab1/src/lib.rs")).unwrap();
-    };
-    let submission = taken(&("links.tar.gz", tar_of(link, b""))).unwrap();
+    });
+    let submission = taken(&("links.tar.gz", link)).unwrap();
     assert!(submission.files.is_empty());
     assert_eq!(submission.left_out[0].reason, "no plain file");
 }
 
 #[test]
 fn what_is_broken_or_means_harm_is_refused() {
-    let conflict = |folder: &str| tar(&own_and(&[folder.to_owned(), format!("{folder}/b.rs")]));
-    let lie = |header: &mut tar::Header| header.set_size(1 << 40);
-    let many = |zip: &mut ZipWriter<_>| {
-        for number in 0..=COUNT_LIMIT {
-            zip.start_file(format!("labs/lab1/src/{number}.rs"), PLAIN).unwrap();
-        }
-    };
+    let [new_file, own_file] = ["src/a.rs", "src/lib.rs"]
+        .map(|file| tar(&own_and(&[file.into(), format!("{file}/b.rs")])));
+    let many: Vec<String> = (0..=COUNT_LIMIT).map(|number| format!("src/{number}.rs")).collect();
     let mut cut = tar(&own());
     cut.truncate(cut.len() / 2);
     let cases: [(Archive, &str); 10] = [
         (("twice.zip", renamed(b"bb")), "two files in it have the same name"),
-        (("file-and-folder.tar.gz", conflict("src/a.rs")), "src/a.rs in it is a file and a folder"),
-        (("below-a-file.tgz", conflict("src/lib.rs")), "src/lib.rs in it is a file and a folder"),
+        (("file-and-folder.tar.gz", new_file), "src/a.rs in it is a file and a folder"),
+        (("below-a-file.tgz", own_file), "src/lib.rs in it is a file and a folder"),
         (("broken.tar.gz", b"no archive".to_vec()), "cannot be unpacked"),
         (("broken.zip", b"PK no archive".to_vec()), "cannot be unpacked"),
         (("cut-off.tar.gz", cut), "cannot be unpacked"),
         (("nothing.zip", Vec::new()), "nothing.zip is empty (0 bytes)"),
         (("what.rar", b"who knows".to_vec()), "neither a folder nor"),
-        (("lie.tar.gz", tar_of(lie, b"")), "larger than 256 MiB"),
-        (("many.zip", zip(&own(), many)), "more than 200 files"),
+        (("lie.tar.gz", tar_of(|header| header.set_size(1 << 40))), "larger than 256 MiB"),
+        (("many.zip", zip(&own_and(&many), |_| ())), "more than 200 files"),
     ];
     for (archive, why) in cases {
         let error = taken(&archive).err().unwrap_or_else(|| panic!("{} is taken", archive.0));
@@ -236,9 +233,8 @@ fn a_file_that_is_no_archive_is_refused_before_anything_is_built() {
 
 #[test]
 fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
-    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    zip.start_file("lab2/src/lib.rs", PLAIN).unwrap();
-    let submission = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap();
+    let archive = zip(&Sources::new(), |zip| zip.start_file("lab2/src/lib.rs", PLAIN).unwrap());
+    let submission = taken(&("a.zip", archive)).unwrap();
     let message = nothing("1".parse().unwrap(), &submission.left_out);
     assert!(
         submission.files.is_empty()
@@ -249,11 +245,12 @@ fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
 
 #[test]
 fn a_file_in_two_places_is_said_to_be_in_the_wrong_one() {
-    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    for path in ["new/lib.rs", "old/lib.rs", "report.pdf"] {
-        zip.start_file(path, PLAIN).unwrap();
-    }
-    let left_out = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap().left_out;
+    let archive = zip(&Sources::new(), |zip| {
+        for path in ["new/lib.rs", "old/lib.rs", "report.pdf"] {
+            zip.start_file(path, PLAIN).unwrap();
+        }
+    });
+    let left_out = taken(&("a.zip", archive)).unwrap().left_out;
     let reasons = left_out.iter().map(|left| left.reason.as_str()).collect::<Vec<_>>();
     let misplaced = "it is not in labs/lab1/src";
     assert_eq!(reasons, [misplaced, misplaced, ELSEWHERE]);
@@ -264,17 +261,14 @@ fn a_file_in_two_places_is_said_to_be_in_the_wrong_one() {
 #[test]
 fn uploads_in_a_folder_are_unpacked() {
     let folder = tempfile::tempdir().unwrap();
-    let put = |name: &str, lab: &str| {
-        let archive = pack(lab.parse().unwrap(), &own()).unwrap();
-        fs::write(folder.path().join(name), archive).unwrap();
-    };
-    put("one.tar.gz", "1");
-    put("two.tgz", "2");
+    let [first, second] = ["1", "2"].map(|lab| pack(lab.parse().unwrap(), &own()).unwrap());
+    fs::write(folder.path().join("one.tar.gz"), first).unwrap();
+    fs::write(folder.path().join("two.tgz"), &second).unwrap();
     fs::write(folder.path().join("comment.txt"), "hello").unwrap();
     let handed_in = read(folder.path()).unwrap();
     assert_eq!(handed_in.labs.into_values().collect::<Vec<_>>(), [own(), own()]);
     assert_eq!(handed_in.left_out, [("comment.txt".into(), ELSEWHERE)]);
-    put("two again.tgz", "2");
+    fs::write(folder.path().join("two again.tgz"), second).unwrap();
     let error = read(folder.path()).unwrap_err().to_string();
     assert!(error.contains("lab 2 is in more than one archive"), "{error}");
 }

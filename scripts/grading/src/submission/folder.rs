@@ -2,12 +2,14 @@
 //! disk.
 
 use std::fs::{self, File};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
 
+use super::archive;
+use super::handed_in::{HandedIn, NAMED};
 use super::names::{DEEP, is_built, is_called_archive, is_macos, lab_of};
-use super::{HandedIn, NAMED, archive};
 
 /// Reads the sources of each lab in a submission.
 ///
@@ -61,16 +63,21 @@ struct Below {
     others: Vec<PathBuf>,
 }
 
+/// Lists the entries of a folder in the order of their names.
+pub(super) fn entries(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
+    let mut entries = entries.collect::<io::Result<Vec<_>>>()?;
+    entries.sort();
+    Ok(entries)
+}
+
 fn find(folder: &Path, depth: usize, all: &mut Below) -> Result<()> {
     let labs = fs::read_dir(folder.join("labs")).into_iter().flatten().flatten();
     if labs.into_iter().any(|entry| lab_of(&entry.file_name().to_string_lossy()).is_some()) {
         all.tops.push(folder.to_owned());
         return Ok(());
     }
-    let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
-    let mut paths = entries.collect::<Result<Vec<_>>>()?;
-    paths.sort();
-    for path in paths.into_iter().filter(|path| !is_macos(path)) {
+    for path in entries(folder)?.into_iter().filter(|path| !is_macos(path)) {
         let metadata = fs::symlink_metadata(&path)?;
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if metadata.is_dir() && depth < DEEP && !is_built(&name) {
@@ -88,10 +95,7 @@ fn find(folder: &Path, depth: usize, all: &mut Below) -> Result<()> {
 
 /// Adds the files of a folder. It skips folders that cannot contain a lab's sources.
 fn walk(top: &Path, folder: &Path, handed_in: &mut HandedIn) -> Result<()> {
-    let mut paths =
-        fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
-    paths.sort();
-    for path in paths {
+    for path in entries(folder)? {
         let below = path.strip_prefix(top)?;
         let parts: Vec<_> = below.iter().map(|part| part.to_str().unwrap_or_default()).collect();
         let leads = match parts[..] {
@@ -100,15 +104,20 @@ fn walk(top: &Path, folder: &Path, handed_in: &mut HandedIn) -> Result<()> {
             [only] => only == "labs",
             _ => false,
         };
-        let metadata = fs::symlink_metadata(&path)?;
-        if metadata.is_dir() && leads {
+        if leads && fs::symlink_metadata(&path)?.is_dir() {
             walk(top, &path, handed_in)?;
         } else {
-            let plain = metadata.is_file() || metadata.is_dir();
-            handed_in.add(below, plain, metadata.len(), || File::open(&path))?;
+            add(handed_in, &path, below)?;
         }
     }
     Ok(())
+}
+
+/// Adds a file with its path in the submission.
+fn add(handed_in: &mut HandedIn, file: &Path, path: &Path) -> Result<u64> {
+    let metadata = fs::symlink_metadata(file)?;
+    let plain = metadata.is_file() || metadata.is_dir();
+    handed_in.add(path, plain, metadata.len(), || File::open(file))
 }
 
 /// Reads a student's folder as learning platforms export it, with packed or loose uploads.
@@ -124,10 +133,7 @@ fn uploads(folder: &Path, below: Below) -> Result<HandedIn> {
         all.loose.extend(loose);
     }
     for other in below.others {
-        let metadata = fs::symlink_metadata(&other)?;
-        let path = other.strip_prefix(folder)?;
-        let plain = metadata.is_file() || metadata.is_dir();
-        all.add(path, plain, metadata.len(), || File::open(&other))?;
+        add(&mut all, &other, other.strip_prefix(folder)?)?;
     }
     all.left_out.truncate(NAMED);
     Ok(all)

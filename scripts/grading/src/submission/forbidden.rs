@@ -69,13 +69,14 @@ fn in_tokens(tokens: TokenStream) -> Option<(&'static str, usize)> {
 }
 
 fn in_text(source: &str) -> Option<(&'static str, usize)> {
-    let line = |at: usize| 1 + source[..at].matches('\n').count();
-    let name = NAMES.into_iter().find_map(|name| Some((name, line(source.find(name)?))));
-    let attribute = |(at, _)| source[at..]["unsafe".len()..].trim_start().starts_with('(');
-    name.or_else(|| {
-        let (at, _) = source.match_indices("unsafe").find(|&found| attribute(found))?;
-        Some((UNSAFE, line(at)))
-    })
+    let name = NAMES.into_iter().find_map(|name| Some((name, source.find(name)?)));
+    let (what, at) = name.or_else(|| {
+        let mut all = source.match_indices("unsafe");
+        let (at, _) =
+            all.find(|(at, word)| source[at + word.len()..].trim_start().starts_with('('))?;
+        Some((UNSAFE, at))
+    })?;
+    Some((what, 1 + source[..at].matches('\n').count()))
 }
 
 #[cfg(test)]

@@ -35,16 +35,19 @@ pub(crate) fn at(kit: &Kit, lab: Lab, path: &Path) -> Result<Option<Wrong>> {
 fn page_at(kit: &Kit, path: &Path) -> Result<Option<(Lab, Vec<Wrong>)>> {
     let lab = path.file_name().and_then(|name| name.to_str()?.strip_prefix("lab"));
     let lab = lab.and_then(|lab| lab.strip_suffix(".md")?.parse().ok());
-    let (Some(lab), Ok(there)) = (lab, path.canonicalize()) else { return Ok(None) };
-    let is = |page: String| kit.path(page).canonicalize().is_ok_and(|page| page == there);
-    if path.is_symlink() {
-        return Ok(None);
-    }
-    if is(wrong::page(lab)) {
-        return Ok(Some((lab, wrong::read(kit, lab)?)));
-    }
-    let right = is(wrong::right_page(lab)).then(|| wrong::read_right(kit, lab)).transpose()?;
-    Ok(right.map(|right| (lab, right)))
+    let (Some(lab), false) = (lab, path.is_symlink()) else { return Ok(None) };
+    Ok(if is_same(path, &kit.path(wrong::page(lab))) {
+        Some((lab, wrong::read(kit, lab)?))
+    } else if is_same(path, &kit.path(wrong::right_page(lab))) {
+        Some((lab, wrong::read_right(kit, lab)?))
+    } else {
+        None
+    })
+}
+
+/// Whether both paths lead to the same existing file.
+fn is_same(one: &Path, other: &Path) -> bool {
+    one.canonicalize().is_ok_and(|one| other.canonicalize().is_ok_and(|other| one == other))
 }
 
 /// Describes how the marks differ from the manifest's; `None` if they are equal.

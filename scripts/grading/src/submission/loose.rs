@@ -16,8 +16,8 @@ pub(super) type Loose = (PathBuf, Vec<u8>);
 /// Whether a file may be a source.
 pub(super) fn may_be(path: &Path) -> bool {
     parts(path).is_ok_and(|parts| {
-        let is_given = |part: &String| GIVEN.contains(&part.as_str()) || is_built(part);
-        !parts.iter().any(is_given) && refused(&parts.join("/")).is_none()
+        !parts.iter().any(|part| GIVEN.contains(&part.as_str()) || is_built(part))
+            && refused(&parts.join("/")).is_none()
     })
 }
 

@@ -3,13 +3,11 @@
 mod archive;
 mod folder;
 pub(crate) mod forbidden;
+mod handed_in;
 pub(crate) mod known_wrong;
 mod loose;
 pub(crate) mod names;
 
-use std::collections::BTreeMap;
-use std::fs;
-use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
@@ -17,87 +15,14 @@ use anyhow::{Context, Result, bail, ensure};
 use crate::record::LeftOut;
 use crate::roster;
 pub(crate) use folder::read;
-use folder::unpacker;
+use folder::{entries, unpacker};
 use lab_kit::escape::{cut, line};
-use lab_kit::sources::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
+use lab_kit::sources::{Sources, of_solution};
 use lab_kit::{Given, Kit, Lab};
-use loose::Loose;
-use names::{ELSEWHERE, is_called_archive, is_macos, resolve};
+use names::{ELSEWHERE, is_macos};
 
 /// Beginning of the reason for omitting a file that has a task but is in the wrong folder.
 const MISPLACED: &str = "it is not in";
-
-/// Maximal number of omitted files whose names are shown.
-pub(crate) const NAMED: usize = 100;
-
-/// Contents of a submission.
-#[derive(Debug, Default)]
-pub(crate) struct HandedIn {
-    /// Sources by lab. Labs without any source are missing.
-    pub(crate) labs: BTreeMap<Lab, Sources>,
-    /// Files that are left out, with the reasons.
-    pub(crate) left_out: Vec<(PathBuf, &'static str)>,
-    /// Files in other folders that may be sources. They are left out too, unless they are the lab's
-    /// only files.
-    loose: Vec<Loose>,
-    /// Archives inside this archive.
-    archives: Vec<Vec<u8>>,
-}
-
-impl HandedIn {
-    /// Adds a file if it is a source of a lab. Returns the number of bytes read.
-    fn add<R: Read>(
-        &mut self,
-        path: &Path,
-        plain: bool,
-        size: u64,
-        open: impl FnOnce() -> io::Result<R>,
-    ) -> Result<u64> {
-        if is_macos(path) {
-            return Ok(0);
-        }
-        let source = if plain { resolve(path) } else { Err(NOT_PLAIN) };
-        let source =
-            source.and_then(|found| if size > FILE_LIMIT { Err(TOO_LARGE) } else { Ok(found) });
-        let may_count = source == Err(ELSEWHERE) && size <= FILE_LIMIT;
-        let is_loose = may_count && loose::may_be(path);
-        let is_archive = may_count && is_called_archive(path);
-        if let Err(why) = source {
-            self.leave_out(path, why);
-        }
-        let kept = self.loose.len() + self.archives.len();
-        if source.is_err() && (!(is_loose || is_archive) || kept >= COUNT_LIMIT) {
-            return Ok(0);
-        }
-        let mut bytes = Vec::new();
-        // The size in an archive may be wrong, so the file itself is limited.
-        open()?.take(FILE_LIMIT + 1).read_to_end(&mut bytes)?;
-        let read = bytes.len() as u64;
-        if read > FILE_LIMIT {
-            self.leave_out(path, TOO_LARGE);
-            return Ok(read);
-        }
-        let Ok((lab, below)) = source else {
-            if is_archive {
-                self.archives.push(bytes);
-            } else {
-                self.loose.push((path.to_owned(), bytes));
-            }
-            return Ok(read);
-        };
-        let files = self.labs.entry(lab).or_default();
-        ensure!(files.len() < COUNT_LIMIT, "there are more than {COUNT_LIMIT} files in it");
-        let twice = files.insert(below, bytes).is_some();
-        ensure!(!twice, "{} is in it twice", path.display());
-        Ok(read)
-    }
-
-    fn leave_out(&mut self, path: &Path, why: &'static str) {
-        if self.left_out.len() < NAMED {
-            self.left_out.push((path.to_owned(), why));
-        }
-    }
-}
 
 /// The part of a submission that the grader uses.
 #[derive(Default)]
@@ -115,8 +40,14 @@ pub(crate) struct Submission {
 /// Maximal number of characters that are shown of an omitted file's path.
 const SHOWN: usize = 200;
 
+/// Lists the submissions at several paths.
+pub(crate) fn list_all(kit: &Kit, paths: &[PathBuf]) -> Result<Vec<PathBuf>> {
+    let lists = paths.iter().map(|path| list(kit, path));
+    Ok(lists.collect::<Result<Vec<_>>>()?.concat())
+}
+
 /// Lists the submissions at a path, which is a submission or a folder of submissions.
-pub(crate) fn list(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
+fn list(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     ensure!(path.exists(), "there is no {}", path.display());
     let known_wrong = known_wrong::on_page(kit, path)?;
     if !known_wrong.is_empty() {
@@ -151,10 +82,9 @@ pub(crate) fn list(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
 
 /// Lists the entries of a folder of submissions: the submissions, and hidden entries.
 fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
-    let entries = fs::read_dir(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let mut found = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
+    let found = entries(path).with_context(|| format!("cannot read {}", path.display()));
+    let mut found = found?;
     found.retain(|path| !is_about_the_class(path));
-    found.sort();
     Ok(found.into_iter().partition(|path| !is_dotted(path) && !is_macos(path)))
 }
 
@@ -207,6 +137,19 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<Su
         }
     }
     Ok(Submission { files, left_out, changed })
+}
+
+/// Reads the sources of a submission that is to be built outside a grading.
+///
+/// # Errors
+/// If it has no file with a task, or contains forbidden code.
+pub(crate) fn buildable(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<Sources> {
+    let submission = take(kit, lab, given, path)?;
+    ensure!(!submission.files.is_empty(), "{}", nothing(lab, &submission.left_out));
+    match forbidden::find(&submission.files) {
+        Some(why) => bail!("{why}"),
+        None => Ok(submission.files),
+    }
 }
 
 /// Whether a file outside labs/ has the name of a file with a task.

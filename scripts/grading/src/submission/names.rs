@@ -150,12 +150,11 @@ mod tests {
 
     #[test]
     fn only_a_labs_sources_are_taken() {
-        let source = |path: &str| Ok(("2".parse().unwrap(), path.into()));
         let outside = "its path leads out of the submission";
         for (path, found) in [
-            ("labs/lab2/src/lib.rs", source("src/lib.rs")),
-            ("./handed-in/labs/lab2/src/a/b.rs", source("src/a/b.rs")),
-            ("own\\labs\\lab2\\src\\a\\b.rs", source("src/a/b.rs")),
+            ("labs/lab2/src/lib.rs", Ok("src/lib.rs")),
+            ("./handed-in/labs/lab2/src/a/b.rs", Ok("src/a/b.rs")),
+            ("own\\labs\\lab2\\src\\a\\b.rs", Ok("src/a/b.rs")),
             ("labs/lab2/Cargo.toml", Err(ELSEWHERE)),
             ("labs/lab2/build.rs", Err(ELSEWHERE)),
             (".cargo/config.toml", Err(ELSEWHERE)),
@@ -165,6 +164,7 @@ mod tests {
             ("/labs/lab2/src/lib.rs", Err(outside)),
             ("labs/lab2/src/.cargo/config.toml", Err("hidden, or an editor's copy")),
         ] {
+            let found = found.map(|path: &str| ("2".parse().unwrap(), path.to_owned()));
             assert_eq!(resolve(Path::new(path)), found, "{path}");
         }
     }

@@ -14,6 +14,7 @@ use zip::write::{SimpleFileOptions, ZipWriter};
 
 use super::names::name;
 use super::take;
+use lab_kit::files::write_file;
 use lab_kit::{Given, Kit};
 
 const WORK: &[u8] = b"pub fn f() {}\n";
@@ -143,9 +144,7 @@ fn work_is_found_wherever_it_lies() {
             continue;
         }
         let folder = class.path().join(number.to_string());
-        let file = folder.join(OsStr::from_bytes(place));
-        fs::create_dir_all(file.parent().unwrap()).unwrap();
-        fs::write(file, WORK).unwrap();
+        write_file(&folder.join(OsStr::from_bytes(place)), WORK).unwrap();
         assert_eq!(taken(&folder), WORK, "a folder with {shown}");
     }
 }
@@ -158,12 +157,11 @@ fn what_platforms_export_is_unpacked() {
         ["lab1.tar-1.gz", "Ada Lovelace_4711/submission/lab1.gz", "lab1", "a/b/c/d/lab1.zip"]
     {
         let folder = tempfile::tempdir_in(class.path()).unwrap();
-        let file = folder.path().join(place);
-        fs::create_dir_all(file.parent().unwrap()).unwrap();
-        fs::write(&file, &archive).unwrap();
-        fs::write(folder.path().join("comment.txt"), "please").unwrap();
-        fs::create_dir(folder.path().join("__MACOSX")).unwrap();
-        fs::write(folder.path().join("__MACOSX/._lab1"), "macOS").unwrap();
+        for (file, bytes) in
+            [(place, &archive[..]), ("comment.txt", b"please"), ("__MACOSX/._lab1", b"macOS")]
+        {
+            write_file(&folder.path().join(file), bytes).unwrap();
+        }
         assert_eq!(taken(folder.path()), WORK, "{place}");
     }
 }
@@ -179,9 +177,8 @@ fn a_whole_kit_has_the_lab_once() {
     ] {
         let folder = class.path().join(copy.replace('/', "-"));
         for place in ["kit/labs/lab1/src", &format!("kit/{copy}")] {
-            fs::create_dir_all(folder.join(place)).unwrap();
             let text = if place.starts_with("kit/labs") { WORK } else { b"another" };
-            fs::write(folder.join(place).join("force.rs"), text).unwrap();
+            write_file(&folder.join(place).join("force.rs"), text).unwrap();
         }
         assert_eq!(taken(&folder), WORK, "{copy}");
         let mut all = tar::Builder::new(Vec::new());
@@ -197,20 +194,23 @@ fn a_name_that_means_two_files_is_not_guessed() {
     let class = tempfile::tempdir().unwrap();
     let tasks = ["src/force.rs".to_owned(), "src/a/mod.rs".to_owned(), "src/b/mod.rs".to_owned()];
     let given = Given { tasks: tasks.into(), ..Given::default() };
-    let take = |names: &[&str]| {
+    let cases: [(&[&str], &[&str]); 6] = [
+        (&["old/force.rs", "new/force.rs"], &[]),
+        (&["old/src/force.rs", "new/src/force.rs"], &[]),
+        // The second file is new.
+        (&["force.rs", "mod.rs"], &["src/force.rs", "src/mod.rs"]),
+        (&["a/mod.rs", "b/mod.rs"], &["src/a/mod.rs", "src/b/mod.rs"]),
+        (&["force.rs", "own.rs", "notes.pdf"], &["src/force.rs", "src/own.rs"]),
+        // The file is in the folder of a different lab.
+        (&["lab2/src/force.rs"], &[]),
+    ];
+    for (names, taken) in cases {
         let folder = tempfile::tempdir_in(class.path()).unwrap();
         for name in names {
-            let file = folder.path().join(name);
-            fs::create_dir_all(file.parent().unwrap()).unwrap();
-            fs::write(file, WORK).unwrap();
+            write_file(&folder.path().join(name), WORK).unwrap();
         }
         let submission = take(&Kit::find().unwrap(), "1".parse().unwrap(), &given, folder.path());
-        submission.unwrap().files.into_keys().collect::<Vec<_>>()
-    };
-    assert_eq!(take(&["old/force.rs", "new/force.rs"]), [""; 0]);
-    assert_eq!(take(&["old/src/force.rs", "new/src/force.rs"]), [""; 0]);
-    assert_eq!(take(&["force.rs", "mod.rs"]), ["src/force.rs", "src/mod.rs"], "a new file");
-    assert_eq!(take(&["a/mod.rs", "b/mod.rs"]), ["src/a/mod.rs", "src/b/mod.rs"]);
-    assert_eq!(take(&["force.rs", "own.rs", "notes.pdf"]), ["src/force.rs", "src/own.rs"]);
-    assert_eq!(take(&["lab2/src/force.rs"]), [""; 0], "of another lab");
+        let files: Vec<String> = submission.unwrap().files.into_keys().collect();
+        assert_eq!(files, taken, "{names:?}");
+    }
 }

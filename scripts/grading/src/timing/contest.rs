@@ -4,16 +4,13 @@
 //! here the grader takes the time, and a result counts only with the error that it has.
 
 use std::hash::{BuildHasher, RandomState};
-use std::path::Path;
 use std::time::Duration;
 
 use anyhow::Result;
 use common::soft::Particle;
 
-use super::take::{Order, is_doubtful, take};
+use super::take::{Order, Pair};
 use crate::record::Findings;
-use crate::sandbox::Sandbox;
-use crate::sandbox::faults::believed;
 use lab_kit::machine::cores;
 use lab_kit::program::Program;
 use lab_kit::table::three_digits;
@@ -48,35 +45,20 @@ impl ClassContest {
 
     /// Measures an entry and writes it into its record.
     ///
-    /// `own` and `solution` are the folders of the submission's programs and of the solution's.
-    ///
     /// # Errors
     /// If the reference fails, or the programs cannot be started.
-    pub(crate) fn enter(
-        &self,
-        sandbox: &Sandbox,
-        (own, solution): (&Path, &Path),
-        findings: &mut Findings,
-    ) -> Result<()> {
+    pub(crate) fn enter(&self, pair: Pair<'_>, findings: &mut Findings) -> Result<()> {
         let program = format!("lab{}:{ENTRY}", findings.lab).parse().map_err(anyhow::Error::msg)?;
         let mut entry = Entry::new(program);
-        let track = |drawn: &Drawn, job: &Job| {
-            let folder = if job.program.solution { solution } else { own };
-            run(sandbox, folder, drawn, job)
-        };
-        self.contest.measure(&track, &self.scenes, std::slice::from_mut(&mut entry))?;
+        let entries = std::slice::from_mut(&mut entry);
+        self.contest.measure(&|drawn, job| run(pair, drawn, job), &self.scenes, entries)?;
         (findings.timed, findings.contest) = (true, Some(entry));
         Ok(())
     }
 }
 
 /// Runs a job in the sandbox. The reference, which is a solution's, is the serial program.
-fn run(
-    sandbox: &Sandbox,
-    folder: &Path,
-    drawn: &Drawn,
-    job: &Job,
-) -> Result<std::result::Result<RunOutput, String>> {
+fn run(pair: Pair<'_>, drawn: &Drawn, job: &Job) -> Result<Result<RunOutput, String>> {
     let order = Order {
         serial: job.program.solution,
         variant: job.program.variant.as_deref().unwrap_or_default(),
@@ -86,8 +68,8 @@ fn run(
         steps: job.steps,
         kind: drawn.kind,
     };
-    let once = || take(sandbox, folder, &order, usize::MAX, LIMIT);
-    let taken = match believed(once, is_doubtful, || sandbox.works())? {
+    let folder = if job.program.solution { pair.solution } else { pair.own };
+    let taken = match pair.take(folder, &order, usize::MAX, LIMIT)? {
         Ok(taken) => taken,
         Err((_, why)) => return Ok(Err(why)),
     };

@@ -15,10 +15,8 @@ pub(crate) fn difference(right: &[f64], given: &[f64], stray: f64) -> Option<Str
     if right.len() != given.len() {
         return Some(format!("{} particles came back, not {}", given.len() / 4, right.len() / 4));
     }
-    let close = |(want, got): (&f64, &f64)| (want - got).abs() <= CLOSE * (1.0 + want.abs());
     let pairs = right.chunks(4).zip(given.chunks(4)).enumerate();
-    let strays: Vec<_> =
-        pairs.filter(|(_, (want, got))| !want.iter().zip(got.iter()).all(close)).collect();
+    let strays: Vec<_> = pairs.filter(|(_, (want, got))| !are_close(want, got)).collect();
     let (number, (want, got)) = strays.first()?;
     let allowed = stray * (right.len() / 4) as f64;
     (strays.len() as f64 > allowed).then(|| {
@@ -35,15 +33,21 @@ pub(crate) fn difference(right: &[f64], given: &[f64], stray: f64) -> Option<Str
     })
 }
 
+fn are_close(wanted: &[f64], given: &[f64]) -> bool {
+    wanted.iter().zip(given).all(|(want, got)| (want - got).abs() <= CLOSE * (1.0 + want.abs()))
+}
+
 /// Whether a program has exactly the serial program's result, although the solution's result
 /// differs.
 ///
 /// If so, it is the serial program, or a parallel program of a different lab that sums in the
 /// serial order.
 pub(crate) fn is_another(own: &[f64], serial: &[f64], solution: &[f64]) -> bool {
-    let same =
-        |a: &[f64], b: &[f64]| a.iter().map(|x| x.to_bits()).eq(b.iter().map(|x| x.to_bits()));
-    same(own, serial) && !same(solution, serial)
+    same_bits(own, serial) && !same_bits(solution, serial)
+}
+
+fn same_bits(a: &[f64], b: &[f64]) -> bool {
+    a.iter().map(|x| x.to_bits()).eq(b.iter().map(|x| x.to_bits()))
 }
 
 #[cfg(test)]

@@ -3,33 +3,32 @@
 //! The [`plan`] lists the runs: the submission, the solution and the best serial program take turns
 //! on scenes that are new to all of them. A [`take`] is one run, timed by the grader's clock and
 //! checked by its result. All measurements go into the record unchanged, and [`judge`] computes
-//! grades from them. [`whole`] checks results only.
+//! grades from them. [`whole_program`] checks results only.
 
 pub(crate) mod contest;
 mod correctness;
 mod judge;
 mod plan;
 mod processors;
-mod rounds;
 mod take;
 pub(crate) mod whole_program;
 
 use std::hash::{BuildHasher, RandomState};
-use std::path::Path;
 use std::time::{Duration, Instant};
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 
-use crate::record::{Findings, Kind};
-use crate::sandbox::Sandbox;
-use lab_kit::{Discs, Facts, Workers};
+use crate::record::{Findings, Kind, Outcome, Run, Whose};
+use lab_kit::Facts;
+use lab_measure::experiment::turns;
 use oracle::Random;
-use plan::plan;
-use rounds::one_round;
 
+use correctness::{STRAY, difference, is_another};
 use judge::is_noisy;
 pub(crate) use judge::{judge, seconds_of};
-pub(crate) use take::PROGRAM;
+use plan::{SERIAL, plan};
+use take::{Order, Taken};
+pub(crate) use take::{PROGRAM, Pair};
 
 /// Smallest number of rounds.
 const LEAST: usize = 5;
@@ -39,26 +38,25 @@ const MOST: usize = 15;
 /// Time after which no further round begins.
 const BUDGET: Duration = Duration::from_secs(90);
 
+/// Constant part of the time limit of a run.
+const ALLOWANCE: Duration = Duration::from_secs(8);
+/// Multiple of the solution's time that is added to the constant part of the time limit.
+const TIMES: f64 = 10.0;
+
 /// Times a submission and writes the runs into its record.
 ///
-/// `folders` are the folders of its programs and of the solution's. Nothing else should run on the
-/// machine.
+/// Nothing else should run on the machine.
 ///
 /// # Errors
 /// If the solution fails, or the programs cannot be started.
-pub(crate) fn time(
-    sandbox: &Sandbox,
-    folders: (&Path, &Path),
-    findings: &mut Findings,
-    rubric: &Facts,
-) -> Result<()> {
+pub(crate) fn time(pair: Pair<'_>, findings: &mut Findings, rubric: &Facts) -> Result<()> {
     let mut runs = plan(rubric, findings.seed, lab_kit::machine::cores());
     let start = Instant::now();
     (findings.timed, findings.runs) = (true, Vec::new());
     // The scene is random, so no program has seen it before. No letter contains its seed.
     let mut random = Random::new(RandomState::new().hash_one(()));
     for round in 0..MOST {
-        one_round(sandbox, folders, &mut runs, round, scene(&mut random))?;
+        one_round(pair, &mut runs, round, scene(&mut random))?;
         findings.runs.clone_from(&runs);
         if round + 1 >= LEAST && !is_noisy(findings, rubric) || start.elapsed() > BUDGET {
             break;
@@ -73,9 +71,81 @@ fn scene(random: &mut Random) -> u32 {
     random.bits() as u32 | 1
 }
 
-/// Whether a lab's programs run beside the serial program.
-pub(crate) fn has_serial(lab: &Facts) -> bool {
-    lab.scaling.is_some() || lab.has_contest()
+/// Result of a trusted program on a scene.
+struct Right {
+    run: Run,
+    taken: Taken,
+}
+
+/// Runs every program once, in the order of the list or in reverse, and compares the states.
+fn one_round(pair: Pair<'_>, runs: &mut [Run], round: usize, seed: u32) -> Result<()> {
+    // Trusted programs come first: their results are right, and their times limit the other runs.
+    let mut order = turns(runs.len(), round);
+    order.sort_by_key(|at| (runs[*at].n, runs[*at].whose == Whose::Own));
+    let mut right: Vec<Right> = Vec::new();
+    for at in order {
+        if runs[at].outcome != Outcome::Timed || gave_up_before(runs, &runs[at]) {
+            continue;
+        }
+        let run = &mut runs[at];
+        right.retain(|right| right.run.n == run.n);
+        let allowed = right.first().map_or(ALLOWANCE * 8, |right| {
+            ALLOWANCE + Duration::from_secs_f64(TIMES * right.taken.seconds)
+        });
+        let folder = if run.whose == Whose::Own { pair.own } else { pair.solution };
+        let taken = match pair.take(folder, &Order::of(run, seed), run.workers, allowed)? {
+            Ok(taken) => taken,
+            Err((outcome, why)) => {
+                ensure!(run.whose == Whose::Own, "the solution cannot be timed: {why}");
+                if outcome == Outcome::TooSlow {
+                    run.seconds.push(allowed.as_secs_f64());
+                }
+                (run.outcome, run.message) = (outcome, why);
+                continue;
+            }
+        };
+        if let Some(message) = wrong(&right, run, &taken) {
+            ensure!(run.whose == Whose::Own, "the solution disagrees: {message}");
+            (run.outcome, run.message) = (Outcome::Wrong, message);
+            continue;
+        }
+        run.seconds.push(taken.seconds);
+        run.processors = run.processors.zip(taken.processors).map(|(sum, more)| sum + more);
+        if run.whose != Whose::Own && run.steps > 0 {
+            right.push(Right { run: run.clone(), taken });
+        }
+    }
+    Ok(())
+}
+
+/// Describes what is wrong with a result; `None` if it is right.
+///
+/// The result is compared with those of the trusted programs.
+fn wrong(right: &[Right], run: &Run, taken: &Taken) -> Option<String> {
+    let first = right.first().filter(|_| run.steps > 0)?;
+    let difference = difference(&first.taken.state, &taken.state, STRAY);
+    if difference.is_some() || run.whose != Whose::Own {
+        return difference;
+    }
+    let serial = right.iter().find(|it| it.run.whose == Whose::Serial)?;
+    let mut others = right.iter().filter(|it| it.run.whose == Whose::Solution);
+    let solution = others.find(|it| it.run.variant == run.variant)?;
+    is_another(&taken.state, &serial.taken.state, &solution.taken.state).then(|| {
+        format!(
+            "it has the last digits of lab 2's {SERIAL}, and {} sums in another order",
+            run.variant
+        )
+    })
+}
+
+/// Whether the program was already too slow on a smaller scene.
+fn gave_up_before(runs: &[Run], run: &Run) -> bool {
+    runs.iter().any(|other| {
+        other.outcome == Outcome::TooSlow
+            && (other.whose, other.workers) == (run.whose, run.workers)
+            && other.variant == run.variant
+            && other.n < run.n
+    })
 }
 
 /// Whether every measure that can be graded on a machine with this many cores is graded.
@@ -88,27 +158,4 @@ pub(crate) fn is_done_on(cores: usize, findings: &Findings, rubric: &Facts) -> b
         && measures
             .iter()
             .all(|measure| measure.counts() || measure.kind == Kind::Scaling && cannot_scale)
-}
-
-/// Returns the kinds of discs that a lab's programs simulate.
-///
-/// Each kind comes with the name of the lab's list of programs.
-pub(crate) fn programs(lab: &Facts) -> Vec<(&'static str, &'static str)> {
-    let own = if lab.discs == Discs::Hard { "hard" } else { "soft" };
-    let hard = lab.programs.get("hard").map(|_| ("hard", "HARD_VARIANTS"));
-    [(own, "VARIANTS")].into_iter().chain(hard).collect()
-}
-
-/// Returns the name of a file in the timed program, and its path in the kit.
-fn timed(to: &str, from: &str) -> (String, String) {
-    (to.to_owned(), format!("tests/timed/{from}"))
-}
-
-/// Returns the files of a lab's timed program: their names, and their paths in the kit.
-pub(crate) fn sources(lab: &Facts) -> Vec<(String, String)> {
-    let team = if lab.workers == Workers::Ranks { "ranks.rs" } else { "alone.rs" };
-    let mut sources = vec![timed("main.rs", "main.rs"), timed("team.rs", team)];
-    let scenes = programs(lab).into_iter().map(|(discs, _)| format!("{discs}.rs"));
-    sources.extend(scenes.map(|scene| timed(&format!("scene/{scene}"), &scene)));
-    sources
 }

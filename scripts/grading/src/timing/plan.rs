@@ -102,18 +102,19 @@ mod tests {
 
     #[test]
     fn every_size_has_what_it_is_compared_with() {
-        let timed = || Some(Timed { points: 1.0, variant: "x".into(), n: 1000 });
-        let rubric =
-            Facts { complexity: timed(), scaling: timed(), speed: timed(), ..Facts::default() };
+        let timed = Some(Timed { points: 1.0, variant: "x".into(), n: 1000 });
+        let scaling = timed.clone();
+        let rubric = Facts { complexity: timed.clone(), scaling, speed: timed, ..Facts::default() };
         let jobs = plan(&rubric, 8, 3);
-        for own in jobs.iter().filter(|job| job.whose == Whose::Own) {
-            let trusted = |steps| {
-                jobs.iter().any(|j| j.whose != Whose::Own && j.n == own.n && j.steps == steps)
-            };
-            assert!(trusted(own.steps) && trusted(0), "{own:?}");
+        let (own, trusted): (Vec<&Run>, Vec<&Run>) =
+            jobs.iter().partition(|job| job.whose == Whose::Own);
+        for own in &own {
+            for steps in [own.steps, 0] {
+                assert!(trusted.iter().any(|j| (j.n, j.steps) == (own.n, steps)), "{own:?}");
+            }
         }
         let count = jobs.len();
-        let own = jobs.iter().filter(|job| job.whose == Whose::Own).count();
+        let own = own.len();
         // Complexity needs 7 runs, one for each size. Scaling needs 4 runs: for both numbers of
         // workers, 2 and 3, one run on the full scene and one run on a scene that grows with them.
         assert!(own == 7 + 4 && count < 40, "{own} of {count}");
@@ -125,8 +126,8 @@ mod tests {
         let rubric = Facts { scaling: timed, workers: Workers::Ranks, ..Facts::default() };
         let jobs = plan(&rubric, 7, 4);
         for own in jobs.iter().filter(|job| job.whose == Whose::Own) {
-            let same = |j: &&Run| (j.n, j.workers) == (own.n, own.workers);
-            let idle = jobs.iter().filter(same).find(|j| j.steps == 0 && j.variant == "x");
+            let mut same = jobs.iter().filter(|j| (j.n, j.workers) == (own.n, own.workers));
+            let idle = same.find(|j| j.steps == 0 && j.variant == "x");
             assert_eq!(idle.map(|idle| idle.whose), Some(Whose::Solution), "{own:?}");
         }
     }

@@ -34,8 +34,9 @@ pub(crate) fn seconds(root: u32) -> Option<f64> {
 /// bytes; `None` if unknown.
 pub(crate) fn peak(root: u32) -> Option<u64> {
     let all = all();
-    let peak = |(number, _)| bytes(&format!("/proc/{number}/status"), "VmHWM:");
-    (!all.is_empty()).then(|| family(&all, root).filter_map(peak).sum())
+    let peaks = family(&all, root)
+        .filter_map(|(number, _)| bytes(&format!("/proc/{number}/status"), "VmHWM:"));
+    (!all.is_empty()).then(|| peaks.sum())
 }
 
 #[cfg(all(test, target_os = "linux"))]
@@ -46,15 +47,12 @@ mod tests {
 
     #[test]
     fn a_confined_program_sees_fewer_processors() {
-        let command = || {
-            let mut command = Command::new("nproc");
-            // This test is not about OpenMP's own setting.
-            command.env_remove("OMP_NUM_THREADS").stdout(Stdio::piped());
-            command
-        };
-        let output = confined(1, || command().output()).unwrap();
+        let mut command = Command::new("nproc");
+        // This test is not about OpenMP's own setting.
+        command.env_remove("OMP_NUM_THREADS");
+        let output = confined(1, || command.output()).unwrap();
         assert_eq!(String::from_utf8_lossy(&output.stdout).trim(), "1");
-        let again = command().output().unwrap();
+        let again = command.output().unwrap();
         let all = std::thread::available_parallelism().unwrap().get();
         assert_eq!(String::from_utf8_lossy(&again.stdout).trim(), all.to_string());
     }

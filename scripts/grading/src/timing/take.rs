@@ -13,7 +13,7 @@ use anyhow::{Context, Result, ensure};
 use super::processors::{confined, peak, seconds};
 use crate::record::{Outcome, Run, Whose};
 use crate::sandbox::Sandbox;
-use crate::sandbox::faults::is_sign;
+use crate::sandbox::faults::{believed, is_sign};
 use lab_kit::process::{ends, panic_in, start as start_process};
 use oracle::contest::Kind;
 
@@ -144,6 +144,34 @@ pub(crate) fn take(
     }))
 }
 
+/// The programs of a submission and of the solution.
+#[derive(Clone, Copy)]
+pub(crate) struct Pair<'a> {
+    pub(crate) sandbox: &'a Sandbox,
+    /// Folder of the submission's programs.
+    pub(crate) own: &'a Path,
+    /// Folder of the solution's programs, and of the serial program.
+    pub(crate) solution: &'a Path,
+}
+
+impl Pair<'_> {
+    /// Runs a program as [`take`] does, and repeats a run that a fault of the machine may have
+    /// ended.
+    pub(crate) fn take(
+        &self,
+        folder: &Path,
+        order: &Order<'_>,
+        processors: usize,
+        limit: Duration,
+    ) -> Result<Result<Taken, Trouble>> {
+        believed(
+            || take(self.sandbox, folder, order, processors, limit),
+            is_doubtful,
+            || self.sandbox.works(),
+        )
+    }
+}
+
 /// Returns the trouble of a program that breaks the rules of a timed run.
 fn wrong(why: &str) -> Result<Taken, Trouble> {
     Err((Outcome::Wrong, why.into()))
@@ -190,8 +218,11 @@ fn listen(stdout: ChildStdout, nonce: &str, most: usize, send: &Sender<Reply>) -
                 let mut bytes = vec![0; length];
                 reader.read_exact(&mut bytes)?;
                 let end = Instant::now();
-                let number = |bytes: &[u8]| f64::from_le_bytes(bytes.try_into().expect("8 bytes"));
-                Reply::State(end, bytes.chunks_exact(8).map(number).collect())
+                let (numbers, _) = bytes.as_chunks();
+                Reply::State(
+                    end,
+                    numbers.iter().map(|number| f64::from_le_bytes(*number)).collect(),
+                )
             }
             _ => continue,
         };

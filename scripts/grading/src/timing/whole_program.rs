@@ -9,7 +9,7 @@ use anyhow::{Result, anyhow};
 
 use super::correctness::difference;
 use super::scene;
-use super::take::{Order, Taken, Trouble, is_doubtful, take};
+use super::take::{Order, Pair, Taken, Trouble, is_doubtful, take};
 use crate::record::{Run, Task, Whose, number};
 use crate::sandbox::Sandbox;
 use crate::sandbox::faults::believed;
@@ -24,31 +24,44 @@ struct PlannedRun {
     seed: u32,
 }
 
-/// Returns the lab's programs with random scenes, in the order of their tasks.
-fn planned_runs(rubric: &Facts, seed: u64) -> Vec<PlannedRun> {
-    let mut random = Random::new(seed);
-    let runs = runs(rubric, &mut random).into_iter();
-    let mut all: Vec<PlannedRun> =
-        runs.map(|(task, run)| PlannedRun { task, run, seed: scene(&mut random) }).collect();
-    all.sort_by_key(|program| number(&program.task));
-    all
+impl PlannedRun {
+    /// Runs the program on all processors.
+    fn take(&self, sandbox: &Sandbox, folder: &Path) -> Result<Result<Taken, Trouble>> {
+        let order = Order::of(&self.run, self.seed);
+        take(sandbox, folder, &order, usize::MAX, sandbox.limits.run)
+    }
+
+    /// Runs the solution's program.
+    fn take_right(&self, pair: Pair<'_>) -> Result<Taken> {
+        let right = self.take(pair.sandbox, pair.solution)?;
+        right.map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", self.run.variant))
+    }
+
+    /// Describes what is wrong with the submission's program; `None` if it is right.
+    ///
+    /// # Errors
+    /// If the solution's program fails.
+    fn wrong(&self, pair: Pair<'_>) -> Result<Option<String>> {
+        let right = self.take_right(pair)?;
+        let taken = believed(
+            || self.take(pair.sandbox, pair.own),
+            is_doubtful,
+            || self.take_right(pair).map(drop),
+        )?;
+        Ok(match taken {
+            Ok(taken) => difference(&right.state, &taken.state, 0.0),
+            Err((_, why)) => Some(why),
+        })
+    }
 }
 
-/// Runs a program on all processors.
-fn result(
-    sandbox: &Sandbox,
-    folder: &Path,
-    PlannedRun { run, seed, .. }: &PlannedRun,
-) -> Result<Result<Taken, Trouble>> {
-    take(sandbox, folder, &Order::of(run, *seed), usize::MAX, sandbox.limits.run)
-}
-
-/// Plans the runs of whole programs.
+/// Plans the runs of whole programs on random scenes, in the order of their tasks.
 ///
 /// Each program runs on a small scene, and each timed program also on a scene as large as the timed
 /// one. The steps are enough for particles to meet and to cross borders, and too few for chaos, so
 /// every particle must be right.
-fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
+fn planned_runs(rubric: &Facts, seed: u64) -> Vec<PlannedRun> {
+    let mut random = Random::new(seed);
     let mut runs = Vec::new();
     for variant in &rubric.variants {
         let Some(task) = &variant.task else { continue };
@@ -59,9 +72,10 @@ fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
             let workers = 2 + random.below(3);
             let steps = 20 + random.below(60) as u64;
             let run = Run::planned(Whose::Own, &variant.name, n, workers, steps);
-            runs.push((task.clone(), run));
+            runs.push(PlannedRun { task: task.clone(), run, seed: scene(&mut random) });
         }
     }
+    runs.sort_by_key(|program| number(&program.task));
     runs
 }
 
@@ -69,19 +83,13 @@ fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
 ///
 /// If all tasks of a program are right and the program is wrong nevertheless, its last task counts
 /// as wrong. Other programs that need this task are then not run.
-pub(crate) fn check(
-    sandbox: &Sandbox,
-    (own, solution): (&Path, &Path),
-    rubric: &Facts,
-    seed: u64,
-    tasks: &mut [Task],
-) -> Result<()> {
+pub(crate) fn check(pair: Pair<'_>, rubric: &Facts, seed: u64, tasks: &mut [Task]) -> Result<()> {
     for program_run in planned_runs(rubric, seed) {
-        let needs = |other: &&Task| number(&other.id) <= number(&program_run.task);
-        if !tasks.iter().filter(needs).all(|task| task.passed) {
+        let last = number(&program_run.task);
+        if tasks.iter().any(|task| number(&task.id) <= last && !task.passed) {
             continue;
         }
-        let Some(wrong) = wrong(sandbox, own, solution, &program_run)? else { continue };
+        let Some(wrong) = program_run.wrong(pair)? else { continue };
         let Run { variant, n, workers, steps, .. } = &program_run.run;
         for own in tasks.iter_mut().filter(|own| own.id == program_run.task) {
             (own.passed, own.share) = (false, 0.0);
@@ -94,41 +102,12 @@ pub(crate) fn check(
     Ok(())
 }
 
-/// Describes what is wrong with a submission's program; `None` if it is right.
-///
-/// # Errors
-/// If the solution's program fails.
-fn wrong(
-    sandbox: &Sandbox,
-    own: &Path,
-    solution: &Path,
-    program_run: &PlannedRun,
-) -> Result<Option<String>> {
-    let right = trusted(sandbox, solution, program_run)?;
-    let taken = believed(
-        || result(sandbox, own, program_run),
-        is_doubtful,
-        || trusted(sandbox, solution, program_run).map(drop),
-    )?;
-    Ok(match taken {
-        Ok(taken) => difference(&right.state, &taken.state, 0.0),
-        Err((_, why)) => Some(why),
-    })
-}
-
-/// Runs the solution's program.
-fn trusted(sandbox: &Sandbox, solution: &Path, program_run: &PlannedRun) -> Result<Taken> {
-    let right = result(sandbox, solution, program_run)?;
-    right.map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", program_run.run.variant))
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
 
-    use super::runs;
+    use super::{PlannedRun, planned_runs};
     use lab_kit::{Kit, rubric};
-    use oracle::Random;
 
     #[test]
     fn scenes_are_others_each_time_and_reach_beyond_16_bits() {
@@ -139,8 +118,8 @@ mod tests {
         for (lab, rubric) in rubrics {
             let mut sizes = BTreeSet::new();
             for seed in 0..20 {
-                let runs = runs(&rubric, &mut Random::new(seed));
-                sizes.extend(runs.iter().map(|(_, run)| (run.n, run.steps)));
+                let runs = planned_runs(&rubric, seed);
+                sizes.extend(runs.iter().map(|PlannedRun { run, .. }| (run.n, run.steps)));
             }
             assert!(sizes.len() > 15, "lab {lab}: {sizes:?}");
             let large = rubric.timed().next().map_or(0, |timed| timed.n);

@@ -61,7 +61,6 @@ pub(super) fn own_lines(kit: &Kit, lab: Lab, sources: &Sources) -> Result<Vec<Li
         // Lines are compared without their indents, because these differ inside an added block.
         let [old, new] =
             [&before, &after].map(|text| text.lines().map(str::trim).collect::<Vec<_>>());
-        let is_code = |line: &str| !line.is_empty() && !line.starts_with("//");
         let mut task = None;
         for change in TextDiff::from_slices(&old, &new).ops() {
             let replaced = &old[change.old_range()];
@@ -80,6 +79,11 @@ pub(super) fn own_lines(kit: &Kit, lab: Lab, sources: &Sources) -> Result<Vec<Li
         }
     }
     Ok(lines)
+}
+
+/// Whether a line without its indent is neither empty nor a comment.
+fn is_code(line: &str) -> bool {
+    !line.is_empty() && !line.starts_with("//")
 }
 
 /// Whether a line begins a function.
@@ -123,10 +127,8 @@ pub(super) fn changes(kit: &Kit, lab: Lab, lines: &[Line]) -> Result<Vec<Change>
 /// Finds the only line that differs. Returns the number of earlier lines in `old` with the same
 /// text, the old text of the line, and its new text; `None` if several lines differ.
 fn only_change<'a>(old: &'a str, new: &'a str) -> Option<(usize, &'a str, &'a str)> {
-    let [old, new] = [old, new].map(|text| {
-        let code = text.lines().map(str::trim);
-        code.filter(|line| !line.is_empty() && !line.starts_with("//")).collect::<Vec<_>>()
-    });
+    let [old, new] = [old, new]
+        .map(|text| text.lines().map(str::trim).filter(|line| is_code(line)).collect::<Vec<_>>());
     let same = old.iter().zip(&new).take_while(|(old, new)| old == new).count();
     let (line, rest) = old[same..].split_first()?;
     let nth = old[..same].iter().filter(|other| *other == line).count();

@@ -13,17 +13,17 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use anyhow::{Result, anyhow, bail, ensure};
+use anyhow::{Result, anyhow, ensure};
 use clap::Args;
 
 use self::changes::{Line, changes, own_lines};
 use self::sheet::Sheet;
 use self::trace::{PARTICLES, STEPS, Trace, probe};
-use crate::asking::{ANSWER, JUDGE, Judge, Questions, TaskResult};
+use crate::asking::{ANSWER, Questions, TaskResult};
 use crate::build::Tree;
 use crate::sandbox::{Limits, Sandbox};
+use crate::submission;
 use crate::submission::names::named;
-use crate::submission::{self, forbidden};
 use crate::timing::PROGRAM;
 use lab_kit::escape::line;
 use lab_kit::files::write_file;
@@ -71,16 +71,12 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let sandbox = Sandbox::find(kit, false, limits)?;
     let into = options.into.clone();
     let into = into.unwrap_or_else(|| kit.memory().join(format!("viva/lab{lab}")));
-    let mut submissions = Vec::new();
-    for path in &options.paths {
-        submissions.extend(submission::list(kit, path)?);
-    }
+    let submissions = submission::list_all(kit, &options.paths)?;
     kill_all_on_interrupt();
     eprintln!("Building the solution");
     let tree = Tree::lay(kit, lab, &sandbox)?;
     let solution = tree.reference(kit, &sandbox)?;
-    let judge = Judge::new(kit, lab, solution.path().join(JUDGE), 10 * RUN);
-    let questions = Questions::of(&sandbox, solution.path(), judge, options.seed)?;
+    let questions = Questions::of(kit, lab, &sandbox, solution.path(), options.seed)?;
     let given = Given::of(kit, lab)?;
     let examiner = Examiner { kit, lab, facts, sandbox, tree, questions, given };
     let mut all = true;
@@ -117,11 +113,7 @@ struct Examiner<'a> {
 impl Examiner<'_> {
     /// Returns the sheet of the submission at `path`.
     fn sheet(&self, path: &Path, seed: u64) -> Result<Sheet> {
-        let sources = submission::take(self.kit, self.lab, &self.given, path)?.files;
-        ensure!(!sources.is_empty(), "it has no file with a task of lab {}", self.lab);
-        if let Some(why) = forbidden::find(&sources) {
-            bail!("{why}");
-        }
+        let sources = submission::buildable(self.kit, self.lab, &self.given, path)?;
         let tasks: Vec<&str> = self.facts.tasks.keys().map(String::as_str).collect();
         let own = self.failures(&sources, &tasks, seed)?;
         let own = own.map_err(|why| anyhow!("it does not compile: {why}"))?;
@@ -205,10 +197,9 @@ impl Examiner<'_> {
             return Ok(());
         };
         let variant = &variants[random.below(variants.len())].name;
-        let trace = |workers| Trace::of(&self.sandbox, folder.path(), variant, workers);
-        let two = trace(2)?;
-        let again = trace(2)?;
-        let three = trace(3)?;
+        let two = Trace::of(&self.sandbox, folder.path(), variant, 2)?;
+        let again = Trace::of(&self.sandbox, folder.path(), variant, 2)?;
+        let three = Trace::of(&self.sandbox, folder.path(), variant, 3)?;
         // A count that differs from run to run, such as the number of repeated attempts, has no
         // key.
         let steady = two.counts.iter().filter(|(line, n)| again.counts.get(line) == Some(n));

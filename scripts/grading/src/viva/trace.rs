@@ -111,10 +111,11 @@ mod tests {
 
     #[test]
     fn lines_of_different_workers_within_a_pause_are_together() {
-        let event =
-            |line: u8, worker: &str, time: u128| format!("x @viva {line} {worker} {time}\n");
-        let waited = event(1, "a", 7) + &event(2, "b", PAUSE + 6) + &event(1, "a", PAUSE + 7);
-        let trace = Trace::read(&(waited + "@viva 3\n" + &event(1, "b", 0)));
+        let trace = Trace::read(&format!(
+            "x @viva 1 a 7\nx @viva 2 b {}\nx @viva 1 a {}\n@viva 3\nx @viva 1 b 0\n",
+            PAUSE + 6,
+            PAUSE + 7
+        ));
         assert_eq!(trace.counts, [(1, 3), (2, 1)].into());
         assert_eq!(trace.together, [(1, [2].into()), (2, [1].into())].into());
     }

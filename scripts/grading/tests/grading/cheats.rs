@@ -29,11 +29,13 @@ pub(crate) fn quick() -> Vec<Cheat> {
     [runners(), takers(), vec![early(), hides(), drives()]].into_iter().flatten().collect()
 }
 
+/// Adds code to tasks of the quick lab.
+fn cheat(name: &str, code: &[(&str, &str)], lost: &[&str]) -> Cheat {
+    (name.to_owned(), with(QUICK, code), Expected::loses(lost, Times::Any))
+}
+
 /// Returns programs that end early or run endlessly. Printing loses no points.
 fn runners() -> Vec<Cheat> {
-    let cheat = |name: &str, code: &[(&str, &str)], lost: &[&str]| {
-        (name.to_owned(), with(QUICK, code), Expected::loses(lost, Times::Any))
-    };
     let exits = [("1.1", EXIT), ("1.2", FORGED), ("1.4", OWN_TIME), ("1.5", EXIT)];
     let bombs = [("1.1", FORK_BOMB), ("1.4", ENDLESS_LOOP)];
     vec![
@@ -62,20 +64,18 @@ fn hides() -> Cheat {
 /// Returns the cheat of a student who changes provided code. The change has no effect, and the page
 /// reports it.
 fn drives() -> Cheat {
-    (
-        "drives".to_owned(),
-        changed(QUICK, "src/lib.rs", "pub static VARIANTS", "static OWN"),
-        given(&["src/lib.rs"]),
-    )
+    let mut files = with(QUICK, &[]);
+    replace(&mut files, ("pub static VARIANTS", "static OWN"));
+    let lost = Vec::new();
+    let expected = Expected::Graded { lost, left_out: &["src/lib.rs"], times: Times::Any };
+    ("drives".to_owned(), files, expected)
 }
 
-/// Returns the solution with one provided file changed.
-fn changed(lab: u8, path: &str, from: &str, to: &str) -> Files {
-    let mut files = with(lab, &[]);
-    let text = files.get_mut(path).expect("the lab has it");
-    assert!(text.contains(from), "{path} has no '{from}'");
+/// Replaces a text in the file that contains it.
+fn replace(files: &mut Files, (from, to): (&str, &str)) {
+    let text = files.values_mut().find(|text| text.contains(from));
+    let text = text.unwrap_or_else(|| panic!("no file of the lab has '{from}'"));
     *text = text.replace(from, to);
-    files
 }
 
 /// Returns wrong programs that also change the code that would reveal the mistake.
@@ -84,32 +84,28 @@ pub(crate) fn blinders() -> Vec<Cheat> {
         (
             "open-barrier",
             "no_barrier_before_the_arrivals",
-            "src/barrier.rs",
             ("state.waiting + 1 >= state.members || state.broken", "true"),
         ),
         (
             "sleeps-in-pool",
             "rest_to_the_last",
-            "src/pool.rs",
             (
                 "    ThreadPoolBuilder::new()",
                 "    std::thread::sleep(std::time::Duration::from_secs(100));\n    ThreadPoolBuilder::new()",
             ),
         ),
     ];
-    let cheat = |(name, mistake, path, (from, to)): (&str, &str, &'static str, (&str, &str))| {
+    let cheats = cheats.map(|(name, mistake, change)| {
         let (mut files, lost) = wrong(TIMED, mistake);
-        let text = files.get_mut(path).expect("the lab has it");
-        assert!(text.contains(from), "{path} has another form");
-        *text = text.replace(from, to);
+        replace(&mut files, change);
         (name.to_owned(), files, Expected::Graded { lost, left_out: &["src/"], times: Times::Any })
-    };
-    cheats.map(cheat).into()
+    });
+    cheats.into()
 }
 
-/// Expects all points, and a report about the changed files.
-fn given(changed: &'static [&'static str]) -> Expected {
-    Expected::Graded { lost: Vec::new(), left_out: changed, times: Times::Any }
+/// Returns code that calls a function of a stolen file.
+fn stolen(path: &str) -> String {
+    format!("#[path = \"{path}\"] mod stolen; stolen::f();")
 }
 
 /// Returns programs that try to read forbidden files. The files must not exist in the sandbox.
@@ -117,7 +113,6 @@ fn takers() -> Vec<Cheat> {
     let snapshots = std::fs::read_dir(kit().join("tests/snapshots")).unwrap().flatten();
     let mut snapshots = snapshots.map(|entry| entry.file_name().into_string().unwrap());
     let snapshot = snapshots.find(|name| name.starts_with("lab1__")).unwrap();
-    let stolen = |path: &str| format!("#[path = \"{path}\"] mod stolen; stolen::f();");
     let own = kit().join("solutions/lab1/src/force.rs");
     let cheats = [
         ("passwd", "const _: &str = include_str!(\"/etc/passwd\");".into(), "/etc/passwd"),
@@ -138,11 +133,11 @@ fn takers() -> Vec<Cheat> {
             "unsafe",
         ),
     ];
-    let cheat = |(name, code, message): (&str, String, &str)| {
+    let cheats = cheats.map(|(name, code, message): (&str, String, _)| {
         let files = with(QUICK, &[(TASK, &code)]);
         (name.to_owned(), files, Expected::ends(NOT_BUILT, message))
-    };
-    cheats.map(cheat).into()
+    });
+    cheats.into()
 }
 
 /// Returns a cheat whose code would run before `main`. The grader does not compile it.
@@ -166,19 +161,14 @@ pub(crate) fn timed() -> Vec<Cheat> {
         ("slow-at-random", "3.11", SLOW_AT_RANDOM, &[], Times::Slow(90.0)),
         ("serial-team", "3.3", "", &[], Times::Any),
     ];
-    let cheat = |(name, task, code, lost, times): (&str, &str, &str, &[&str], Times)| {
+    let cheats = cheats.map(|(name, task, code, lost, times)| {
         let mut files = with(TIMED, &[(task, code)]);
-        let elsewhere = match name {
-            "more-threads" => Some(MORE_THREADS),
-            "serial-team" => Some(SERIAL),
-            _ => None,
-        };
-        if let Some((from, to)) = elsewhere {
-            let text = files.values_mut().find(|text| text.contains(from));
-            let text = text.expect("the lab has it");
-            *text = text.replace(from, to);
+        match name {
+            "more-threads" => replace(&mut files, MORE_THREADS),
+            "serial-team" => replace(&mut files, SERIAL),
+            _ => {}
         }
         (name.to_owned(), files, Expected::loses(lost, times))
-    };
-    cheats.map(cheat).into()
+    });
+    cheats.into()
 }

@@ -2,11 +2,11 @@
 
 use std::ffi::OsStr;
 use std::fs;
-use std::io::Write;
 use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::{PermissionsExt, symlink};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
+use lab_kit::files::write_file;
 use tempfile::TempDir;
 
 use crate::cheats::{QUICK, TASK, TIMED};
@@ -169,33 +169,28 @@ impl Class {
             (own.join(".config/nextest.toml"), "[profile.default]\n"),
             (below.join("src").join(OsStr::from_bytes(b"\xff\xfe.rs")), "nobody reads this"),
         ] {
-            write(&path, text);
+            write_file(&path, text).unwrap();
         }
     }
 
     fn hand_in(&mut self, name: &str, form: Form, files: &Files, expected: Expected) {
-        let put = |ending: &str, bytes: Vec<u8>| {
-            fs::write(self.folder().join(format!("{name}.{ending}")), bytes).unwrap();
-        };
+        let own = self.folder().join(name);
         match form {
             Form::Folder => {
-                let below = self.folder().join(name).join(format!("labs/lab{}", self.lab));
-                files.iter().for_each(|(path, text)| write(&below.join(path), text));
+                let below = own.join(format!("labs/lab{}", self.lab));
+                files.iter().for_each(|(path, text)| write_file(&below.join(path), text).unwrap());
             }
-            Form::Zip => put("zip", archives::zip(self.lab, files)),
-            Form::Tar => put("tar.gz", archives::tar(self.lab, files)),
+            Form::Zip => {
+                write_file(&own.with_extension("zip"), archives::zip(self.lab, files)).unwrap();
+            }
+            Form::Tar => {
+                write_file(&own.with_extension("tar.gz"), archives::tar(self.lab, files)).unwrap();
+            }
             Form::Upload => {
-                let own = self.folder().join(name);
-                fs::create_dir_all(&own).unwrap();
-                fs::write(own.join("lab.tar.gz"), archives::tar(self.lab, files)).unwrap();
-                fs::write(own.join("comment.txt"), "please grade this").unwrap();
+                write_file(&own.join("lab.tar.gz"), archives::tar(self.lab, files)).unwrap();
+                write_file(&own.join("comment.txt"), "please grade this").unwrap();
             }
         }
         self.members.push((name.to_owned(), expected));
     }
-}
-
-fn write(path: &Path, text: &str) {
-    fs::create_dir_all(path.parent().unwrap()).unwrap();
-    fs::File::create(path).unwrap().write_all(text.as_bytes()).unwrap();
 }

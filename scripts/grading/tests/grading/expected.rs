@@ -53,12 +53,13 @@ impl Expected {
     /// Describes how a record differs from the expected result; `None` if the record agrees with
     /// it.
     pub(crate) fn differs(&self, record: &Value) -> Option<&'static str> {
-        let holds = |field: &str, text: &str| record[field].to_string().contains(text);
         match self {
             Self::Graded { .. } if record["status"] != "graded" => Some("not graded"),
             Self::Graded { lost, .. } if !alike(lost_tasks(record), lost) => Some("other marks"),
             Self::Graded { left_out, .. }
-                if !left_out.iter().all(|t| holds("left_out", t) || holds("changed", t)) =>
+                if !left_out
+                    .iter()
+                    .all(|it| holds(&record["left_out"], it) || holds(&record["changed"], it)) =>
             {
                 Some("a reason is missing")
             }
@@ -68,7 +69,9 @@ impl Expected {
                 measures.any(|measure| !times.allow(measure)).then_some("points for such times")
             }
             Self::Ends { status, .. } if record["status"] != *status => Some("another end"),
-            Self::Ends { message, .. } if !holds("message", message) => Some("another message"),
+            Self::Ends { message, .. } if !holds(&record["message"], message) => {
+                Some("another message")
+            }
             Self::Ends { .. } => (record["points"] != 0.0).then_some("marks"),
         }
     }
@@ -83,6 +86,11 @@ impl Times {
             Self::Slow(most) => measure["kind"] != "speed" || grade < most,
         }
     }
+}
+
+/// Whether a field of a record contains a text.
+fn holds(field: &Value, text: &str) -> bool {
+    field.to_string().contains(text)
 }
 
 /// Whether the tasks are equal, in any order.

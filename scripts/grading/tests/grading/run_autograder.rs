@@ -6,12 +6,13 @@ use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use lab_kit::files::write_file;
 use serde_json::Value;
 use tempfile::TempDir;
 
 use crate::archives;
 use crate::cheats::QUICK;
-use crate::grade_command::{compile_what_all_need, program, script};
+use crate::grade_command::{compile_what_all_need, script};
 use crate::solution::{Files, kit, solution, with};
 
 /// Shell script that mounts a compiler and the sources of dependencies, then runs the autograder.
@@ -96,8 +97,8 @@ fn graded(hand_in: impl Fn(&Path)) -> Value {
 /// The autograder runs as root of a namespace, in which every user can find the compiler.
 fn graded_without_namespaces(hand_in: impl Fn(&Path)) -> Option<Value> {
     let is_root = fs::metadata("/proc/self").is_ok_and(|own| own.uid() == 0);
-    let unshare = || Command::new("unshare").args(["--mount", "true"]).status();
-    if !is_root || program("unshare").is_none() || !unshare().is_ok_and(|it| it.success()) {
+    let unshared = Command::new("unshare").args(["--mount", "true"]).status();
+    if !is_root || !unshared.is_ok_and(|it| it.success()) {
         return None;
     }
     let container = Container::of(hand_in);
@@ -115,9 +116,7 @@ fn graded_without_namespaces(hand_in: impl Fn(&Path)) -> Option<Value> {
 /// Writes a submission as a folder of lab 1.
 fn folder(submission: &Path, files: Files) {
     for (path, text) in files {
-        let path = submission.join("my-kit/labs/lab1").join(path);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, text).unwrap();
+        write_file(&submission.join("my-kit/labs/lab1").join(path), text).unwrap();
     }
 }
 
@@ -126,8 +125,9 @@ fn gradescope_shows_a_student_what_is_right_and_what_is_not() {
     // Gradescope unpacks a .zip, and keeps other archives.
     let solved = graded(|submission| folder(submission, solution(1)));
     assert_eq!(solved["score"], 100.0);
-    let all = |test: &Value| test["score"] == test["max_score"] && test["score"] != 0.0;
-    assert!(solved["tests"].as_array().unwrap().iter().all(all), "{solved}");
+    for test in solved["tests"].as_array().unwrap() {
+        assert!(test["score"] == test["max_score"] && test["score"] != 0.0, "{solved}");
+    }
 
     let half = with(1, &[("1.4", "todo!(\"task 1.4\")")]);
     let half = graded(|submission| {
@@ -159,14 +159,16 @@ fn a_grader_that_does_not_run_leaves_no_points() {
     assert!(!top.join("results/results.json").exists(), "Gradescope would take it for a mark");
 }
 
+/// Writes a submission whose code reaches for the files of the autograder, which are below `TOP`.
+fn reach(submission: &Path, code: &str) {
+    let top = submission.parent().unwrap().display().to_string();
+    folder(submission, with(1, &[("1.4", &code.replace("TOP", &top))]));
+}
+
 /// This test compiles the lab's dependencies twice, so scripts/test.sh runs it in a separate stage.
 #[test]
 #[ignore = "takes minutes"]
 fn without_namespaces_a_submission_reads_no_solution_and_writes_no_results() {
-    let reach = |submission: &Path, code: &str| {
-        let top = submission.parent().unwrap().display().to_string();
-        folder(submission, with(1, &[("1.4", &code.replace("TOP", &top))]));
-    };
     let at_run_time = "let read = std::fs::read(\"TOP/source/kit/solutions/lab1/src/force.rs\").map_err(|e| e.kind());
         let wrote = std::fs::write(\"TOP/results/results.json\", \"{}\").map_err(|e| e.kind());
         let of_kit = std::fs::write(\"TOP/source/lab\", \"2\").map_err(|e| e.kind());

@@ -20,8 +20,7 @@ fn number(lab: u8) -> Lab {
 }
 
 fn texts(files: impl IntoIterator<Item = (String, Vec<u8>)>) -> Files {
-    let text = |(path, bytes)| (path, String::from_utf8(bytes).unwrap());
-    files.into_iter().map(text).collect()
+    files.into_iter().map(|(path, bytes)| (path, String::from_utf8(bytes).unwrap())).collect()
 }
 
 /// Returns the sources of the solution, under the lab's own name.

@@ -21,23 +21,28 @@ pub(crate) fn histogram(records: &[Record], full: f64) -> Markup {
         counts[((record.marked.points / full * BARS as f64) as usize).min(BARS - 1)] += 1;
     }
     let most = counts.iter().copied().max().unwrap_or(0).max(1) as f64;
-    let number = |number: f64| format!("{number:.1}");
     html! {
         h2 { "Points" }
         svg viewBox="0 0 320 120" role="img"
             aria-label="How many submissions got which share of the points" {
             line x1="0" x2="320" y1="100" y2="100" {}
             @for (bar, count) in counts.iter().enumerate() {
-                @let (x, height) = (bar * 32, 80.0 * *count as f64 / most);
+                @let x = bar * 32;
+                @let height = 80.0 * *count as f64 / most;
                 @if *count > 0 {
-                    rect x=(x + 3) y=(number(100.0 - height)) width="26" height=(number(height)) {}
-                    text x=(x + 16) y=(number(96.0 - height)) text-anchor="middle" { (count) }
+                    rect x=(x + 3) y=(tenths(100.0 - height)) width="26" height=(tenths(height)) {}
+                    text x=(x + 16) y=(tenths(96.0 - height)) text-anchor="middle" { (count) }
                 }
                 text x=(x) y="115" { (100 / BARS * bar) }
             }
             text x="320" y="115" text-anchor="end" { "%" }
         }
     }
+}
+
+/// Formats a length with one decimal.
+fn tenths(length: f64) -> String {
+    format!("{length:.1}")
 }
 
 /// Draws the number of submissions that solve each task. Adds the most frequent message that the

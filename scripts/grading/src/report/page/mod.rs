@@ -78,9 +78,8 @@ fn fact(value: String, what: &str) -> Markup {
 /// Returns a quantile of sorted numbers, interpolated linearly between neighbours.
 fn quantile(sorted: &[f64], part: f64) -> f64 {
     let at = part * sorted.len().saturating_sub(1) as f64;
-    let number = |at: f64| sorted.get(at as usize).copied().unwrap_or(0.0);
-    let below = number(at.floor());
-    let above = number(at.ceil());
+    let [below, above] =
+        [at.floor(), at.ceil()].map(|at| sorted.get(at as usize).copied().unwrap_or(0.0));
     below + (above - below) * at.fract()
 }
 

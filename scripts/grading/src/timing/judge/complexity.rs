@@ -40,9 +40,9 @@ pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {
         return Ok(Found { grade: Span { min: 0.0, median: 0.0 }, words: why });
     };
     let fitted = slopes(&points);
-    let solution = |n: f64| runs.time(Whose::Solution, n as usize, 1);
-    let from_solution = slopes(&[(points[0].0, solution(points[0].0)?), last]);
-    let theirs = solution(last.0)?;
+    let first = runs.time(Whose::Solution, sizes[0], 1)?;
+    let from_solution = slopes(&[(points[0].0, first), last]);
+    let theirs = runs.time(Whose::Solution, last.0 as usize, 1)?;
     let slope_of = Span::both(|way| {
         let slow = way(&last.1) > DAWDLE * way(&theirs);
         if slow { way(&fitted).max(way(&from_solution)) } else { way(&fitted) }

@@ -29,9 +29,12 @@ pub(crate) struct Runs<'r> {
 impl<'r> Runs<'r> {
     /// Returns the runs of one program that the measure needs.
     pub(crate) fn of(&self, whose: Whose) -> impl Iterator<Item = &'r Run> {
-        let timed = self.timed;
-        let same = move |run: &&Run| run.variant == timed.variant || whose == Whose::Serial;
-        self.all.iter().filter(move |run| run.whose == whose && run.steps > 0).filter(same)
+        let variant = &self.timed.variant;
+        self.all.iter().filter(move |run| {
+            run.whose == whose
+                && run.steps > 0
+                && (run.variant == *variant || whose == Whose::Serial)
+        })
     }
 
     pub(crate) fn not_timed(&self, n: usize) -> Without {
@@ -52,8 +55,8 @@ impl<'r> Runs<'r> {
 
     /// Returns `run`, a run of the submission, or an error if its time is impossibly short.
     fn possible(&self, run: &'r Run) -> Result<&'r Run, Without> {
-        let same = |r: &&Run| r.whose != Whose::Own && (r.n, r.steps) == (run.n, run.steps);
-        for trusted in self.all.iter().filter(same) {
+        let trusted = self.all.iter().filter(|other| other.whose != Whose::Own);
+        for trusted in trusted.filter(|other| (other.n, other.steps) == (run.n, run.steps)) {
             let shortest = span(run).map_or(f64::INFINITY, |span| span.min);
             // `net` subtracts the time for making the scene. So a correct program needs at least
             // `work / IMPOSSIBLE` seconds of processor time.
@@ -123,8 +126,10 @@ fn span(run: &Run) -> Option<Span> {
 /// Returns the time of a run, in seconds, without making the scene and sending the result.
 fn net(runs: &[Run], run: &Run) -> Result<Span, Without> {
     let all = taken(run)?;
-    let without_steps = idle(runs, run).map(taken).transpose()?;
-    Ok(without_steps.map_or(all, |idle| less(all, idle)))
+    let Some(idle) = idle(runs, run) else { return Ok(all) };
+    let idle = taken(idle)?;
+    // A difference below a microsecond becomes a microsecond.
+    Ok(Span::both(|way| (way(&all) - way(&idle)).max(1e-6)))
 }
 
 /// Returns the measured seconds of a run, or the verdict that it was not timed.
@@ -135,13 +140,8 @@ fn taken(run: &Run) -> Result<Span, Without> {
 /// Finds a trusted run without steps on the same number of particles. A run of the same program and
 /// the same number of workers is preferred.
 fn idle<'r>(runs: &'r [Run], run: &Run) -> Option<&'r Run> {
-    let is_idle = |r: &&Run| r.whose != Whose::Own && r.steps == 0 && r.n == run.n;
-    let mut all = runs.iter().filter(is_idle);
+    let trusted = runs.iter().filter(|other| other.whose != Whose::Own);
+    let mut all = trusted.filter(|other| other.steps == 0 && other.n == run.n);
     let first = all.clone().next();
     all.find(|r| (&r.variant, r.workers) == (&run.variant, run.workers)).or(first)
-}
-
-/// Subtracts one time from another. A difference below a microsecond becomes a microsecond.
-fn less(all: Span, part: Span) -> Span {
-    Span::both(|way| (way(&all) - way(&part)).max(1e-6))
 }

@@ -2,7 +2,7 @@
 
 use super::runs::{Runs, busy};
 use super::{Found, Without};
-use crate::record::{Verdict, Whose};
+use crate::record::{Run, Verdict, Whose};
 use lab_measure::autograder::{averages, scaling_grade, strong_efficiency, weak_efficiency};
 use lab_measure::clock::Span;
 
@@ -25,14 +25,12 @@ pub(crate) fn scaling(runs: &Runs<'_>) -> Result<Found, Without> {
     let Some(greatest) = workers.last() else {
         return Err((Verdict::NotTimed, "it was timed on a machine with one core".into()));
     };
-    let own = average_efficiencies(runs, Whose::Own, &workers)?;
-    let theirs = average_efficiencies(runs, Whose::Solution, &workers)?;
-    let grade =
-        |[strong, weak]: &[Span; 2]| Span::both(|way| scaling_grade(way(strong), way(weak)));
+    let own = Efficiencies::of(runs, Whose::Own, &workers)?;
+    let theirs = Efficiencies::of(runs, Whose::Solution, &workers)?;
     // Grades are relative to the solution's grade, because no student can reach a better one on
     // this machine.
-    let own_grade = grade(&own);
-    let most = grade(&theirs);
+    let own_grade = own.grade();
+    let most = theirs.grade();
     if let Some(most) = [most.min, most.median].into_iter().find(|most| *most < FIT) {
         let busy = runs.find(Whose::Solution, runs.timed.n, *greatest).map_or(0.0, busy);
         let why = format!(
@@ -41,43 +39,62 @@ pub(crate) fn scaling(runs: &Runs<'_>) -> Result<Found, Without> {
         );
         return Err((Verdict::TooNoisy, why));
     }
-    let [[strong, weak], [their_strong, their_weak]] = [own, theirs].map(|of| of.map(|e| e.min));
     let mut words = format!(
         "average efficiency on up to {greatest} workers against the serial program: strong \
-         {strong:.2}, weak {weak:.2}; the solution's: {their_strong:.2} and {their_weak:.2}"
+         {:.2}, weak {:.2}; the solution's: {:.2} and {:.2}",
+        own.strong.min, own.weak.min, theirs.strong.min, theirs.weak.min
     );
-    if strong == 0.0 || weak == 0.0 {
+    if own.strong.min == 0.0 || own.weak.min == 0.0 {
         words +=
             "; workers that are together no faster than one, or of whom one works, do not scale";
     }
     Ok(Found { grade: Span::both(|way| (100.0 * way(&own_grade) / way(&most)).min(100.0)), words })
 }
 
-/// Returns the strong-scaling and the weak-scaling efficiency, averaged over the numbers of
-/// workers.
-fn average_efficiencies(
-    runs: &Runs<'_>,
-    whose: Whose,
-    workers: &[usize],
-) -> Result<[Span; 2], Without> {
-    let n = runs.timed.n;
-    let each = (n / workers.last().unwrap_or(&1)).max(1);
-    let least = if whose == Whose::Own { MORE_THAN_ONE } else { CLEARLY_MORE };
-    let mut found: [Vec<Span>; 2] = Default::default();
-    for &p in workers {
-        let of = |alone, together, efficiency: &dyn Fn(f64, f64) -> f64| {
-            let run = runs.find(whose, together, p)?;
-            let one = runs.time(Whose::Serial, alone, 1)?;
-            let all = runs.seconds(run)?;
-            Ok(Span::both(|way| {
-                let efficiency = efficiency(way(&one), way(&all));
-                let is_one = busy(run) < least || p as f64 * efficiency < MORE_THAN_ONE;
-                if is_one { 0.0 } else { efficiency }
-            }))
-        };
-        found[0].push(of(n, n, &|one, all| strong_efficiency(one, p, all))?);
-        found[1].push(of(each, each * p, &weak_efficiency)?);
+/// Efficiencies of a program, averaged over the numbers of workers.
+struct Efficiencies {
+    strong: Span,
+    weak: Span,
+}
+
+impl Efficiencies {
+    fn of(runs: &Runs<'_>, whose: Whose, workers: &[usize]) -> Result<Self, Without> {
+        let n = runs.timed.n;
+        let each = (n / workers.last().unwrap_or(&1)).max(1);
+        let mut strong = Vec::new();
+        let mut weak = Vec::new();
+        for &p in workers {
+            let run = runs.find(whose, n, p)?;
+            strong.push(efficiency(runs, run, n, |one, all| strong_efficiency(one, p, all))?);
+            let run = runs.find(whose, each * p, p)?;
+            weak.push(efficiency(runs, run, each, weak_efficiency)?);
+        }
+        let nothing = Span { min: 0.0, median: 0.0 };
+        Ok(Self {
+            strong: averages(&strong).unwrap_or(nothing),
+            weak: averages(&weak).unwrap_or(nothing),
+        })
     }
-    let nothing = Span { min: 0.0, median: 0.0 };
-    Ok(found.map(|efficiencies| averages(&efficiencies).unwrap_or(nothing)))
+
+    fn grade(&self) -> Span {
+        Span::both(|way| scaling_grade(way(&self.strong), way(&self.weak)))
+    }
+}
+
+/// Returns the efficiency of a run, compared with the serial program on a scene of `alone`
+/// particles; 0 if only one worker works.
+fn efficiency(
+    runs: &Runs<'_>,
+    run: &Run,
+    alone: usize,
+    of_seconds: impl Fn(f64, f64) -> f64,
+) -> Result<Span, Without> {
+    let least = if run.whose == Whose::Own { MORE_THAN_ONE } else { CLEARLY_MORE };
+    let one = runs.time(Whose::Serial, alone, 1)?;
+    let all = runs.seconds(run)?;
+    Ok(Span::both(|way| {
+        let efficiency = of_seconds(way(&one), way(&all));
+        let is_one = busy(run) < least || run.workers as f64 * efficiency < MORE_THAN_ONE;
+        if is_one { 0.0 } else { efficiency }
+    }))
 }
