@@ -18,7 +18,7 @@ use clap::Args;
 use crate::roster::late::file_time;
 use crate::roster::{self, ClassFile};
 use crate::sandbox::{Limits, Sandbox, room};
-use crate::submission::names::{composed, name, named};
+use crate::submission::names::{CLASS, METADATA, composed, name, named};
 use crate::{record, report, submission};
 use batch::{Left, work};
 use grader::Grader;
@@ -140,7 +140,7 @@ fn grade(
     options: &Options,
 ) -> Result<ExitCode> {
     record::expect_lab(into, lab)?;
-    for file in roster::FILES {
+    for file in [CLASS, METADATA] {
         let beside = options.paths.iter().map(|path| path.join(file));
         if let Some(path) = beside.into_iter().find(|path| path.is_file()) {
             roster::link(&path, into)?;

@@ -11,8 +11,7 @@ use anyhow::{Context, Result, ensure};
 use jiff::Timestamp;
 use yaml_rust2::{Yaml, YamlLoader};
 
-/// Name of the file.
-pub(crate) const FILE: &str = "submission_metadata.yml";
+use crate::submission::names::METADATA;
 
 /// Hand-ins by the names of their folders; empty if there is no file.
 #[derive(Debug, Default)]
@@ -39,7 +38,7 @@ impl Export {
     /// # Errors
     /// If the file cannot be read, or is not an export of Gradescope.
     pub(super) fn read(folder: &Path) -> Result<Self> {
-        let path = folder.join(FILE);
+        let path = folder.join(METADATA);
         match fs::read_to_string(&path) {
             Err(error) if error.kind() == ErrorKind::NotFound => Ok(Self::default()),
             text => Self::parse(&text?),

@@ -4,12 +4,11 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use super::FILE;
 use super::attendance::{Attempts, Attendance};
 use super::export::{Export, HandIn};
 use super::students::{Roster, Student, key};
 use crate::record::{Attempt, Record};
-use crate::submission::names::{bare, composed};
+use crate::submission::names::{CLASS, bare, composed};
 use lab_kit::escape::line;
 
 /// Owners of a submission, as an instructor writes them.
@@ -95,7 +94,7 @@ impl<'a> Join<'a> {
     pub(super) fn expect(&self, who: &str, records: &[Record], what: &str) -> Option<usize> {
         let found = self.find(who, records);
         if found.is_none() {
-            eprintln!("{FILE}: {what}: no submission belongs to '{}'", line(who));
+            eprintln!("{CLASS}: {what}: no submission belongs to '{}'", line(who));
         }
         found
     }

@@ -25,7 +25,7 @@ use serde::Deserialize;
 
 use crate::record::{Decision, Record, scale};
 use crate::score::score;
-use crate::submission::names::composed;
+use crate::submission::names::{CLASS, composed};
 use attendance::Attempts;
 pub(crate) use attendance::Attendance;
 use export::Export;
@@ -34,9 +34,6 @@ use lab_kit::Facts;
 use lab_kit::escape::line;
 use late::Late;
 use students::Roster;
-
-/// Name of the file.
-pub(crate) const FILE: &str = "class.toml";
 
 /// Number of digits of a pseudonym.
 const DIGITS: usize = 6;
@@ -64,10 +61,7 @@ pub(crate) struct ClassFile {
     overrides: Vec<Decision>,
 }
 
-/// Names of the two files about submissions: the instructor's and Gradescope's.
-pub(crate) const FILES: [&str; 2] = [FILE, export::FILE];
-
-/// Makes a link in a folder of records to one of the [`FILES`] beside the submissions.
+/// Makes a link in a folder of records to a file about the class beside the submissions.
 ///
 /// # Errors
 /// If the folder has a different file of that name.
@@ -94,7 +88,7 @@ impl ClassFile {
     }
 
     fn read_own(folder: &Path, rubric: &Facts) -> Result<Self> {
-        let path = folder.join(FILE);
+        let path = folder.join(CLASS);
         let text = match fs::read_to_string(&path) {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Self::default()),
             text => text.with_context(|| format!("cannot read {}", path.display()))?,
@@ -139,7 +133,7 @@ impl ClassFile {
         }
         let join = Join::new(self.students.as_ref(), &self.names, &self.export, records);
         for complaint in join.wrong(&self.names, records) {
-            eprintln!("{FILE}: names: {}", line(&complaint));
+            eprintln!("{CLASS}: names: {}", line(&complaint));
         }
         let mut decided = vec![Vec::new(); records.len()];
         for (number, one) in (1..).zip(&self.overrides) {

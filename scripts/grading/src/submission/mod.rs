@@ -13,7 +13,6 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail, ensure};
 
 use crate::record::LeftOut;
-use crate::roster;
 pub(crate) use folder::read;
 use folder::{entries, unpacker};
 use lab_kit::escape::{cut, line};
@@ -90,7 +89,8 @@ fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
 
 /// Whether a file contains information about the class, and is not a submission.
 fn is_about_the_class(path: &Path) -> bool {
-    roster::FILES.iter().any(|name| path.ends_with(name))
+    path.ends_with(names::CLASS)
+        || path.ends_with(names::METADATA)
         || path.extension().is_some_and(|end| end == "csv")
 }
 

@@ -7,6 +7,12 @@ use unicode_normalization::UnicodeNormalization;
 use lab_kit::Lab;
 use lab_kit::sources::{NOT_UTF8, refused};
 
+/// Name of the instructor's file about a class, beside the submissions.
+pub(crate) const CLASS: &str = "class.toml";
+
+/// Name of Gradescope's file about submissions, beside the submissions.
+pub(crate) const METADATA: &str = "submission_metadata.yml";
+
 /// Maximal number of bytes of a submission's name. File names contain this name, and pages show it.
 const MOST: usize = 150;
 
