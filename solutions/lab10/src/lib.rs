@@ -19,7 +19,7 @@ use std::ops::Range;
 use common::soft::Simulation;
 use common::{BuildError, Config, Parameter, Variant, deterministic, observed};
 use neighbour_list_core::kernels::{Pair, Positions, ROOM, Signs};
-use neighbour_list_core::{DIVIDE, NeighbourList, Primitives, SHARE, SKIN, crew};
+use neighbour_list_core::{DIVIDE, NeighbourList, Primitives, SHARE, SKIN, TIMING, crew};
 use solution1::Tally;
 
 const INNER: Parameter = Parameter::switch("inner", "1: with an inner list, 0: without", true);
@@ -33,7 +33,10 @@ fn serial_list(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
 fn neighbour_list(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     let skin = config.parameter(SKIN.name);
     let divide = config.parameter(DIVIDE.name) as u32;
-    Ok(observed!(config, Tally, |O| NeighbourList::<O, Tasks>::new(crew(config), skin, divide)))
+    let timing = config.parameter(TIMING.name) > 0.0;
+    Ok(observed!(config, Tally, |O| {
+        NeighbourList::<O, Tasks>::new(crew(config), skin, divide).timed(timing)
+    }))
 }
 
 /// The programs of this lab.
@@ -47,7 +50,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     deterministic(
         "neighbour-list",
         "the library's engine: that loop with threads, and with particles too fast for a list",
-        &[SKIN, DIVIDE, SHARE],
+        &[SKIN, DIVIDE, SHARE, TIMING],
         neighbour_list,
     ),
 ];

@@ -31,7 +31,7 @@ pub use cells::{Cells, Extent, Grid, Kind, Sorter};
 pub use engine::{External, NeighbourList};
 pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Primitives, Signs, make_room, pack};
 pub use list::{Block, Disc, LISTED, Pairs, REBUILD, TESTED, overlapping};
-pub use parameters::{DIVIDE, SHARE, SKIN, crew};
+pub use parameters::{DIVIDE, SHARE, SKIN, TIMING, crew};
 pub use particles::{Bodies, Moving};
 pub use threads::Crew;
 pub use workers::Workers;

@@ -28,6 +28,10 @@ pub const SHARE: Parameter = Parameter {
     range: (1.0, 1e9),
 };
 
+/// Whether the engine measures the parts of each step.
+pub const TIMING: Parameter =
+    Parameter::switch("timing", "1: measure the parts of a step, for --breakdown", false);
+
 /// Returns the threads of a run, according to `config` and the parameter [`SHARE`].
 pub fn crew(config: &Config) -> Crew {
     Crew::sharing(config.threads, config.parameter(SHARE.name) as usize)

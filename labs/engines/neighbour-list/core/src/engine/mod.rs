@@ -4,6 +4,7 @@
 //! blocks are in `across.rs`.
 
 mod across;
+mod clock;
 mod counts;
 mod neighbour_list;
 mod sums;

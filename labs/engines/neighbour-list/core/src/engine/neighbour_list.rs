@@ -6,6 +6,7 @@ use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics
 use pulp::Arch;
 
 use super::across::{Across, External};
+use super::clock::{Clock, Part};
 use super::counts::Counts;
 use super::sweep::{Pass, Sweep};
 use crate::kernels::Primitives;
@@ -30,6 +31,9 @@ pub struct NeighbourList<O, P> {
     across: Across<P>,
     observer: O,
     counts: Counts,
+    /// Whether `clock` runs.
+    is_timed: bool,
+    clock: Clock,
 }
 
 impl<O: Observer, P: Primitives> NeighbourList<O, P> {
@@ -39,6 +43,11 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     /// `divide` small steps.
     pub fn new(crew: impl Into<Crew>, skin: f64, divide: u32) -> Self {
         Self { crew: crew.into(), fixed_skin: skin * CUTOFF, divide, ..Self::default() }
+    }
+
+    /// Decides whether the engine measures the parts of each step.
+    pub fn timed(self, is_timed: bool) -> Self {
+        Self { is_timed, ..self }
     }
 
     /// Continues with these particles in a box of side `size`.
@@ -103,17 +112,21 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
             return;
         }
         let dt = self.dt();
-        let Self { crew, list, limits, bodies, passes, size, fixed_skin, .. } = self;
+        let Self { crew, list, limits, bodies, passes, size, fixed_skin, clock, .. } = self;
         let skin = |displacement| {
             if *fixed_skin > 0.0 { *fixed_skin } else { list.cheapest_skin(bodies, displacement) }
         };
         let skin = limits.renew(bodies, dt, *size, skin);
-        let tested = list.rebuild(bodies, skin, *size, crew.workers());
+        clock.lap(Part::Limits);
+        list.sort(bodies, skin, *size, crew.workers());
+        clock.lap(Part::Sort);
+        let tested = list.collect(bodies, crew.workers());
         passes.resize_with(list.blocks.len(), Pass::default);
         let work = list.blocks.iter().zip(passes).collect();
         crew.workers().map(work, |(block, pass): (&Block, &mut Pass<P>)| {
             limits.note_fast(bodies, block.particles.clone(), &mut pass.fast);
         });
+        clock.lap(Part::Outer);
         self.counts.rebuilds += 1;
         self.counts.skins += skin / CUTOFF;
         self.count(tested);
@@ -131,9 +144,11 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     /// different blocks.
     pub fn begin(&mut self) {
         self.rebuild_inner_if_due();
+        self.clock.lap(Part::Inner);
         self.count(self.list.blocks.iter().map(|block| block.pairs().len() as u64).sum());
         let Self { list, bodies, across, observer, .. } = self;
         across.find(&list.blocks, bodies.positions(), observer);
+        self.clock.lap(Part::Across);
     }
 
     fn rebuild_inner_if_due(&mut self) {
@@ -194,6 +209,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
             },
         );
         observers.iter().for_each(|seen| observer.merge(seen));
+        self.clock.lap(Part::Sweep);
     }
 
     /// Moves all particles by a small step, with a new list if the old one has expired.
@@ -227,6 +243,9 @@ impl<O: Observer, P: Primitives> Simulation for NeighbourList<O, P> {
         self.crew.engage(scene.len());
         self.start(Bodies::of(scene), scene.size());
         self.counts = Counts::default();
+        if self.is_timed {
+            self.clock.start();
+        }
     }
 
     fn step(&mut self) {
@@ -246,6 +265,8 @@ impl<O: Observer, P: Primitives> Simulation for NeighbourList<O, P> {
     }
 
     fn counters(&self) -> Vec<(&'static str, f64)> {
-        self.counts.shown(self.bodies.len())
+        let mut counters = self.counts.shown(self.bodies.len());
+        counters.extend(self.clock.shown(self.crew.workers().count()));
+        counters
     }
 }

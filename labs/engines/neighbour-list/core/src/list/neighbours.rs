@@ -70,20 +70,26 @@ impl<P: Primitives> Neighbours<P> {
     ///
     /// Returns the number of pairs that were tested.
     pub fn rebuild(&mut self, bodies: &mut Bodies, skin: f64, size: f64, workers: &Workers) -> u64 {
+        self.sort(bodies, skin, size, workers);
+        self.collect(bodies, workers)
+    }
+
+    /// Sorts `bodies` into cells for a new list.
+    pub(crate) fn sort(&mut self, bodies: &mut Bodies, skin: f64, size: f64, workers: &Workers) {
         self.rounding = 1e-15 * size;
         let reach = self.reach(skin);
         let grid = Grid::new(&Extent::among(bodies, workers), reach);
         if let Some(cells) = self.cells.take() {
             self.sorter.take_back(cells);
         }
-        let cells = self.sorter.sort(bodies, grid, workers);
-        self.list(bodies, &cells, reach, workers);
-        self.cells = Some(cells);
+        self.cells = Some(self.sorter.sort(bodies, grid, workers));
         self.budget = Budget::of(skin);
-        self.blocks.iter().map(|block| block.tested).sum()
     }
 
-    fn list(&mut self, bodies: &Bodies, cells: &Cells, reach: f64, workers: &Workers) {
+    /// Lists the pairs of sorted `bodies`. Returns the number of pairs that were tested.
+    pub(crate) fn collect(&mut self, bodies: &Bodies, workers: &Workers) -> u64 {
+        let Some(cells) = &self.cells else { return 0 };
+        let reach = self.reach(self.budget.skin);
         let n = bodies.len();
         let length = pieces(n, LEAST, BLOCKS);
         self.blocks.resize_with(n.div_ceil(length), Block::default);
@@ -92,6 +98,7 @@ impl<P: Primitives> Neighbours<P> {
             block.particles = k * length..n.min((k + 1) * length);
             dispatch(Collect { block, bodies, cells, reach, primitives: self.primitives });
         });
+        self.blocks.iter().map(|block| block.tested).sum()
     }
 
     /// Returns the distance within which pairs are listed, for this `skin`.
