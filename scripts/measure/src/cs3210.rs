@@ -5,7 +5,8 @@ use serde::Serialize;
 
 use super::published::{growth, scaling, swept};
 
-/// A number of the CS3210 report for a run of 50 steps, in seconds unless it is scaled.
+/// A number of the CS3210 report for a run of [`HARD_STEPS`](crate::published::HARD_STEPS) steps, in
+/// seconds unless it is scaled.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Printed {

@@ -81,8 +81,8 @@ impl Effort {
         Ok(Fitted { jobs, left_out: Vec::new() })
     }
 
-    /// Chooses the steps of each job separately. With `affordable`, the function omits jobs whose
-    /// steps would take far too long.
+    /// Chooses the steps of each job separately. With `affordable`, and if the user has set no
+    /// `--steps`, the function omits jobs whose steps would take far too long.
     fn each(
         &self,
         runner: &Runner,

@@ -123,20 +123,26 @@ impl Scene {
         }
         command.args(["--steps", &steps.to_string()]);
         match self {
-            Self::Spread { n, neighbours } => write_scene(file, &spread(*n, *neighbours)?)?,
-            Self::Given(scene) => write_scene(file, scene)?,
+            Self::Spread { n, neighbours } => {
+                give_scene(command, file, &spread(*n, *neighbours)?)?;
+            }
+            Self::Given(scene) => give_scene(command, file, scene)?,
             other => {
                 command.args(["-s", "1", "-n", &other.n().to_string()]);
             }
-        }
-        if let Self::Spread { .. } | Self::Given(_) = self {
-            command.arg("--scene").arg(file);
         }
         if let Self::Counter { .. } = self {
             command.args(["--generator", "counter"]);
         }
         Ok(())
     }
+}
+
+/// Writes a scene to `file`, and appends the option that makes a program read this file.
+fn give_scene(command: &mut Command, file: &Path, scene: &soft::Scene) -> Result<()> {
+    write_scene(file, scene)?;
+    command.arg("--scene").arg(file);
+    Ok(())
 }
 
 /// Makes the official scene of seed 1 in a box of a different size, with the same velocities.

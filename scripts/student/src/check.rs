@@ -188,14 +188,14 @@ mod tests {
 
     use super::{complete, is_begun, unbroken};
     use crate::results::Run;
+    use crate::tasks::Progress;
     use crate::tasks::State;
-    use crate::tasks::tests::tasks_in;
     use lab_kit::Kit;
     use lab_kit::harness::{Outcome, Verdict};
     use lab_kit::starter::Record;
 
     fn run(states: &[State]) -> Run {
-        Run { tasks: tasks_in(2, states), ..Run::default() }
+        Run { tasks: Progress::samples(2, states), ..Run::default() }
     }
 
     #[test]

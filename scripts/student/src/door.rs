@@ -36,9 +36,8 @@ pub(crate) fn pass(kit: &Kit, words: &[&str]) -> Result<()> {
 
 /// Finds the other package that has a command; `None` if there is none.
 fn family_of(kit: &Kit, name: &OsStr) -> Result<Option<Family>> {
-    let mut others = others(families(kit)?);
-    others.retain(|family| family.commands.iter().any(|(own, _)| name == own.as_str()));
-    Ok(others.pop())
+    let mut others = others(families(kit)?).into_iter();
+    Ok(others.find(|family| family.commands.iter().any(|(own, _)| name == own.as_str())))
 }
 
 /// Builds a package, and returns the beginning of a command line that runs it.

@@ -59,7 +59,7 @@ impl Graded {
         match build(self.tests()) {
             Ok(_) => None,
             Err(BuildError::Compile(_)) => Some(self.unbuilt()),
-            Err(BuildError::Cargo(why)) => Some(format!("it could not be built here: {why}")),
+            Err(BuildError::Other(why)) => Some(format!("it could not be built here: {why}")),
         }
     }
 

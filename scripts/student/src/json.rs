@@ -44,13 +44,13 @@ pub(crate) fn run(kit: &Kit, What { lab, task }: What, build: Build) -> Result<E
 mod tests {
     use super::Report;
     use crate::results::Run;
+    use crate::tasks::Progress;
     use crate::tasks::State;
-    use crate::tasks::tests::tasks_in;
     use lab_kit::harness::{Outcome, Verdict};
 
     #[test]
     fn tasks_have_names_states_and_outcomes() {
-        let mut tasks = tasks_in(1, &[State::Failing]);
+        let mut tasks = Progress::samples(1, &[State::Failing]);
         tasks[0].tests = vec![Outcome::new("task_1_1::pairs", Verdict::Failed, "the distance")];
         let run = Run { tasks, ..Run::default() };
         let lab = "1".parse().unwrap();

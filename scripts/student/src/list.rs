@@ -144,15 +144,15 @@ fn mark(state: State) -> char {
 #[cfg(test)]
 mod tests {
     use super::{Overview, table};
+    use crate::tasks::Progress;
     use crate::tasks::State;
-    use crate::tasks::tests::tasks_in;
 
     fn overview(lab: u8, title: &str, stale: bool, states: &[State]) -> Overview {
         Overview {
             lab: lab.to_string().parse().unwrap(),
             title: title.into(),
             stale,
-            tasks: tasks_in(lab, states),
+            tasks: Progress::samples(lab, states),
             missing: (lab == 10).then_some("a driver: scripts/setup.sh installs it"),
         }
     }

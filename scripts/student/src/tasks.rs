@@ -164,16 +164,12 @@ pub(crate) fn print_tasks(tasks: &[Progress]) {
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
-    use super::{Progress, State, What, expect_task, line_of_todo, state};
-    use lab_kit::Kit;
-    use lab_kit::harness::{Outcome, Verdict};
-
+impl Progress {
     /// Makes the tasks of a lab, without tests, in these states.
-    pub(crate) fn tasks_in(lab: u8, states: &[State]) -> Vec<Progress> {
+    pub(crate) fn samples(lab: u8, states: &[State]) -> Vec<Self> {
         let mut tasks = Vec::new();
         for (state, number) in states.iter().zip(1..) {
-            tasks.push(Progress {
+            tasks.push(Self {
                 task: format!("{lab}.{number}").parse().unwrap(),
                 title: "a task".into(),
                 optional: false,
@@ -183,6 +179,13 @@ pub(crate) mod tests {
         }
         tasks
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{State, What, expect_task, line_of_todo, state};
+    use lab_kit::Kit;
+    use lab_kit::harness::{Outcome, Verdict};
 
     fn outcome(verdict: Verdict, message: &str) -> Outcome {
         Outcome::new("task_1_1_x", verdict, message)

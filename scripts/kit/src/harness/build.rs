@@ -29,14 +29,14 @@ pub enum BuildError {
     /// The code does not compile.
     #[error("it does not compile: {}", .0.first().map_or("", |error| error.rendered.trim()))]
     Compile(Vec<CompileError>),
-    /// Cargo failed before it compiled anything.
+    /// An error that is not in the lab's code, in words.
     #[error("{0}")]
-    Cargo(String),
+    Other(String),
 }
 
 impl From<anyhow::Error> for BuildError {
     fn from(error: anyhow::Error) -> Self {
-        Self::Cargo(format!("{error:#}"))
+        Self::Other(format!("{error:#}"))
     }
 }
 
@@ -98,7 +98,7 @@ pub fn build(build: Build) -> Result<TestProgram, BuildError> {
     match program {
         Some(program) if output.status.success() => Ok(program),
         _ if !errors.is_empty() => Err(BuildError::Compile(errors)),
-        _ => Err(BuildError::Cargo(match String::from_utf8_lossy(&output.stderr).trim() {
+        _ => Err(BuildError::Other(match String::from_utf8_lossy(&output.stderr).trim() {
             "" => "the reason is in cargo's messages above".into(),
             complaint => complaint.into(),
         })),

@@ -55,7 +55,7 @@ impl Outcome {
         outcome
     }
 
-    /// Whether the outcome is not a failure.
+    /// Whether the test passed, was ignored, or could not run here.
     pub fn passes(&self) -> bool {
         matches!(self.verdict, Verdict::Passed | Verdict::Ignored | Verdict::Skipped)
     }

@@ -27,9 +27,9 @@ pub fn read_below(folder: &Path) -> Result<Files> {
 ///
 /// These are the files in src/ and tests/, and the manifest.
 pub fn own_files(folder: &Path) -> Result<Files> {
-    let own = ["src", "tests", "Cargo.toml"].map(|name| folder.join(name));
-    let mut paths = sources_below(folder)?;
-    paths.retain(|path| own.iter().any(|own| path.starts_with(own)));
+    let mut paths = sources_below(&folder.join("src"))?;
+    paths.extend(sources_below(&folder.join("tests"))?);
+    paths.extend(Some(folder.join("Cargo.toml")).filter(|path| path.is_file()));
     read(folder, &paths)
 }
 

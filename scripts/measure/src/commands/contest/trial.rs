@@ -11,13 +11,13 @@ use crate::job::{Job, RunOutput, States};
 use crate::runner::Runner;
 
 /// The result of a run. The inner error is a fault of the program, in words.
-pub(super) type Outcome<T> = Result<std::result::Result<T, String>>;
+pub(super) type Ran<T> = Result<std::result::Result<T, String>>;
 
 /// A way to run a job on a drawn scene.
-pub type Track<'a> = dyn Fn(&Drawn, &Job) -> Outcome<RunOutput> + 'a;
+pub type Track<'a> = dyn Fn(&Drawn, &Job) -> Ran<RunOutput> + 'a;
 
 /// Runs jobs by a runner. Every error of the runner counts as a fault of the program.
-pub(super) fn by(runner: &Runner) -> impl Fn(&Drawn, &Job) -> Outcome<RunOutput> {
+pub(super) fn by(runner: &Runner) -> impl Fn(&Drawn, &Job) -> Ran<RunOutput> {
     |_, job| Ok(runner.run(job).map_err(|why| format!("{why:#}")))
 }
 
@@ -52,7 +52,7 @@ impl Drawn {
     }
 
     /// Runs a job for the contest's steps.
-    pub(super) fn run(&self, track: &Track<'_>, job: Job) -> Outcome<End> {
+    pub(super) fn run(&self, track: &Track<'_>, job: Job) -> Ran<End> {
         let job = Job { steps: STEPS, states: Some(States::Last), ..job };
         let output = match track(self, &job)? {
             Ok(output) => output,

@@ -12,10 +12,12 @@ use crate::columns::Columns;
 use crate::job::{Job, RunOutput};
 use crate::runner::Runner;
 
-/// Floating-point operations of a distance, of the force of a pair on one of its particles, and of
-/// the move of a particle. A division or a root counts as one operation.
+/// Floating-point operations of the distance of two particles.
 const DISTANCE: f64 = 5.0;
+/// Floating-point operations of the force of a pair on one of its particles. A division or a root
+/// counts as one operation.
 const FORCE: f64 = 9.0;
+/// Floating-point operations of the move of a particle.
 const MOVE: f64 = 8.0;
 
 #[derive(Deserialize, Serialize)]

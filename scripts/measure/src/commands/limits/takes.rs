@@ -17,7 +17,11 @@ pub(super) struct Counted {
 }
 
 /// Seconds of a run until counting began, and of the whole run.
-type Stretch = [f64; 2];
+#[derive(Clone, Copy)]
+struct Stretch {
+    until: f64,
+    in_all: f64,
+}
 
 /// The runs of a program in one round.
 #[derive(Clone, Copy)]
@@ -50,7 +54,18 @@ impl Counted {
 
     fn stretch(&self, runner: &Runner, workers: usize, steps: u64) -> Result<Stretch> {
         let until = runner.run(&self.job(workers, self.after))?.seconds;
-        Ok([until, runner.run(&self.job(workers, self.after + steps))?.seconds])
+        let in_all = runner.run(&self.job(workers, self.after + steps))?.seconds;
+        Ok(Stretch { until, in_all })
+    }
+}
+
+impl Stretch {
+    fn least(self, other: Self) -> Self {
+        Self { until: self.until.min(other.until), in_all: self.in_all.min(other.in_all) }
+    }
+
+    fn seconds(self) -> f64 {
+        self.in_all - self.until
     }
 }
 
@@ -58,23 +73,19 @@ impl Take {
     /// Returns the least times of two rounds.
     pub(super) fn least(self, other: Self) -> Self {
         Self {
-            alone: least(self.alone, other.alone),
-            on_all: self.on_all.zip(other.on_all).map(|(a, b)| least(a, b)),
+            alone: self.alone.least(other.alone),
+            on_all: self.on_all.zip(other.on_all).map(|(a, b)| a.least(b)),
             streaming: self.streaming.min(other.streaming),
         }
     }
 
     /// Returns the seconds of the counted steps.
     pub(super) fn seconds(self) -> f64 {
-        self.alone[1] - self.alone[0]
+        self.alone.seconds()
     }
 
     /// Returns the seconds of the counted steps on all cores; `None` if workers do not share them.
     pub(super) fn seconds_on_all(self) -> Option<f64> {
-        self.on_all.map(|[until, in_all]| in_all - until)
+        self.on_all.map(Stretch::seconds)
     }
-}
-
-fn least(a: Stretch, b: Stretch) -> Stretch {
-    [a[0].min(b[0]), a[1].min(b[1])]
 }

@@ -18,7 +18,7 @@ use crate::scene;
 pub(super) type Answer = Result<Option<Vec<Vec<Particle>>>>;
 
 /// A way to run a scene of a trial.
-pub(super) type Run<'a> = dyn Fn(&Scene) -> Answer + 'a;
+pub(super) type RunScene<'a> = dyn Fn(&Scene) -> Answer + 'a;
 
 pub(super) struct Lab<'a> {
     pub(super) program: Program,

@@ -1,11 +1,11 @@
-//! The verdict on a measured number (a figure). The figure passes, is a limit of the method, or
-//! shows a mistake.
+//! The results of a program, and the verdict on each measured number (a figure). The figure passes,
+//! is a limit of the method, or shows a mistake.
 
 use anyhow::Result;
 use lab_kit::program::Program;
 use serde::{Deserialize, Serialize};
 
-use super::engine::{Lab, Run};
+use super::engine::{Lab, RunScene};
 use super::inputs::{self, Input};
 use super::method::Method;
 use super::observed::{Met, Observed};
@@ -34,6 +34,7 @@ pub(super) enum Verdict {
     Fails(String),
 }
 
+/// The results of a program.
 #[derive(Serialize)]
 pub(super) struct Row {
     pub(super) program: Program,
@@ -59,7 +60,7 @@ pub(super) struct Judged {
 }
 
 /// Runs a trial with `run`, which claims to use `method`, and judges it.
-pub(super) fn judge(method: Method, trial: &Trial, run: &Run) -> Judged {
+pub(super) fn judge(method: Method, trial: &Trial, run: &RunScene) -> Judged {
     let observed = match observe(method, trial, run) {
         Ok(observed) => observed,
         Err(verdict) => {
@@ -81,7 +82,7 @@ pub(super) fn judge(method: Method, trial: &Trial, run: &Run) -> Judged {
 }
 
 /// Runs all scenes of a trial. If nothing can be measured, the error is the verdict.
-fn observe(method: Method, trial: &Trial, run: &Run) -> Result<Observed, Verdict> {
+fn observe(method: Method, trial: &Trial, run: &RunScene) -> Result<Observed, Verdict> {
     let mut observed = Observed::default();
     for scene in &trial.scenes {
         let frames = match run(scene) {

@@ -2,7 +2,10 @@
 
 use std::time::{Duration, Instant};
 
-/// The parts of a step. A step with a valid list consists of the last two parts only.
+/// The parts of a step.
+///
+/// The first three parts occur only in steps with a new outer list. [`Inner`](Self::Inner) takes
+/// time only if the inner list has expired.
 #[derive(Clone, Copy)]
 pub(super) enum Part {
     /// The speed limit, and the skin of a new list.
@@ -43,6 +46,11 @@ impl Clock {
         *self = Self { last: Some(Instant::now()), ..Self::default() };
     }
 
+    /// Begins a step, unless the clock stands still: the time since the last part does not count.
+    pub(super) fn resume(&mut self) {
+        self.last = self.last.map(|_| Instant::now());
+    }
+
     /// Ends `part` and begins the next part.
     pub(super) fn lap(&mut self, part: Part) {
         if let Some(last) = &mut self.last {
@@ -51,8 +59,8 @@ impl Clock {
         }
     }
 
-    /// Returns the seconds of each part, summed over `threads`, with their names; empty if the
-    /// clock was not started.
+    /// Returns the seconds of each part times `threads`, with their names; empty if the clock was
+    /// not started.
     pub(super) fn shown(&self, threads: usize) -> Vec<(&'static str, f64)> {
         let seconds = self.parts.map(|part| threads as f64 * part.as_secs_f64());
         let named = NAMES.into_iter().zip(seconds);

@@ -31,7 +31,7 @@ pub struct NeighbourList<O, P> {
     across: Across<P>,
     observer: O,
     counts: Counts,
-    /// Whether `clock` runs.
+    /// Whether loading a scene starts `clock`.
     is_timed: bool,
     clock: Clock,
 }
@@ -216,6 +216,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     ///
     /// Returns an upper bound for the distance that the fastest particle went.
     pub fn advance(&mut self) -> f64 {
+        self.clock.resume();
         if self.has_expired() {
             self.rebuild();
         }
@@ -266,7 +267,7 @@ impl<O: Observer, P: Primitives> Simulation for NeighbourList<O, P> {
 
     fn counters(&self) -> Vec<(&'static str, f64)> {
         let mut counters = self.counts.shown(self.bodies.len());
-        counters.extend(self.clock.shown(self.crew.workers().count()));
+        counters.extend(self.clock.shown(self.crew.most()));
         counters
     }
 }

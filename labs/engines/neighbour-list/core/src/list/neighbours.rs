@@ -86,9 +86,13 @@ impl<P: Primitives> Neighbours<P> {
         self.budget = Budget::of(skin);
     }
 
-    /// Lists the pairs of sorted `bodies`. Returns the number of pairs that were tested.
+    /// Lists the pairs of `bodies`, which [`sort`](Self::sort) has sorted. Returns the number of
+    /// pairs that were tested.
+    ///
+    /// # Panics
+    /// If the bodies have not been sorted.
     pub(crate) fn collect(&mut self, bodies: &Bodies, workers: &Workers) -> u64 {
-        let Some(cells) = &self.cells else { return 0 };
+        let cells = self.cells.as_ref().expect("the bodies are sorted");
         let reach = self.reach(self.budget.skin);
         let n = bodies.len();
         let length = pieces(n, LEAST, BLOCKS);
