@@ -6,10 +6,10 @@ use anyhow::{Result, ensure};
 
 use lab_kit::answers::Task;
 use lab_kit::facts::TaskFacts;
-use lab_kit::{Kit, Lab, hints};
+use lab_kit::{Kit, Lab, task_list};
 
 /// The names of the three hints of a task.
-const TIERS: [&str; hints::TIERS] = ["a nudge", "the idea", "nearly the answer"];
+const TIERS: [&str; task_list::TIERS] = ["a nudge", "the idea", "nearly the answer"];
 
 /// Returns the page `file` of the book with its tasks inserted.
 ///
@@ -25,7 +25,7 @@ pub(crate) fn placed(kit: &Kit, file: &Path, text: &str, with_hints: bool) -> Re
     let Some(lab) = number.and_then(|number| number.parse::<Lab>().ok()) else {
         return Ok(text.to_owned());
     };
-    let tasks = hints::read(kit, lab)?;
+    let tasks = task_list::read(kit, lab)?;
     if tasks.is_empty() {
         return Ok(text.to_owned());
     }

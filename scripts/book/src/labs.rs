@@ -6,7 +6,7 @@
 use anyhow::Result;
 
 use lab_kit::facts::Timed;
-use lab_kit::{Facts, Kit, Lab, Workers, answers, hints, rubric, wrong};
+use lab_kit::{Facts, Kit, Lab, Workers, answers, rubric, task_list, wrong};
 
 use crate::chapter_tasks::{difficulty, optional};
 
@@ -30,7 +30,7 @@ pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
     }
     out += "\n<details><summary>Hours and difficulty, task by task</summary>\n\n\
             | task | | hours | difficulty |\n|---|---|---:|---|\n";
-    for (id, task) in hints::read(kit, lab)? {
+    for (id, task) in task_list::read(kit, lab)? {
         let mark = difficulty(&task) + optional(&task);
         out += &format!("| {id} | {} | {} | {mark} |\n", task.title, task.hours);
     }
@@ -72,7 +72,7 @@ pub(crate) fn rubric(kit: &Kit) -> Result<String> {
     for (lab, rubric) in rubric::all(kit)? {
         out +=
             &format!("\n## Lab {lab}: {}\n\n| task | | points |\n|---|---|---|\n", kit.title(lab));
-        for (id, task) in hints::read(kit, lab)? {
+        for (id, task) in task_list::read(kit, lab)? {
             out += &format!("| {id} | {}{} | {} |\n", task.title, optional(&task), task.points);
         }
         let timed: [(&str, &Option<Timed>, &str); 3] = [

@@ -60,9 +60,13 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     say_changes(&before, &after, verb);
     if !dry_run {
         after.iter().try_for_each(|record| record.write(folder))?;
-        let pages = report::write(kit, lab, &after, (&class, &attendance), folder)?;
+        report::write(kit, lab, &after, (&class, &attendance), folder)?;
         attendance.say(&after);
-        pages.iter().for_each(|page| println!("{page}"));
+        println!("The class: {}", folder.join("index.html").display());
+        // The contest comes last, so that a failure hides no results.
+        if let Some(page) = report::publish_contest(kit, &after, folder)? {
+            println!("The contest: {}", page.display());
+        }
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -10,7 +10,7 @@ use anyhow::{Result, ensure};
 use clap::Args;
 use serde_json::{Value, json};
 
-use lab_kit::{Kit, Lab, hints, rubric};
+use lab_kit::{Kit, Lab, rubric, task_list};
 
 /// Print the tests of a lab for Classroom 50 (for instructors)
 ///
@@ -48,7 +48,7 @@ fn tests(kit: &Kit, lab: Lab) -> Result<Vec<Value>> {
         "name": "setup", "type": "run", "timeout": BUILD, "points": 0,
         "run": format!("scripts/setup.sh --for {workers} && {build}"),
     })];
-    for (id, task) in hints::read(kit, lab)? {
+    for (id, task) in task_list::read(kit, lab)? {
         let points = task.points;
         let is_whole = points.fract() == 0.0;
         ensure!(is_whole, "task {id} has {points} points; Classroom 50 takes whole numbers");

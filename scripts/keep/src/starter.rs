@@ -10,7 +10,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 
 use lab_kit::starter::{Record, generate, own_files};
-use lab_kit::{Kit, Lab, answers, hints};
+use lab_kit::{Kit, Lab, answers, task_list};
 
 /// Write the labs' starters from their solutions (for those who maintain the kit)
 ///
@@ -105,7 +105,8 @@ fn task_drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     if asked.is_empty() {
         return Ok(Vec::new());
     }
-    let hinted: BTreeSet<_> = hints::read(kit, lab)?.into_iter().map(|(task, _)| task).collect();
+    let hinted: BTreeSet<_> =
+        task_list::read(kit, lab)?.into_iter().map(|(task, _)| task).collect();
     let without = asked.difference(&hinted).map(|task| format!("lab.toml has no task {task}"));
     let unasked = hinted
         .difference(&asked)

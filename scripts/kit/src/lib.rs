@@ -1,7 +1,7 @@
 //! Shared parts of the `cargo lab` commands.
 //!
 //! [`Kit`] has the paths of the kit, and [`Facts`] describes a [`Lab`]. [`answers`] reads the tasks
-//! in a solution, and [`starter`] makes a starter from a solution. [`hints`], [`wrong`], [`quiz`]
+//! in a solution, and [`starter`] makes a starter from a solution. [`task_list`], [`wrong`], [`quiz`]
 //! and [`rubric`] read the files beside the solution. [`given`] selects the files of a submission
 //! that are built. [`harness`] runs a lab's tests and [`binaries`] its programs, each in a separate
 //! [`process`]. [`cargo`] shows the progress of builds, and [`fresh`] ensures that builds are made
@@ -18,7 +18,6 @@ pub mod files;
 pub mod fresh;
 pub mod given;
 pub mod harness;
-pub mod hints;
 pub mod kit;
 pub mod lab;
 pub mod machine;
@@ -31,6 +30,7 @@ pub mod sources;
 pub mod starter;
 pub mod system;
 pub mod table;
+pub mod task_list;
 pub mod terminal;
 pub mod wrong;
 

@@ -11,7 +11,7 @@ use crate::tasks::expect_task;
 use lab_kit::Kit;
 use lab_kit::answers::Task;
 use lab_kit::facts::TaskFacts;
-use lab_kit::hints::{self, TIERS};
+use lab_kit::task_list::{self, TIERS};
 use lab_kit::terminal::folded;
 
 /// Get a hint for a task: first a nudge, then the idea, then nearly the answer
@@ -31,7 +31,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let task = options.task;
     kit.expect_starter(task.lab)?;
     expect_task(kit, task)?;
-    let mut all = hints::read(kit, task.lab)?.into_iter();
+    let mut all = task_list::read(kit, task.lab)?.into_iter();
     let facts = all.find(|(own, _)| *own == task).map(|(_, facts)| facts);
     let facts = facts.with_context(|| format!("task {task} has no hints yet"))?;
     let shown = options.tier.map_or_else(|| next(kit, task), |tier| Ok(usize::from(tier)))?;

@@ -12,7 +12,7 @@ use lab_kit::files::read_bytes;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::starter::todo;
 use lab_kit::terminal::folded;
-use lab_kit::{Kit, Lab, hints, sources_below};
+use lab_kit::{Kit, Lab, sources_below, task_list};
 
 /// A whole lab, or one task of it.
 #[derive(Clone, Copy)]
@@ -74,7 +74,7 @@ pub(crate) struct Progress {
 /// Returns the tasks of a lab in order, with the outcomes that belong to each.
 pub(crate) fn progress(kit: &Kit, lab: Lab, outcomes: &[Outcome]) -> Result<Vec<Progress>> {
     let mut tasks = BTreeMap::new();
-    for (task, TaskFacts { title, optional, .. }) in hints::read(kit, lab)? {
+    for (task, TaskFacts { title, optional, .. }) in task_list::read(kit, lab)? {
         tasks.insert(task, (title, optional));
     }
     // A lab may have no facts.

@@ -4,10 +4,10 @@ use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 
 use super::PROBE;
-use crate::sandbox::faults::named;
+use crate::sandbox::faults::{machine_works, named};
 use crate::sandbox::{BUILT_FILE, GIVEN_FILE, Sandbox};
 use lab_kit::process::run as run_process;
 use lab_kit::sources::Sources;
@@ -85,15 +85,19 @@ fn is_place(text: &str) -> bool {
 }
 
 /// Removes the compiled files of packages, because `include_bytes!` could read them. Dependencies
-/// stay compiled. Returns why the files cannot be removed; `None` if they were removed.
-pub(super) fn clean(root: &Path, packages: &[&str], sandbox: &Sandbox) -> Result<Option<String>> {
-    let mut cargo = sandbox.cargo(root, GIVEN_FILE);
-    cargo.args(["clean", "--quiet", "--offline", "--release"]);
-    cargo.args(packages.iter().flat_map(|package| ["--package", *package]));
-    let finished = run_process(&mut cargo, sandbox.limits.build)?;
-    Ok(match finished.status {
-        Some(status) if status.success() => None,
-        _ => Some(format!("what was built before cannot be removed: {}", named(&finished.stderr))),
+/// stay compiled.
+///
+/// # Errors
+/// If every attempt fails, which is a fault of the machine.
+pub(super) fn clean(root: &Path, packages: &[&str], sandbox: &Sandbox) -> Result<()> {
+    machine_works(|| {
+        let mut cargo = sandbox.cargo(root, GIVEN_FILE);
+        cargo.args(["clean", "--quiet", "--offline", "--release"]);
+        cargo.args(packages.iter().flat_map(|package| ["--package", *package]));
+        let finished = run_process(&mut cargo, sandbox.limits.build)?;
+        let succeeded = finished.status.is_some_and(|status| status.success());
+        ensure!(succeeded, "old build files cannot be removed: {}", named(&finished.stderr));
+        Ok(())
     })
 }
 

@@ -125,17 +125,13 @@ impl Tree {
         let until = Instant::now() + order.limit;
         let Order { sources, names, .. } = *order;
         self.programs.hide(&root.join(PACKAGE))?;
-        if let Some(why) = put(root, self.lab, sources, sandbox)? {
-            return Ok(Err(why));
-        }
+        put(root, self.lab, sources, sandbox)?;
         if let Some(why) = compile(root, sandbox, order, until, "human")? {
             return Ok(Err(why));
         }
         empty(root, self.lab, sources)?;
         self.programs.show(&root.join(PACKAGE))?;
-        if let Some(why) = clean(root, &[PROBE], sandbox)? {
-            return Ok(Err(why));
-        }
+        clean(root, &[PROBE], sandbox)?;
         // Short messages do not quote the questions, which a student must not read.
         if let Some(why) = compile(root, sandbox, order, until, "short")? {
             let what =
@@ -171,9 +167,7 @@ impl Tree {
         // The judge contains right answers, so no submission may read it.
         fs::set_permissions(built.path().join(asking::JUDGE), Permissions::from_mode(0o700))?;
         // Nothing of the solution remains in the tree.
-        if let Some(why) = put(self.folder.path(), self.lab, &Sources::new(), sandbox)? {
-            bail!("{why}");
-        }
+        put(self.folder.path(), self.lab, &Sources::new(), sandbox)?;
         cache::keep(&cache::of(kit), self.folder.path())?;
         // The oracle is compiled now. Its sources are emptied, so that no submission can include
         // them.
@@ -195,19 +189,16 @@ fn fetch(root: &Path) {
 }
 
 /// Replaces the previous submission's sources and removes everything that was built from them.
-/// Returns why that cannot be removed; `None` if it was removed.
-fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<Option<String>> {
+fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<()> {
     let name = format!("lab{lab}");
-    if let Some(why) = clean(root, &[&name, PROBE], sandbox)? {
-        return Ok(Some(why));
-    }
+    clean(root, &[&name, PROBE], sandbox)?;
     let folder = root.join("labs").join(name);
     fs::remove_dir_all(folder.join("src"))?;
     fs::create_dir_all(folder.join("src"))?;
     for (path, bytes) in sources {
         write_file(&folder.join(path), bytes)?;
     }
-    Ok(None)
+    Ok(())
 }
 
 /// Empties source files that were compiled. Their modification times are old, so Cargo does not

@@ -184,15 +184,15 @@ fn time_one(
 ) -> Result<()> {
     found.timed = true;
     let Some(own) = program else { return Ok(()) };
-    let pair = reference.pair(grader.sandbox, &own);
+    let compared = reference.compared_with(grader.sandbox, &own);
     if !grader.rubric.has_contest() {
-        return timing::time(pair, found, &grader.rubric);
+        return timing::time(compared, found, &grader.rubric);
     }
     let contest = match contest.take() {
         Some(drawn) => contest.insert(drawn),
         None => contest.insert(ClassContest::draw()?),
     };
-    contest.enter(pair, found)
+    contest.enter(compared, found)
 }
 
 /// Builds the programs of a submission that was graded in an earlier run.

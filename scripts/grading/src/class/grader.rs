@@ -13,7 +13,7 @@ use crate::build::{Tree, graded_by};
 use crate::record::{FORMAT, Findings, Marked, Record, Status, Task};
 use crate::sandbox::Sandbox;
 use crate::submission::{self, Submission, forbidden};
-use crate::timing::{Pair, whole_program};
+use crate::timing::{Compared, whole_program};
 use lab_kit::Facts;
 use lab_kit::escape::{cut, plain};
 use lab_kit::files::{digest, write_file};
@@ -124,55 +124,63 @@ impl<'a> Grader<'a> {
         (name, path): &Named,
     ) -> (Record, Option<TempDir>) {
         let mut record = self.blank(name);
-        let (status, message) = match self.try_to_grade(&mut record, tree, reference, path) {
+        let end = match self.try_to_grade(&mut record, tree, reference, path) {
             Ok(Ok(folder)) => return (record, Some(folder)),
             Ok(Err(end)) => end,
             Err(error) => {
                 record = self.blank(name);
-                (Status::Failed, format!("{error:#}"))
+                EarlyEnd { status: Status::Failed, message: format!("{error:#}") }
             }
         };
-        record.found.status = status;
-        record.found.message = self.message(&message, path);
+        record.found.status = end.status;
+        record.found.message = self.message(&end.message, path);
         (record, None)
     }
 
-    /// Returns the programs or, if there are none, the stage that grading reached and the reason.
+    /// Grades a submission as [`Grader::grade`] does, and returns its programs. `record` is filled
+    /// as far as grading got.
+    ///
+    /// # Errors
+    /// If grading failed. The submission is not the cause.
     fn try_to_grade(
         &self,
         record: &mut Record,
         tree: &Tree,
         reference: &Reference,
         path: &Path,
-    ) -> Result<Result<TempDir, (Status, String)>> {
+    ) -> Result<Result<TempDir, EarlyEnd>> {
         let submission = match self.take(path) {
             Ok(submission) => submission,
             // If the system cannot read a submission, its contents may still be right.
             Err(error) if is_of_the_system(&error) => return Err(error),
-            Err(error) => return Ok(Err((Status::Unreadable, format!("{error:#}")))),
+            Err(error) => {
+                let message = format!("{error:#}");
+                return Ok(Err(EarlyEnd { status: Status::Unreadable, message }));
+            }
         };
         let Record { found, tasks, .. } = record;
         found.left_out = submission.left_out;
         found.changed = submission.changed;
         if submission.files.is_empty() {
-            return Ok(Err((Status::Empty, submission::nothing(self.lab, &found.left_out))));
+            let message = submission::nothing(self.lab, &found.left_out);
+            return Ok(Err(EarlyEnd { status: Status::Empty, message }));
         }
         found.hash = hash(&submission.files);
         found.files =
             submission.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
-        if let Some(why) = forbidden::find(&submission.files) {
-            return Ok(Err((Status::Refused, why)));
+        if let Some(message) = forbidden::find(&submission.files) {
+            return Ok(Err(EarlyEnd { status: Status::Refused, message }));
         }
         let folder = match tree.build(self.sandbox, &submission.files)? {
             Ok(folder) => folder,
-            Err(why) => return Ok(Err((Status::NotBuilt, why))),
+            Err(message) => return Ok(Err(EarlyEnd { status: Status::NotBuilt, message })),
         };
         let questions = reference.questions.as_ref().context("the solution was not asked")?;
         let ids = tasks.iter().map(|task| task.id.as_str());
         let results = questions.ask(self.sandbox, folder.path(), ids, found.seed)?;
         self.write_results(results, tasks, &found.name, path)?;
-        let pair = reference.pair(self.sandbox, &folder);
-        whole_program::check(pair, &self.rubric, found.seed, tasks)?;
+        let compared = reference.compared_with(self.sandbox, &folder);
+        whole_program::check(compared, &self.rubric, found.seed, tasks)?;
         Ok(Ok(folder))
     }
 
@@ -197,6 +205,13 @@ impl<'a> Grader<'a> {
     }
 }
 
+/// Reason why a submission has no programs that can be graded.
+struct EarlyEnd {
+    /// Stage that grading reached.
+    status: Status,
+    message: String,
+}
+
 /// The solution's programs, and the questions that the solution has answered.
 pub(crate) struct Reference {
     pub(crate) programs: TempDir,
@@ -206,8 +221,12 @@ pub(crate) struct Reference {
 
 impl Reference {
     /// Returns a submission's programs beside the solution's.
-    pub(crate) fn pair<'a>(&'a self, sandbox: &'a Sandbox, own: &'a TempDir) -> Pair<'a> {
-        Pair { sandbox, own: own.path(), solution: self.programs.path() }
+    pub(crate) fn compared_with<'a>(
+        &'a self,
+        sandbox: &'a Sandbox,
+        own: &'a TempDir,
+    ) -> Compared<'a> {
+        Compared { sandbox, own: own.path(), solution: self.programs.path() }
     }
 }
 

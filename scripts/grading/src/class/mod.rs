@@ -2,7 +2,7 @@
 //!
 //! [`grader`] judges the tasks of one submission. [`batch`] judges all submissions, several at a
 //! time, and then times them while nothing else runs. It continues after an interruption.
-//! [`summary`] contains the lines that are printed at the end.
+//! [`summary`] formats the printed lines.
 
 mod batch;
 mod grader;
@@ -183,13 +183,17 @@ fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<Exi
     let class = ClassFile::read(into, &grader.rubric)?;
     let attendance = class.mark(&mut records, &grader.rubric)?;
     records.iter().try_for_each(|record| record.write(into))?;
-    let pages = report::write(grader.kit, grader.lab, &records, (&class, &attendance), into)?;
+    report::write(grader.kit, grader.lab, &records, (&class, &attendance), into)?;
     let ended = summary::print_submissions(grader, submissions, &records)?;
     attendance.say(&records);
     summary::print_about_times(&class, submissions);
     if let Some(ungraded) = &grader.rubric.ungraded {
         println!("Not graded: {ungraded}");
     }
-    pages.iter().for_each(|page| println!("{page}"));
+    println!("The class: {}", into.join("index.html").display());
+    // The contest comes last, so that a failure hides no results.
+    if let Some(page) = report::publish_contest(grader.kit, &records, into)? {
+        println!("The contest: {}", page.display());
+    }
     Ok(ended)
 }

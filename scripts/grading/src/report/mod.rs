@@ -11,14 +11,14 @@ mod sentences;
 pub(crate) use changed_marks::changes;
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
 use crate::record::{self, Record, Status, points, scale};
 use crate::roster::{Attendance, ClassFile};
 use lab_kit::files::write_file;
-use lab_kit::hints;
+use lab_kit::task_list;
 use lab_kit::{Facts, Kit, Lab};
 use lab_measure::commands::contest::publish;
 
@@ -40,15 +40,14 @@ struct Words {
 /// Writes all reports into `folder`.
 ///
 /// These are `index.html`, `class.csv`, `feedback/NAME.md` and `gradescope/NAME.json`. A roster
-/// adds `marks.csv`, and an export from Moodle adds `moodle-feedback.zip`. Entries of a contest add
-/// the folder `contest`. Returns a line for each page: what it shows, and its path.
+/// adds `marks.csv`, and an export from Moodle adds `moodle-feedback.zip`.
 pub(crate) fn write(
     kit: &Kit,
     lab: Lab,
     records: &[Record],
     (class, attendance): (&ClassFile, &Attendance),
     folder: &Path,
-) -> Result<Vec<String>> {
+) -> Result<()> {
     let words = Words { full: scale(records), ..Words::of(kit, lab)? };
     let shown = shown(records);
     let mut to_see_to = attendance.words(records);
@@ -77,16 +76,24 @@ pub(crate) fn write(
     if let Some(archive) = moodle::archive(&letters)? {
         write_file(&folder.join("moodle-feedback.zip"), archive)?;
     }
-    let mut pages = vec![format!("The class: {}", folder.join("index.html").display())];
+    Ok(())
+}
+
+/// Writes the contest's page into the folder `contest` in `folder`. Returns the path of the page;
+/// `None` if no record contains an entry.
+pub(crate) fn publish_contest(
+    kit: &Kit,
+    records: &[Record],
+    folder: &Path,
+) -> Result<Option<PathBuf>> {
     let entries = records.iter().filter_map(|record| {
         Some((record.found.name.clone(), vec![record.found.contest.clone()?]))
     });
     let entries: Vec<_> = entries.collect();
-    if !entries.is_empty() {
-        let page = publish(kit, entries, &folder.join("contest"))?;
-        pages.push(format!("The contest: {}", page.display()));
+    if entries.is_empty() {
+        return Ok(None);
     }
-    Ok(pages)
+    publish(kit, entries, &folder.join("contest")).map(Some)
 }
 
 /// Returns the records as a page shows them. If several records have the same name, the names of
@@ -106,7 +113,7 @@ fn shown(records: &[Record]) -> Vec<Record> {
 
 impl Words {
     fn of(kit: &Kit, lab: Lab) -> Result<Self> {
-        let titles = hints::read(kit, lab)?;
+        let titles = task_list::read(kit, lab)?;
         let titles = titles.into_iter().map(|(task, facts)| (task.to_string(), facts.title));
         Ok(Self {
             lab: format!("Lab {lab}: {}", kit.title(lab)),

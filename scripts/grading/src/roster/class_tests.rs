@@ -55,14 +55,14 @@ fn error(class_toml: &str, file: &str) -> String {
 }
 
 /// A class whose records were marked.
-struct Marked {
+struct MarkedClass {
     records: Vec<Record>,
     attendance: Attendance,
     /// Roster with marks; empty if there is no roster.
     roster: String,
 }
 
-impl Marked {
+impl MarkedClass {
     /// Marks copies of Ada's record under other names.
     fn new(class_toml: &str, file: &str, names: &[&str]) -> Self {
         Self::of_folder(&folder(class_toml, file), names)
@@ -102,7 +102,7 @@ impl Marked {
 
 #[test]
 fn canvas_gets_its_own_columns_back() {
-    let class = Marked::new(ROSTER, CANVAS, &["lovelaceada_11_4242_lab1", "ghost"]);
+    let class = MarkedClass::new(ROSTER, CANVAS, &["lovelaceada_11_4242_lab1", "ghost"]);
     assert_eq!(class.students(), ["Lovelace, Ada", ""]);
     assert_eq!(class.attendance.absent, ["Hopper, Grace"]);
     assert_eq!(class.attendance.strangers, [1]);
@@ -118,7 +118,7 @@ fn canvas_gets_its_own_columns_back() {
 fn a_column_that_is_not_there_is_added() {
     let text =
         CANVAS.replace(",Lab 1 (77)", "").replace(",50,100", ",100").replace("One,,", "One,");
-    let class = Marked::new(ROSTER, &text, &["ada"]);
+    let class = MarkedClass::new(ROSTER, &text, &["ada"]);
     class.assert_roster(&[
         "Student,ID,SIS User ID,SIS Login ID,Section,Lab 2 (78),Lab 1\n",
         ",100,100\n",
@@ -128,12 +128,12 @@ fn a_column_that_is_not_there_is_added() {
 
 #[test]
 fn moodle_tells_two_of_one_name_apart() {
-    let class = Marked::new(ROSTER, WORKSHEET, &["Ada Lovelace_4712_assignsubmission_file"]);
+    let class = MarkedClass::new(ROSTER, WORKSHEET, &["Ada Lovelace_4712_assignsubmission_file"]);
     assert_eq!(class.attendance.present, [(1, 0)].into());
     assert_eq!(class.attendance.absent, ["Ada Lovelace (ada@example.org)"]);
     class.assert_roster(&["Participant 4712,Ada Lovelace,ada2@example.org,,30,\"50,00\""]);
     // The submission's name fits both students.
-    let class = Marked::new(ROSTER, WORKSHEET, &["Ada Lovelace"]);
+    let class = MarkedClass::new(ROSTER, WORKSHEET, &["Ada Lovelace"]);
     assert_eq!(class.attendance.strangers, [0]);
 }
 
@@ -141,7 +141,7 @@ fn moodle_tells_two_of_one_name_apart() {
 fn moodles_gradebook_is_joined_by_address_and_by_hand() {
     let class_toml =
         "roster = \"f.csv\"\ncolumn = \"First lab\"\n[names]\nx17 = \"grace@example.org\"";
-    let class = Marked::new(class_toml, GRADEBOOK, &["ada@example.org", "x17", "hoppergrace"]);
+    let class = MarkedClass::new(class_toml, GRADEBOOK, &["ada@example.org", "x17", "hoppergrace"]);
     assert_eq!(class.attendance.twice, [("Grace Hopper".to_owned(), None, vec![1, 2])]);
     class.assert_roster(&[
         "First name,Last name,ID number,Email address,First lab\n",
@@ -154,7 +154,7 @@ fn moodles_gradebook_is_joined_by_address_and_by_hand() {
 #[test]
 fn a_pair_shares_one_submission_and_the_latest_or_the_best_counts() {
     let latest = "attempts = \"latest\"\nroster = \"f.csv\"\n[names]\npair = [\"7\", \"8\"]";
-    let class = Marked::new(latest, GRADEBOOK, &["pair", "7"]);
+    let class = MarkedClass::new(latest, GRADEBOOK, &["pair", "7"]);
     assert_eq!(class.students()[0], "Ada Lovelace and Grace Hopper");
     let attendance = &class.attendance;
     assert_eq!(attendance.present, [(0, 1), (1, 0)].into(), "of equal times the last");
@@ -163,7 +163,7 @@ fn a_pair_shares_one_submission_and_the_latest_or_the_best_counts() {
     assert!(what.ends_with("the latest that has a mark counts"), "{what}");
     assert_eq!(*who, ["Ada Lovelace (7, not pair)"]);
     let best = "attempts = \"best\"\nroster = \"f.csv\"\n[[override]]\nstudent = \"7_a\"\npoints = 99\nreason = \"x\"";
-    let class = Marked::new(best, GRADEBOOK, &["7_a", "7_b"]);
+    let class = MarkedClass::new(best, GRADEBOOK, &["7_a", "7_b"]);
     assert_eq!(class.attendance.present, [(0, 0)].into());
     class.assert_roster(&["ada@example.org,99\n"]);
 }
@@ -259,7 +259,7 @@ fn days_begin_after_the_grace() {
         ("penalty = 10\n[[override]]\nstudent = \"ada\"\ndays = 0\nreason = \"ill\"", 0, 60.0),
     ] {
         let class_toml = format!("[late]\ndeadline = \"2026-11-20T10:00:00Z\"\n{late}");
-        let class = Marked::new(&class_toml, "", &["ada"]);
+        let class = MarkedClass::new(&class_toml, "", &["ada"]);
         assert_eq!((class.days(), class.points()), (days, vec![points]), "{late}");
     }
 }
@@ -267,7 +267,7 @@ fn days_begin_after_the_grace() {
 /// Returns the days by which a submission of this time is late.
 fn days(late: &str, time: &str) -> u32 {
     let class_toml = format!("[late]\n{late}\npenalty = 10\ntimes = \"f.csv\"");
-    Marked::new(&class_toml, &format!("student,time\nada,{time}\n"), &["ada"]).days()
+    MarkedClass::new(&class_toml, &format!("student,time\nada,{time}\n"), &["ada"]).days()
 }
 
 #[test]
@@ -309,7 +309,7 @@ fn accents_count_however_they_are_written() {
     // in file names of macOS.
     let names =
         ["Jos\u{e9} Ruiz_1", "Jose\u{301} Ruiz_2", "JOSE\u{301} RUIZ", "Jose Ruiz", "k\u{e4}fer"];
-    let class = Marked::new(class_toml, roster, &names);
+    let class = MarkedClass::new(class_toml, roster, &names);
     let jose = "Jos\u{e9} Ruiz";
     assert_eq!(class.students(), [jose, jose, jose, "Jose Ruiz", "Zo\u{eb} Li"]);
 }
@@ -319,7 +319,7 @@ fn nobody_is_guessed_between_two() {
     let roster = "First name,Last name,ID number,Email address\n\
         Ada,Li,7,ada@example.org\nAda,Li,8,li@example.org\nBob,Wu,9,bob@example.org\n";
     let names = ["Ada Li_4711_lab1", "Ada Li_8_lab1", "Ada Li_9_lab1", "Bob Wu_8_lab1", "bob_ada"];
-    let class = Marked::new(ROSTER, roster, &names);
+    let class = MarkedClass::new(ROSTER, roster, &names);
     assert_eq!(class.students(), ["", "Ada Li", "", "Bob Wu", ""]);
     assert_eq!(class.attendance.strangers, [0, 2, 4]);
     assert_eq!(class.attendance.present, [(1, 1), (2, 3)].into());
@@ -327,7 +327,7 @@ fn nobody_is_guessed_between_two() {
 
 #[test]
 fn a_byte_order_mark_is_nobodys_name() {
-    let class = Marked::new(&format!("\u{feff}{ROSTER}"), CANVAS, &["ada"]);
+    let class = MarkedClass::new(&format!("\u{feff}{ROSTER}"), CANVAS, &["ada"]);
     assert_eq!(class.students(), ["Lovelace, Ada"]);
 }
 
@@ -353,7 +353,7 @@ fn a_list_of_times_goes_before_the_files() {
     let late = "deadline = \"2026-11-20T10:00:00Z\"";
     let class_toml = format!("[late]\n{late}\npenalty = 10\ntimes = \"f.csv\"");
     let list = "\u{feff}student,time\nada,2026-11-22T10:01:00Z\n";
-    assert_eq!(Marked::new(&class_toml, list, &["ada"]).days(), 3);
+    assert_eq!(MarkedClass::new(&class_toml, list, &["ada"]).days(), 3);
     let bad = error(&class_toml, "student,time\nada,tomorrow\n");
     assert!(bad.contains("f.csv, line 2, column time: 'tomorrow' is no time"), "{bad}");
 }
@@ -363,7 +363,7 @@ fn what_was_decided_counts() {
     let class_toml = "[[override]]\nstudent = \"ada\"\ntask = \"1.2\"\npoints = 25\nreason = \"nearly\"\n\
         [[override]]\nstudent = \"ada\"\ntask = \"speed\"\npoints = 20\nreason = \"measured here\"\n\
         [[override]]\nstudent = \"bob\"\npoints = 5\nreason = \"said it aloud\"";
-    let class = Marked::new(class_toml, "", &["ada", "bob", "eve"]);
+    let class = MarkedClass::new(class_toml, "", &["ada", "bob", "eve"]);
     assert_eq!(class.points(), [105.0, 5.0, 60.0]);
 }
 
@@ -384,7 +384,7 @@ fn a_decision_that_cannot_be_is_refused() {
 
 #[test]
 fn a_pseudonym_hides_a_name_and_can_be_spoken_of() {
-    let class = Marked::new("pseudonyms = \"key\"", "", &["ada"]);
+    let class = MarkedClass::new("pseudonyms = \"key\"", "", &["ada"]);
     let mut record = class.records[0].clone();
     let pseudonym = record.marked.pseudonym.clone().unwrap();
     record.found.message = "ada.tar.gz cannot be unpacked".into();
@@ -394,7 +394,7 @@ fn a_pseudonym_hides_a_name_and_can_be_spoken_of() {
     let class_toml = format!(
         "pseudonyms = \"key\"\n[[override]]\nstudent = \"{pseudonym}\"\npoints = 1\nreason = \"r\""
     );
-    assert_eq!(Marked::new(&class_toml, "", &["ada"]).points(), [1.0]);
+    assert_eq!(MarkedClass::new(&class_toml, "", &["ada"]).points(), [1.0]);
 }
 
 const GRADESCOPE: &str = "First Name,Last Name,SID,Email,Role\n\
@@ -413,7 +413,7 @@ fn an_export_of_gradescope_says_who_handed_in_and_when() {
     let late = "roster = \"f.csv\"\n[late]\ndeadline = \"2026-11-21T06:00Z\"\npenalty = 10\n";
     let folder = folder(late, GRADESCOPE);
     fs::write(folder.path().join("submission_metadata.yml"), EXPORT).unwrap();
-    let class = Marked::of_folder(&folder, &["submission_2", "submission_1"]);
+    let class = MarkedClass::of_folder(&folder, &["submission_2", "submission_1"]);
     assert_eq!(class.students(), ["Grace Hopper and Linus Pauling", "Ada Lovelace"]);
     assert_eq!((class.days(), &class.records[1].marked.late), (2, &None));
     let words = class.attendance.words(&class.records);
@@ -422,7 +422,7 @@ fn an_export_of_gradescope_says_who_handed_in_and_when() {
 
     // The export suffices without a roster.
     fs::remove_file(folder.path().join("class.toml")).unwrap();
-    let class = Marked::of_folder(&folder, &["submission_2", "submission_3"]);
+    let class = MarkedClass::of_folder(&folder, &["submission_2", "submission_3"]);
     assert_eq!(class.students(), ["Grace Hopper and Linus", ""]);
 }
 
@@ -430,7 +430,7 @@ fn an_export_of_gradescope_says_who_handed_in_and_when() {
 fn a_roster_of_classroom_50_knows_users_of_github() {
     let roster =
         "username,first_name,last_name,email,section,github_id\nada-l,Ada,Lovelace,,One,4711\n";
-    assert_eq!(Marked::new(ROSTER, roster, &["ada-l"]).students(), ["Ada Lovelace"]);
+    assert_eq!(MarkedClass::new(ROSTER, roster, &["ada-l"]).students(), ["Ada Lovelace"]);
 }
 
 #[test]

@@ -89,9 +89,9 @@ impl<'a> Join<'a> {
         })
     }
 
-    /// Finds the submission as [`Join::find`] does. If there is none, a message names the entry
-    /// `what` of `class.toml`.
-    pub(super) fn expect(&self, who: &str, records: &[Record], what: &str) -> Option<usize> {
+    /// Finds the submission as [`Join::find`] does; `None`, with a warning that names the entry
+    /// `what` of `class.toml`, if there is none.
+    pub(super) fn find_or_warn(&self, who: &str, records: &[Record], what: &str) -> Option<usize> {
         let found = self.find(who, records);
         if found.is_none() {
             eprintln!("{CLASS}: {what}: no submission belongs to '{}'", line(who));

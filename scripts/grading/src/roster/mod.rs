@@ -137,13 +137,15 @@ impl ClassFile {
         }
         let mut decided = vec![Vec::new(); records.len()];
         for (number, one) in (1..).zip(&self.overrides) {
-            if let Some(at) = join.expect(&one.student, records, &format!("override {number}")) {
+            if let Some(at) =
+                join.find_or_warn(&one.student, records, &format!("override {number}"))
+            {
                 decided[at].push(one);
             }
         }
         let mut times = vec![None; records.len()];
         for (who, time) in self.late.iter().flat_map(Late::listed) {
-            if let Some(at) = join.expect(who, records, "times") {
+            if let Some(at) = join.find_or_warn(who, records, "times") {
                 times[at] = Some(time);
             }
         }

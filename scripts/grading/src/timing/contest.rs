@@ -9,7 +9,7 @@ use std::time::Duration;
 use anyhow::Result;
 use common::soft::Particle;
 
-use super::take::{Order, Pair};
+use super::take::{Compared, Order};
 use crate::record::Findings;
 use lab_kit::machine::cores;
 use lab_kit::program::Program;
@@ -47,18 +47,18 @@ impl ClassContest {
     ///
     /// # Errors
     /// If the reference fails, or the programs cannot be started.
-    pub(crate) fn enter(&self, pair: Pair<'_>, findings: &mut Findings) -> Result<()> {
+    pub(crate) fn enter(&self, compared: Compared<'_>, findings: &mut Findings) -> Result<()> {
         let program = format!("lab{}:{ENTRY}", findings.lab).parse().map_err(anyhow::Error::msg)?;
         let mut entry = Entry::new(program);
         let entries = std::slice::from_mut(&mut entry);
-        self.contest.measure(&|drawn, job| run(pair, drawn, job), &self.scenes, entries)?;
+        self.contest.measure(&|drawn, job| run(compared, drawn, job), &self.scenes, entries)?;
         (findings.timed, findings.contest) = (true, Some(entry));
         Ok(())
     }
 }
 
 /// Runs a job in the sandbox. The reference, which is a solution's, is the serial program.
-fn run(pair: Pair<'_>, drawn: &Drawn, job: &Job) -> Result<Result<RunOutput, String>> {
+fn run(compared: Compared<'_>, drawn: &Drawn, job: &Job) -> Result<Result<RunOutput, String>> {
     let order = Order {
         serial: job.program.solution,
         variant: job.program.variant.as_deref().unwrap_or_default(),
@@ -68,8 +68,7 @@ fn run(pair: Pair<'_>, drawn: &Drawn, job: &Job) -> Result<Result<RunOutput, Str
         steps: job.steps,
         kind: drawn.kind,
     };
-    let folder = if job.program.solution { pair.solution } else { pair.own };
-    let taken = match pair.take(folder, &order, usize::MAX, LIMIT)? {
+    let taken = match compared.take(!job.program.solution, &order, usize::MAX, LIMIT)? {
         Ok(taken) => taken,
         Err((_, why)) => return Ok(Err(why)),
     };

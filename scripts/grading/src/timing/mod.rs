@@ -27,8 +27,8 @@ use correctness::{STRAY, difference, is_another};
 use judge::is_noisy;
 pub(crate) use judge::{judge, seconds_of};
 use plan::{SERIAL, plan};
+pub(crate) use take::{Compared, PROGRAM};
 use take::{Order, Taken};
-pub(crate) use take::{PROGRAM, Pair};
 
 /// Smallest number of rounds.
 const LEAST: usize = 5;
@@ -49,14 +49,14 @@ const TIMES: f64 = 10.0;
 ///
 /// # Errors
 /// If the solution fails, or the programs cannot be started.
-pub(crate) fn time(pair: Pair<'_>, findings: &mut Findings, rubric: &Facts) -> Result<()> {
+pub(crate) fn time(compared: Compared<'_>, findings: &mut Findings, rubric: &Facts) -> Result<()> {
     let mut runs = plan(rubric, findings.seed, lab_kit::machine::cores());
     let start = Instant::now();
     (findings.timed, findings.runs) = (true, Vec::new());
     // The scene is random, so no program has seen it before. No letter contains its seed.
     let mut random = Random::new(RandomState::new().hash_one(()));
     for round in 0..MOST {
-        one_round(pair, &mut runs, round, scene(&mut random))?;
+        one_round(compared, &mut runs, round, scene(&mut random))?;
         findings.runs.clone_from(&runs);
         if round + 1 >= LEAST && !is_noisy(findings, rubric) || start.elapsed() > BUDGET {
             break;
@@ -78,7 +78,7 @@ struct Right {
 }
 
 /// Runs every program once, in the order of the list or in reverse, and compares the states.
-fn one_round(pair: Pair<'_>, runs: &mut [Run], round: usize, seed: u32) -> Result<()> {
+fn one_round(compared: Compared<'_>, runs: &mut [Run], round: usize, seed: u32) -> Result<()> {
     // Trusted programs come first: their results are right, and their times limit the other runs.
     let mut order = turns(runs.len(), round);
     order.sort_by_key(|at| (runs[*at].n, runs[*at].whose == Whose::Own));
@@ -92,11 +92,11 @@ fn one_round(pair: Pair<'_>, runs: &mut [Run], round: usize, seed: u32) -> Resul
         let allowed = right.first().map_or(ALLOWANCE * 8, |right| {
             ALLOWANCE + Duration::from_secs_f64(TIMES * right.taken.seconds)
         });
-        let folder = if run.whose == Whose::Own { pair.own } else { pair.solution };
-        let taken = match pair.take(folder, &Order::of(run, seed), run.workers, allowed)? {
+        let is_own = run.whose == Whose::Own;
+        let taken = match compared.take(is_own, &Order::of(run, seed), run.workers, allowed)? {
             Ok(taken) => taken,
             Err((outcome, why)) => {
-                ensure!(run.whose == Whose::Own, "the solution cannot be timed: {why}");
+                ensure!(is_own, "the solution cannot be timed: {why}");
                 if outcome == Outcome::TooSlow {
                     run.seconds.push(allowed.as_secs_f64());
                 }
@@ -105,13 +105,13 @@ fn one_round(pair: Pair<'_>, runs: &mut [Run], round: usize, seed: u32) -> Resul
             }
         };
         if let Some(message) = wrong(&right, run, &taken) {
-            ensure!(run.whose == Whose::Own, "the solution disagrees: {message}");
+            ensure!(is_own, "the solution disagrees: {message}");
             (run.outcome, run.message) = (Outcome::Wrong, message);
             continue;
         }
         run.seconds.push(taken.seconds);
         run.processors = run.processors.zip(taken.processors).map(|(sum, more)| sum + more);
-        if run.whose != Whose::Own && run.steps > 0 {
+        if !is_own && run.steps > 0 {
             right.push(Right { run: run.clone(), taken });
         }
     }

@@ -144,9 +144,10 @@ pub(crate) fn take(
     }))
 }
 
-/// The programs of a submission and of the solution.
+/// Two folders of programs that are compared, the submission's and the solution's, and the sandbox
+/// that runs them.
 #[derive(Clone, Copy)]
-pub(crate) struct Pair<'a> {
+pub(crate) struct Compared<'a> {
     pub(crate) sandbox: &'a Sandbox,
     /// Folder of the submission's programs.
     pub(crate) own: &'a Path,
@@ -154,16 +155,17 @@ pub(crate) struct Pair<'a> {
     pub(crate) solution: &'a Path,
 }
 
-impl Pair<'_> {
-    /// Runs a program as [`take`] does, and repeats a run that a fault of the machine may have
-    /// ended.
+impl Compared<'_> {
+    /// Runs the submission's program if `is_own`, and the solution's otherwise, as [`take`] does.
+    /// Repeats a run that a fault of the machine may have ended.
     pub(crate) fn take(
         &self,
-        folder: &Path,
+        is_own: bool,
         order: &Order<'_>,
         processors: usize,
         limit: Duration,
     ) -> Result<Result<Taken, Trouble>> {
+        let folder = if is_own { self.own } else { self.solution };
         believed(
             || take(self.sandbox, folder, order, processors, limit),
             is_doubtful,

@@ -9,7 +9,7 @@ use anyhow::{Result, anyhow};
 
 use super::correctness::difference;
 use super::scene;
-use super::take::{Order, Pair, Taken, Trouble, is_doubtful, take};
+use super::take::{Compared, Order, Taken, Trouble, is_doubtful, take};
 use crate::record::{Run, Task, Whose, number};
 use crate::sandbox::Sandbox;
 use crate::sandbox::faults::believed;
@@ -32,8 +32,8 @@ impl PlannedRun {
     }
 
     /// Runs the solution's program.
-    fn take_right(&self, pair: Pair<'_>) -> Result<Taken> {
-        let right = self.take(pair.sandbox, pair.solution)?;
+    fn take_right(&self, compared: Compared<'_>) -> Result<Taken> {
+        let right = self.take(compared.sandbox, compared.solution)?;
         right.map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", self.run.variant))
     }
 
@@ -41,12 +41,12 @@ impl PlannedRun {
     ///
     /// # Errors
     /// If the solution's program fails.
-    fn wrong(&self, pair: Pair<'_>) -> Result<Option<String>> {
-        let right = self.take_right(pair)?;
+    fn wrong(&self, compared: Compared<'_>) -> Result<Option<String>> {
+        let right = self.take_right(compared)?;
         let taken = believed(
-            || self.take(pair.sandbox, pair.own),
+            || self.take(compared.sandbox, compared.own),
             is_doubtful,
-            || self.take_right(pair).map(drop),
+            || self.take_right(compared).map(drop),
         )?;
         Ok(match taken {
             Ok(taken) => difference(&right.state, &taken.state, 0.0),
@@ -72,24 +72,33 @@ fn planned_runs(rubric: &Facts, seed: u64) -> Vec<PlannedRun> {
             let workers = 2 + random.below(3);
             let steps = 20 + random.below(60) as u64;
             let run = Run::planned(Whose::Own, &variant.name, n, workers, steps);
-            runs.push(PlannedRun { task: task.clone(), run, seed: scene(&mut random) });
+            runs.push((task.clone(), run));
         }
     }
-    runs.sort_by_key(|program| number(&program.task));
-    runs
+    // The scenes are drawn after all runs. A different order would change the scenes of a seed.
+    let runs = runs.into_iter();
+    let mut planned: Vec<PlannedRun> =
+        runs.map(|(task, run)| PlannedRun { task, run, seed: scene(&mut random) }).collect();
+    planned.sort_by_key(|program| number(&program.task));
+    planned
 }
 
 /// Runs a submission's programs and the solution's on scenes from a seed.
 ///
 /// If all tasks of a program are right and the program is wrong nevertheless, its last task counts
 /// as wrong. Other programs that need this task are then not run.
-pub(crate) fn check(pair: Pair<'_>, rubric: &Facts, seed: u64, tasks: &mut [Task]) -> Result<()> {
+pub(crate) fn check(
+    compared: Compared<'_>,
+    rubric: &Facts,
+    seed: u64,
+    tasks: &mut [Task],
+) -> Result<()> {
     for program_run in planned_runs(rubric, seed) {
         let last = number(&program_run.task);
         if tasks.iter().any(|task| number(&task.id) <= last && !task.passed) {
             continue;
         }
-        let Some(wrong) = program_run.wrong(pair)? else { continue };
+        let Some(wrong) = program_run.wrong(compared)? else { continue };
         let Run { variant, n, workers, steps, .. } = &program_run.run;
         for own in tasks.iter_mut().filter(|own| own.id == program_run.task) {
             (own.passed, own.share) = (false, 0.0);

@@ -1,4 +1,4 @@
-//! Reads the tasks of a lab with their hints from the lab's facts.
+//! The tasks of a lab in order, with the facts about each task.
 
 use anyhow::{Result, anyhow, ensure};
 
