@@ -63,10 +63,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
         report::write(kit, lab, &after, (&class, &attendance), folder)?;
         attendance.say(&after);
         println!("The class: {}", folder.join("index.html").display());
-        // The contest comes last, so that a failure hides no results.
-        if let Some(page) = report::publish_contest(kit, &after, folder)? {
-            println!("The contest: {}", page.display());
-        }
+        report::publish_contest(kit, &after, folder)?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -34,7 +34,8 @@ impl<'a> Order<'a> {
     }
 }
 
-/// Compiles the programs in a tree. Returns the compiler's errors; `None` if there are none.
+/// Compiles the programs in a tree. Returns the compiler's errors; `None` if the
+/// programs compile.
 pub(super) fn compile(
     root: &Path,
     sandbox: &Sandbox,

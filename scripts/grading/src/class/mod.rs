@@ -191,9 +191,6 @@ fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<Exi
         println!("Not graded: {ungraded}");
     }
     println!("The class: {}", into.join("index.html").display());
-    // The contest comes last, so that a failure hides no results.
-    if let Some(page) = report::publish_contest(grader.kit, &records, into)? {
-        println!("The contest: {}", page.display());
-    }
+    report::publish_contest(grader.kit, &records, into)?;
     Ok(ended)
 }

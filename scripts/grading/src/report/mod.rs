@@ -11,7 +11,7 @@ mod sentences;
 pub(crate) use changed_marks::changes;
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::Result;
 
@@ -79,21 +79,20 @@ pub(crate) fn write(
     Ok(())
 }
 
-/// Writes the contest's page into the folder `contest` in `folder`. Returns the path of the page;
-/// `None` if no record contains an entry.
-pub(crate) fn publish_contest(
-    kit: &Kit,
-    records: &[Record],
-    folder: &Path,
-) -> Result<Option<PathBuf>> {
+/// Writes the contest's page into the folder `contest` in `folder`, and prints its path. Does nothing
+/// if no record contains an entry.
+///
+/// Call this function last, so that an error hides no other results.
+pub(crate) fn publish_contest(kit: &Kit, records: &[Record], folder: &Path) -> Result<()> {
     let entries = records.iter().filter_map(|record| {
         Some((record.found.name.clone(), vec![record.found.contest.clone()?]))
     });
     let entries: Vec<_> = entries.collect();
-    if entries.is_empty() {
-        return Ok(None);
+    if !entries.is_empty() {
+        let page = publish(kit, entries, &folder.join("contest"))?;
+        println!("The contest: {}", page.display());
     }
-    publish(kit, entries, &folder.join("contest")).map(Some)
+    Ok(())
 }
 
 /// Returns the records as a page shows them. If several records have the same name, the names of

@@ -1,4 +1,4 @@
-//! Which students handed in, and what an instructor must attend to.
+//! Students with and without submissions, and the matters that an instructor must attend to.
 
 use std::collections::BTreeMap;
 

@@ -146,7 +146,7 @@ fn moodles_gradebook_is_joined_by_address_and_by_hand() {
     class.assert_roster(&[
         "First name,Last name,ID number,Email address,First lab\n",
         "ada@example.org,60\n",
-        // None of the two submissions counts.
+        // Neither submission counts.
         "grace@example.org,\n",
     ]);
 }

@@ -120,7 +120,7 @@ fn one_round(compared: Compared<'_>, runs: &mut [Run], round: usize, seed: u32) 
 
 /// Describes what is wrong with a result; `None` if it is right.
 ///
-/// The result is compared with those of the trusted programs.
+/// The result is compared with the results of the trusted programs.
 fn wrong(right: &[Right], run: &Run, taken: &Taken) -> Option<String> {
     let first = right.first().filter(|_| run.steps > 0)?;
     let difference = difference(&first.taken.state, &taken.state, STRAY);

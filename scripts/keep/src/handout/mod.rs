@@ -106,7 +106,8 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path, earlier: Earlier) -> Result<Laid> {
     let mut files = contents::gather(kit, &labs, earlier)?;
     let plan = before.plan(into, &files);
     plan.carry_out(into, &files)?;
-    for script in files.keys().filter(|path| path.extension().is_some_and(|e| e == "sh")) {
+    let ours = files.keys().filter(|path| !plan.edited.contains(path));
+    for script in ours.filter(|path| path.extension().is_some_and(|e| e == "sh")) {
         fs::set_permissions(into.join(script), fs::Permissions::from_mode(0o755))
             .with_context(|| format!("cannot make {} executable", script.display()))?;
     }

@@ -32,7 +32,7 @@ const NAMES: [&str; 6] = [
     "forces and moves, all threads [s]",
 ];
 
-/// A stopwatch for the parts of a step. It stands still unless it has been started.
+/// A stopwatch for the parts of a step. The default stands still.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Clock {
     /// The end of the last part; `None` while the clock stands still.
@@ -41,9 +41,15 @@ pub(super) struct Clock {
 }
 
 impl Clock {
-    /// Begins at zero, and begins the first part.
-    pub(super) fn start(&mut self) {
-        *self = Self { last: Some(Instant::now()), ..Self::default() };
+    /// Makes a clock that runs.
+    pub(super) fn started() -> Self {
+        Self { last: Some(Instant::now()), ..Self::default() }
+    }
+
+    /// Begins at zero, unless the clock stands still.
+    pub(super) fn reset(&mut self) {
+        self.parts = Default::default();
+        self.resume();
     }
 
     /// Begins a step, unless the clock stands still: the time since the last part does not count.
@@ -59,8 +65,8 @@ impl Clock {
         }
     }
 
-    /// Returns the seconds of each part times `threads`, with their names; empty if the clock was
-    /// not started.
+    /// Returns the seconds of each part times `threads`, with their names; empty if the clock
+    /// stands still.
     pub(super) fn shown(&self, threads: usize) -> Vec<(&'static str, f64)> {
         let seconds = self.parts.map(|part| threads as f64 * part.as_secs_f64());
         let named = NAMES.into_iter().zip(seconds);

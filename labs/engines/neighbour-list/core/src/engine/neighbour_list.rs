@@ -31,8 +31,6 @@ pub struct NeighbourList<O, P> {
     across: Across<P>,
     observer: O,
     counts: Counts,
-    /// Whether loading a scene starts `clock`.
-    is_timed: bool,
     clock: Clock,
 }
 
@@ -47,7 +45,8 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
 
     /// Decides whether the engine measures the parts of each step.
     pub fn timed(self, is_timed: bool) -> Self {
-        Self { is_timed, ..self }
+        let clock = if is_timed { Clock::started() } else { Clock::default() };
+        Self { clock, ..self }
     }
 
     /// Continues with these particles in a box of side `size`.
@@ -244,9 +243,7 @@ impl<O: Observer, P: Primitives> Simulation for NeighbourList<O, P> {
         self.crew.engage(scene.len());
         self.start(Bodies::of(scene), scene.size());
         self.counts = Counts::default();
-        if self.is_timed {
-            self.clock.start();
-        }
+        self.clock.reset();
     }
 
     fn step(&mut self) {
